@@ -120,7 +120,9 @@ function Writer:axis(panel, axis, ends)
     self:out("set grid no%stics", axis)
   elseif log and ends[2] / ends[1] < 100 then
     self:out("set %stics (%s); set format %s '%%h'", axis, log_marks(ends), axis)
-  elseif log then self:out("set format %s '10^{%%L}'; set m%stics 10", axis, axis)
+  elseif log then
+    local plain = ends[1] > 0.9e-3 and ends[2] < 1.1e4 -- 0.001 to 10000 are read more easily than powers
+    self:out("set format %s '%s'; set m%stics 10", axis, plain and "%h" or "10^{%L}", axis)
   else self:out("set format %s '%%h'", axis) end
   if axis == "x" and not panel.named_below then self:out "set format x ''" end
 end
@@ -140,7 +142,7 @@ function Writer:reference_line(panel, line)
   if at < 0 or at > (line.upright and ground.width or ground.height) then return end
   local ends = line.upright and "%.9g,graph 0 to %.9g,graph 1" or "graph 0,first %.9g to graph 1,first %.9g"
   self:out("set arrow from " .. ends .. " nohead lw %.3g%s lc %s back", line.at, line.at, math.max(1, em / 14),
-    line.dashed and " dt (10,6)" or "", colour)
+    line.dashed and " dt (20,12)" or "", colour)
   local function take() -- legends and labels keep away from it
     if line.upright then ground:line(at, 0, at, ground.height) else ground:line(0, at, ground.width, at) end
   end
@@ -226,7 +228,7 @@ function Writer:part(panel, s, bar)
   local title = s.name ~= "" and "title " .. quote(s.name) or "notitle"
   -- after the eight colours of the series come dashes
   local dashed = s.dashed ~= (not s.colour and (s.place - 1) // #read.colours % 2 == 1)
-  local line = ("lw %.3g%s lc %s"):format(thick, dashed and " dt (12,6)" or "", colour)
+  local line = ("lw %.3g%s lc %s"):format(thick, dashed and " dt (24,14)" or "", colour)
   local dots = ("pt 7 ps %.3g"):format(self.em / (s.style == "points" and 18 or 20))
   if s.style == "bars" then return ("%s %s lc %s %s"):format(data, self:bars(panel, s, bar), colour, title) end
   if s.style == "band" then
