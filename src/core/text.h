@@ -1,6 +1,7 @@
 // Formats numbers, vectors, counts and times for messages.
 #pragma once
 
+#include <cstdint>
 #include <cstdio>
 #include <string>
 
@@ -17,6 +18,13 @@ inline std::string number_text(double v, int digits = 6) {
 inline std::string vector_text(const Vec3& v, int digits = 6) {
     return "{" + number_text(v.x(), digits) + ", " + number_text(v.y(), digits) + ", " + number_text(v.z(), digits) +
            "}";
+}
+
+/// Sixteen hexadecimal digits: checksums.
+inline std::string hex_text(std::uint64_t v) {
+    char text[20];
+    std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(v));
+    return text;
 }
 
 /// "1 member", "2 members"

@@ -145,7 +145,7 @@ public:
     virtual void add_stiffest(Blocks& most) const { (void)most; }
 };
 
-/// Sleeps while it has nothing to do: run.wakings lists when it began and ended.
+/// Sleeps while it has nothing to do: run.state_changes lists when it began and ended.
 class Sleeper {
 public:
     virtual ~Sleeper() = default;

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "run/central_differences.h"
+#include "run/effect_forces.h"
 #include "run/energy_momentum.h"
 #include "run/newmark.h"
 #include "state/nodes.h"
@@ -42,7 +43,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       size_(settings_.dt, settings_.duration, settings_.automatic, settings_.controlled(), state_.time),
       mass_(w_),
       largest_energy_(*structure_),
-      guard_(tolerance(), size_.whole() / size_.own_length()),
+      energy_monitor_(tolerance(), size_.whole() / size_.own_length()),
       control_(settings_.step_control, settings_.controlled_by_default) {
     if (explicit_steps() != structure_->lumped())
         throw InputError("dynamics: explicit steps (beta 0) go with lumped masses, and Newmark's with consistent ones");
@@ -88,7 +89,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     sleepers_.resize(effects_->sleepers.size());
     if (!explicit_steps() && !breaks_or_parts_) mass_.drop();  // nothing can vanish at once
     add_inertia_to_reactions();
-    guard_.begin(state_);
+    energy_monitor_.begin(state_);
 }
 
 /// A step for what effects add to the elements: a chosen one is shortened, too long an explicit one refused. Elements'
@@ -183,7 +184,7 @@ void Dynamics::restart() {
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
-    find_fixed_ends(1);
+    find_fixed_ends(w_, *effects_, 1);
     assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
     for (const auto& load : effects_->loads) load->subtract_following_loads(w_.resisting);
@@ -352,7 +353,7 @@ double Dynamics::work_of_supports(const std::vector<Vec6>& supports, const std::
 
 void Dynamics::blocks_changed(const ConfigurationView& at) {
     if (EffectiveStiffness* effective = integrator_->effective())
-        effective->set_blocks(blocks_at(at, w_.scheme.gamma / (w_.scheme.beta * size_.dt())));
+        effective->set_blocks(added_blocks(*effects_, at, w_.scheme.gamma / (w_.scheme.beta * size_.dt())));
 }
 
 void Dynamics::set_offset_mass(int node, const Mat6& mass) {
@@ -413,8 +414,8 @@ bool Dynamics::advance() {
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
     if (settings_.controlled() && !unseen_ && verdict_ != Verdict::failed)
-        guard_.take(control_.kept_share(), state_.time);
-    guard();
+        energy_monitor_.take(control_.kept_share(), state_.time);
+    check_energy();
     tell_error();
     look_at_pairs();
     return verdict_ != Verdict::failed;
@@ -568,7 +569,7 @@ void Dynamics::control_step() {
     if (unseen_) return;
     auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] {
         const double error = energy().error;  // of a state that is kept, seen only now
-        if (largest_energy_.most() > 0) guard_.take(error / largest_energy_.most(), state_.time);
+        if (largest_energy_.most() > 0) energy_monitor_.take(error / largest_energy_.most(), state_.time);
         return error;
     });
     if (why) step_.failure = std::move(*why);
@@ -609,7 +610,7 @@ void Dynamics::tell_error() {
         return;
     LargestEnergy largest = largest_energy_;
     const double share = largest.share(energy(), accounts_);
-    const LargestError& worst = guard_.largest_error();
+    const LargestError& worst = energy_monitor_.largest_error();
     const bool large = !(std::abs(share) <= large_error);
     if (!large && std::abs(worst.share) <= large_error) return;
     char what[160];
@@ -625,19 +626,19 @@ void Dynamics::tell_error() {
                     "a shorter dt, dt = \"auto\" or more elements a member may make it smaller; see step_control"});
 }
 
-/// The largest error of explicit steps is that of a few steps, which the looks of the guard may miss.
+/// The largest error of explicit steps is that of a few steps, which the energy monitor may miss between two checks.
 void Dynamics::look_between() {
     const double most = std::max(largest_energy_.most(), initial_);
-    if (verdict_ != Verdict::running || !guard_.may_miss(integrator_->swing(), most)) return;
-    LargestEnergy largest = largest_energy_;  // it grows at the looks of the guard alone
+    if (verdict_ != Verdict::running || !energy_monitor_.may_miss(integrator_->swing(), most)) return;
+    LargestEnergy largest = largest_energy_;  // it grows at the checks of the energy monitor alone
     const double share = largest.share(energy(), accounts_);
-    if (largest.most() <= 2 * most) guard_.take(share, state_.time);
+    if (largest.most() <= 2 * most) energy_monitor_.take(share, state_.time);
 }
 
 /// After a step that went well, or one that failed: whether the energy balance still closes.
-void Dynamics::guard() {
+void Dynamics::check_energy() {
     const bool running = verdict_ == Verdict::running, failed = verdict_ == Verdict::failed;
-    const bool due = guard_.due(state_, running);
+    const bool due = energy_monitor_.due(state_, running);
     if (!due && !failed) return look_between();
     char what[160] = "";
     if (const Fastest& fast = fastest(); fast.node >= 0)
@@ -645,8 +646,8 @@ void Dynamics::guard() {
                       structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
     std::optional<std::string> lost;
     if (due)
-        lost = guard_.look(state_, energy(), accounts_, largest_energy_, running, EnergyMonitor::may_grow(tolerance()),
-                           what);
+        lost = energy_monitor_.look(state_, energy(), accounts_, largest_energy_, running,
+                                    EnergyMonitor::may_grow(tolerance()), what);
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite
     if (!lost && (assembly_.folded() >= 0 || is_of_load(reason_))) return;

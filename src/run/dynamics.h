@@ -2,7 +2,7 @@
 // [yield], solve, correct, [fracture], commit. What is in brackets is an effect that a scene may not call for.
 //
 // This class knows the order of a step and what effects may ask of it, and no effect by name. How forces become motion
-// is the integrator's (integrator.h), how long a step is StepSize's, whether the run may go on the guard's.
+// is the integrator's (integrator.h), how long a step is StepSize's, whether the run may go on the energy monitor's.
 #pragma once
 
 #include "run/energy_monitor.h"
@@ -39,7 +39,7 @@ public:
     bool explicit_steps() const { return settings_.explicit_steps(); }
     double largest_energy() const { return largest_energy_.most(); }  ///< J, that any account has had where it looked
     /// Of a run whose energy balance no longer closed: the moment at which this was seen.
-    const std::optional<LostBalance>& lost() const { return guard_.lost(); }
+    const std::optional<LostBalance>& lost() const { return energy_monitor_.lost(); }
     const Fastest& fastest() const { return integrator_->fastest; }
     /// Seconds that one product of this run's effective stiffness, block by block and uncondensed, with a vector takes:
     /// the yardstick of a step.
@@ -93,7 +93,7 @@ private:
     std::string advice() const;
     std::optional<bool> holds(const Remedy& remedy, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
-    void guard();
+    void check_energy();
     void look_between();
     void tell_error();
     void look_at_pairs();
@@ -118,7 +118,7 @@ private:
     KeptMass mass_;
     std::unique_ptr<Integrator> integrator_;
     LargestEnergy largest_energy_;
-    EnergyMonitor guard_;
+    EnergyMonitor energy_monitor_;
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
     bool may_take_back_ = false;                                      ///< a step may fail and be undone

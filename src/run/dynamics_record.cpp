@@ -50,8 +50,8 @@ void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
     a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force,
       s.w_.supported, s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
-    if constexpr (A::reading) s.guard_.make_room(s.state_);
-    a(s.guard_);
+    if constexpr (A::reading) s.energy_monitor_.make_room(s.state_);
+    a(s.energy_monitor_);
     for (const auto& e : s.effects_->all)
         if constexpr (A::reading) e->restore(a);
         else e->save(a);
@@ -83,7 +83,7 @@ void Dynamics::read(std::string_view saved) {
     reader.must(makes_sense());
     w_.trial = configuration_of(state_);
     std::vector<const State*> states{&state_};
-    if (const State* good = guard_.good_state()) states.push_back(good);
+    if (const State* good = energy_monitor_.good_state()) states.push_back(good);
     for (const auto& e : effects_->all) reader.must(e->restored(states));
     assembly_.update_active(state_);
     reader(assembly_);
@@ -95,9 +95,10 @@ bool Dynamics::makes_sense() const {
     const int nodes = int(structure_->position().size()), elements = int(structure_->elements().size());
     const auto within = [](int n) { return [n](int i) { return i >= 0 && i < n; }; };
     const auto all = [](const auto& list, auto good) { return std::all_of(list.begin(), list.end(), good); };
-    const bool states = hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
-                        (!guard_.good_state() ||
-                         (hinge::makes_sense(*guard_.good_state(), *structure_) && is_finite(*guard_.good_state())));
+    const bool states =
+        hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
+        (!energy_monitor_.good_state() ||
+         (hinge::makes_sense(*energy_monitor_.good_state(), *structure_) && is_finite(*energy_monitor_.good_state())));
     const bool lengths = int(w_.external.size()) == nodes && int(w_.steady.size()) == nodes &&
                          int(w_.force.size()) == elements &&
                          int(w_.weighted.size()) == (settings_.alpha() == 0 ? 0 : nodes);

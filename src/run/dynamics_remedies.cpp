@@ -123,7 +123,7 @@ std::string Dynamics::advice() const {
     };
     if (list.empty() || !list.front().settings) return untried("it needs another model");
     if (effects_->any(&EffectTraits::calls_script)) return untried("it would call functions of the script");
-    const std::optional<LostBalance>& lost = guard_.lost();
+    const std::optional<LostBalance>& lost = energy_monitor_.lost();
     if (lost && !lost->went_back) return untried("no good state is kept");
     const double from = state_.time, failed = lost ? lost->time : state_.time + size_.own();
     const double beyond = failed + steps_beyond * size_.own();

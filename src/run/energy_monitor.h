@@ -117,7 +117,7 @@ private:
 /// By default (`by_default`) the balance is looked at every so many steps: every step while the error grows, up to 32
 /// steps apart while it does not, and at once where something abrupt happens. And what dt / 64 still loses is kept: a
 /// loss at one instant is no later step's, one that goes with time however short the step is, is then expected of later
-/// steps. The guard decides how much of that a run may have.
+/// steps. The energy monitor decides how much of that a run may have.
 class StepControl {
 public:
     StepControl(double tolerance, bool by_default) : tolerance_(tolerance), by_default_(by_default && tolerance > 0) {}

@@ -5,6 +5,7 @@
 
 #include "core/rotation.h"
 #include "effects/effect_list.h"
+#include "run/effect_forces.h"
 
 namespace hinge {
 
@@ -65,12 +66,7 @@ Energy Run::energy_of(const State& state) const {
     return balance(accounts_, initial_, sums);
 }
 
-Blocks Run::blocks_at(const ConfigurationView& at, double of_damping) const {
-    Blocks blocks(of_damping);
-    for (const auto& force : effects_->forces)
-        if (force->has_blocks()) force->add_blocks(at, blocks);
-    return blocks;
-}
+Blocks Run::added_stiffness() const { return added_blocks(*effects_, state_, 0); }
 
 void Run::change_steady_load(int node, const Vec3& force) {
     w_.external[node].head<3>() += force;
@@ -161,20 +157,6 @@ double Run::yield_value(int element, double r) const {
 double Run::yield_value(int element) const {
     if (structure_->conventional()) return yield_value(element, 0);
     return std::max(yield_value(element, -1), yield_value(element, 1));
-}
-
-void Run::find_fixed_ends(double factor) {
-    std::vector<beam::FixedEnd>& all = assembly_.fixed_ends();
-    const bool asked = structure_->can_yield() || !structure_->model().fracture().empty();
-    if (!asked || !any_of(effects_->section_forces, &SectionForceSource::has_fixed_ends)) return all.clear();
-    all.resize(structure_->elements().size());
-    bool first = true;
-    for (const auto& source : effects_->section_forces) {
-        if (!source->has_fixed_ends()) continue;
-        if (first) source->set_fixed_ends(w_.trial, factor, all);
-        else source->add_fixed_ends(w_.trial, factor, all);
-        first = false;
-    }
 }
 
 Run::Counts Run::count_members(int group) const {

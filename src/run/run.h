@@ -46,7 +46,7 @@ public:
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return energy_of(state_); }
     /// What effects add to the stiffness of the elements where the state is.
-    Blocks added_stiffness() const { return blocks_at(state_, 0); }
+    Blocks added_stiffness() const;
     /// The accounts of the energy balance, in the order in which they are shown.
     const AccountList& accounts() const { return accounts_; }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
@@ -92,9 +92,6 @@ protected:
     void warn(std::optional<RunWarning> warning);
     Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
-    Blocks blocks_at(const ConfigurationView& at, double of_damping) const;
-    /// Where the nodes are tried to be, for the assembly. `factor`: the load factor of statics.
-    void find_fixed_ends(double factor);
 
     // Host: what a static run has no use for does nothing.
     void stiffness_changed(int) override {}

@@ -45,7 +45,7 @@ struct DynamicSettings {
     double step_control = 0;
     /// The script has not said how: `step_control` acts in scenes with hinges, contact or other forces that begin or
     /// end suddenly, and with dt = "auto", by implicit steps. The balance is looked at less often, and what no shorter
-    /// step makes smaller is kept; then the guard decides. While no step is taken back, the bits are those of
+    /// step makes smaller is kept; then the energy monitor decides. While no step is taken back, the bits are those of
     /// step_control 0.
     bool controlled_by_default = false;
     static constexpr double default_control = 1e-3;

@@ -69,7 +69,7 @@ local function same(what, resumed, whole)
     if name ~= "factorisations" then equal(resumed.counts[name], count, ("%s: %s"):format(what, name)) end
   end
   equal(table.concat(resumed.probes[1].value, " "), table.concat(whole.probes[1].value, " "), what .. ": probe")
-  equal(#resumed.wakings, #whole.wakings, what .. ": wakings")
+  equal(#resumed.state_changes, #whole.state_changes, what .. ": changes of state")
 end
 
 -- Runs the scene once, with a checkpoint now and then from which another run goes on, on one thread and on two.

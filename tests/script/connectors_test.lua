@@ -134,7 +134,8 @@ for what, sign in pairs { stretched = 1, pressed = -1 } do
     equal(c:force(run), 0, "a broken connector has no force")
     near(run.energy.connector_dissipated / (capacity ^ 2 / (2 * k)), 1, 2e-3, "a break releases F^2 / 2k")
     near(run.energy.connector_stored, 0, 1e-12, "and nothing is stored any more")
-    near(run.wakings[1] and run.wakings[1].why:find "connector 1 between the ground and .* broke" or 0, 1, 0,
+    local change = run.state_changes[1]
+    near(change and change.why:find "connector 1 between the ground and .* broke" or 0, 1, 0,
       "the run tells of it")
   end)
 end

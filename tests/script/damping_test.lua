@@ -239,7 +239,7 @@ case("a damped body may rest", function()
   local run = model:dynamic { from = static, dt = 1e-3, duration = 0.02, record = false }
   local before = run.hash
   run:finish()
-  expect(#run.wakings >= 1 and not run.wakings[1].awake, "a damped body rests")
+  expect(#run.state_changes >= 1 and not run.state_changes[1].awake, "a damped body rests")
   expect(before ~= nil and run.energy.damping == 0, "at rest it loses %.3g", run.energy.damping)
 end)
 

@@ -91,7 +91,7 @@ local text = tostring(run) .. tostring(model) .. tostring(tip)
 assert(#probe.value == 6 and #run:read "f_y" == 1
     and run:count { state = "elastic" } + run:count { state = "yielded" } == 1)
 local sum = run.energy.kinetic + run:displacement(tip) + run:forces(member).N
-    + run:momentum().mass + #run.stages + #run.wakings
+    + run:momentum().mass + #run.stages + #run.state_changes
 assert(asked > 0 and member.a == foot and run:snapshot() and sum == sum)
 local other, seen = hinge.model(), 0
 local a, b = other:node { 0, 0, 0 }, other:node { 1, 0, 0 }

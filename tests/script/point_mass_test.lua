@@ -265,7 +265,7 @@ case("bodies with point masses rest until something reaches them, with the same 
     local run, head = fallen(true)
     local full, same_head = fallen(false)
     local slept, woken
-    for _, w in ipairs(run.wakings) do
+    for _, w in ipairs(run.state_changes) do
       if w.effect == "body" then slept, woken = slept or not w.awake, woken or w.awake end
     end
     expect(slept and woken, "%s: a post with a mass at its head rests %s, wakes %s", integrator, slept, woken)

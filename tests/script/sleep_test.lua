@@ -42,7 +42,7 @@ end
 
 -- The first waking (or, awake = false, falling asleep) of an effect.
 local function waking(run, effect, awake)
-  for _, w in ipairs(run.wakings) do
+  for _, w in ipairs(run.state_changes) do
     if w.effect == effect and w.awake == awake then return w end
   end
 end
@@ -124,7 +124,7 @@ for what, o in pairs {
       expect(lazy.counts.element_updates < 0.6 * full.counts.element_updates,
         "%s: %d element updates, %d with rest = false", what, lazy.counts.element_updates, full.counts.element_updates)
       local again = 0
-      for _, w in ipairs(lazy.wakings) do again = again + (w.effect == "body" and w.awake and 1 or 0) end
+      for _, w in ipairs(lazy.state_changes) do again = again + (w.effect == "body" and w.awake and 1 or 0) end
       equal(again, 1, what .. ": bodies woken")
     end
     expect(not waking(full, "body", false) and not waking(full, "2 bodies", false) and not waking(full, "body", true),
@@ -145,12 +145,12 @@ case("a bar that drives one portal into another wakes them one after the other",
   local lazy, full = model:dynamic(base), model:dynamic(with(base, { rest = false }))
   local a, b = observe(lazy, corners), observe(full, corners)
   local times = {}
-  for _, w in ipairs(lazy.wakings) do
+  for _, w in ipairs(lazy.state_changes) do
     if w.effect == "body" and w.awake then times[#times + 1] = w.time end
   end
   print(("at rest, one after the other: woken at %s s, energies differ by %.1e")
     :format(table.concat(times, ", "), difference(lazy, full)))
-  expect(#times == 2 and times[1] < times[2], "one after the other: %d wakings", #times)
+  expect(#times == 2 and times[1] < times[2], "one after the other: %d changes", #times)
   expect(times[2] and a.moved[2] and a.moved[2] > times[2] and a.moved[2] < times[2] + 3 * base.dt,
     "one after the other: the second moves from %s s", a.moved[2])
   expect(difference(lazy, full) < 1e-9, "one after the other: energies differ by %g", difference(lazy, full))
@@ -281,7 +281,7 @@ end
 -- Wakes when bodies come near, sleeps when they have parted.
 case("contact wakes when bodies come near and sleeps when they have parted", function()
   local run = completed(thrown { gap = 0.41 }:dynamic { dt = 1e-5, duration = 0.02, record = false },
-    "contact's wakings")
+    "contact's changes of state")
   local woke, slept = waking(run, "contact", true), waking(run, "contact", false)
   local touched = waking(run, "body", true)
   local why = "^2 bodies within [%d.]+ m: element %d of member %d.* and element %d of member 4 %(missile%)"
@@ -290,7 +290,7 @@ case("contact wakes when bodies come near and sleeps when they have parted", fun
     "contact wakes, touches and sleeps: %s, %s, %s s",
     woke and woke.time, touched and touched.time, slept and slept.time)
   local last
-  for _, w in ipairs(run.wakings) do
+  for _, w in ipairs(run.state_changes) do
     if w.effect == "contact" then
       expect(w.awake ~= last, "contact: twice %s", w.awake and "awake" or "asleep")
       last = w.awake
@@ -346,7 +346,7 @@ case("before a touch the long steps end once", function()
     local changes = 0
     while run.contacts.bound == 0 and run:step() do end
     expect(run.contacts.bound > 0, "auto, %s: nothing touches", rule)
-    for _, w in ipairs(run.wakings) do changes = changes + (w.effect == "long steps" and 1 or 0) end
+    for _, w in ipairs(run.state_changes) do changes = changes + (w.effect == "long steps" and 1 or 0) end
     equal(changes, 2, "auto, " .. rule .. ": changes of step up to the first touch")
   end
 end)
@@ -359,7 +359,7 @@ case("with contact declared and nothing near, dt = auto flies as a rigid body", 
   expect(math.abs(y - 6) < 1e-12 and x == 0 and z == 0 and rx == 0 and ry == 0 and rz == 0,
     "flight: displacement %g %g %g", x, y, z)
   equal(run.energy.kinetic, run.energy.initial, "flight: kinetic energy")
-  equal(#run.wakings, 2, "flight: the frame sleeps, steps become long, and nothing else")
+  equal(#run.state_changes, 2, "flight: the frame sleeps, steps become long, and nothing else")
 end)
 
 -- Something stands still, or flies, until a load comes: no long step is taken across its beginning or its end.
@@ -417,11 +417,12 @@ case("dt = auto takes no long steps for a cantilever that vibrates", function()
       worst = largest_of(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1]))
     end
     print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing")
-      :format(displacement, run.index, planned, #run.wakings, worst / -even.min))
+      :format(displacement, run.index, planned, #run.state_changes, worst / -even.min))
     expect(even.min < -0.01, "cantilever: it swings to %g m", even.min)
     expect(worst < -1e-3 * even.min,
       "cantilever, %s displacement: tip off by %g of its swing", displacement, worst / -even.min)
-    expect(#run.wakings < 20, "cantilever, %s displacement: the step changed %d times", displacement, #run.wakings)
+    expect(#run.state_changes < 20, "cantilever, %s displacement: the step changed %d times", displacement,
+      #run.state_changes)
   end
 end)
 

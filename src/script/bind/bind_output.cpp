@@ -95,12 +95,6 @@ void count_lost_files(const Context& c, Outcome& out) {
     out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing};
 }
 
-std::string hash_text(const State& state) {
-    char t[20];
-    std::snprintf(t, sizeof t, "%016llx", (unsigned long long)hash(state));
-    return t;
-}
-
 /// Lists the runs that failed before the last one, whose failure is the verdict and is told by itself.
 void list_failed_runs(const Context& c, Json& j) {
     int told = 0;
@@ -148,7 +142,7 @@ int write_summary(lua_State* L) {
     j["hinge"] = HINGE_VERSION;
     if (const auto& r = c->runs.last) {
         describe_run(j, *r);
-        j["state_hash"] = hash_text(r->run->state());
+        j["state_hash"] = hex_text(hash(r->run->state()));
     }
     Json results = field("results");
     j["results"] = results.is_null() ? Json::object() : results;

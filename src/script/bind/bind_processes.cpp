@@ -18,6 +18,7 @@
 #include "core/doing.h"
 #include "core/errors.h"
 #include "core/files.h"
+#include "core/text.h"
 #include "script/record/events.h"
 #include "script/lua/run_observer.h"
 #include "script/files/processes.h"
@@ -170,9 +171,7 @@ int width(lua_State* L) {
 std::string fingerprint_of(std::string_view bytes) {
     std::uint64_t h = 0xcbf29ce484222325u;
     for (const char c : bytes) h = (h ^ std::uint8_t(c)) * 0x100000001b3u;
-    char text[20];
-    std::snprintf(text, sizeof text, "%016llx", (unsigned long long)h);
-    return text;
+    return hex_text(h);
 }
 
 /// core.fingerprint(text): sixteen hexadecimal digits.

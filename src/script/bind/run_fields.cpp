@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "core/text.h"
 #include "effects/contact.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
@@ -60,11 +61,7 @@ void push_reason(lua_State* L, const RunRecord& r) {
     lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
 }
 
-void push_hash(lua_State* L, const RunRecord& r) {
-    char text[20];
-    std::snprintf(text, sizeof text, "%016llx", (unsigned long long)hash(r.run->state()));
-    lua_pushstring(L, text);
-}
+void push_hash(lua_State* L, const RunRecord& r) { lua_pushstring(L, hex_text(hash(r.run->state())).c_str()); }
 
 void push_warnings(lua_State* L, const RunRecord& r) {
     lua_newtable(L);

@@ -36,13 +36,17 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
         }
     }
     if (worst_member < 0) return {};
-    return {{member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
-                 ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
-                 "N eq 14 gives it " + excess_text(excess) + " more than its exact plastic moment about " +
-                 (worst_axis == 0 ? "x" : "y"),
-             std::string("what bends it to yielding is found too strong; a lower ") +
-                 (worst_axis == 0 ? "Mx0" : "My0") + " (hinge.section.general) or a lower yield stress is safe",
-             model.asked_at("member " + std::to_string(worst_member + 1)), members - 1, members}};
+    const char *about = worst_axis == 0 ? "x" : "y", *moment = worst_axis == 0 ? "Mx0" : "My0";
+    std::vector<Warning> list(1);
+    Warning& w = list.front();
+    w.what = member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
+             ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
+             "N eq 14 gives it " + excess_text(excess) + " more than its exact plastic moment about " + about;
+    w.advice = "what bends it to yielding is found too strong; a lower " + std::string(moment) +
+               " (hinge.section.general) or a lower yield stress is safe";
+    w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
+    w.more = members - 1, w.tells_of = members;
+    return list;
 }
 
 }  // namespace hinge::script
