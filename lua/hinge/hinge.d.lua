@@ -572,6 +572,44 @@ function model:combination(name, factors) end
 ---@param options hinge.mass_options
 function model:mass(options) end
 
+---Makes node `to` move with node `from` as a rigid body, however far both rotate. The link has no mass. It does no
+---work: what acts on `to` acts on `from`, with its moment about `from`. Several links may begin at one node, and a node
+---follows one other node. The link keeps the nodes as they are where a run begins. In dynamics `to` begins with the
+---velocity that follows from `from`. It is an error if `to` is held by a support where it would follow, and if a node
+---has no member when a run begins. These do not go with it yet, and are errors: integrator = "energy-momentum", a
+---support that moves at one of the nodes, and a member at one of the nodes that can break.
+---```lua
+---local face = model:node { 0.2, 0, 3 } -- of a column, 0.2 m from its axis
+---local axis = model:node { 0, 0, 3 }
+---model:rigid_link { from = axis, to = face } -- both nodes have members, too
+---```
+---@param options hinge.rigid_link_options
+function model:rigid_link(options) end
+
+---@class hinge.rigid_link_options
+---@field from hinge.node the node that the other one follows; it may be supported
+---@field to hinge.node
+---"all": displacements and rotations of `to` follow. "xyz": its displacements alone, as if the link ended in a ball
+---joint. Default "all"
+---@field dofs? "all"|"xyz"
+
+---Makes nodes of a floor move as one rigid body in their plane: their displacements in the plane, and the rotation
+---about its normal. Out of the plane they are free. The diaphragm has no mass and does no work. A node belongs to one
+---diaphragm, and the rest is as with model:rigid_link. Where floors tilt, the plane stays the one across x, y or z.
+---```lua
+---local corners = { model:node { 0, 0, 3 }, model:node { 4, 0, 3 }, model:node { 4, 4, 3 }, model:node { 0, 4, 3 } }
+---model:diaphragm { nodes = corners } -- a floor, rigid in x and y; the corners are heads of columns
+---```
+---@param options hinge.diaphragm_options
+function model:diaphragm(options) end
+
+---@class hinge.diaphragm_options
+---@field nodes hinge.node[] at least two
+---across which axis of space the plane lies. Default "z"
+---@field normal? "x"|"y"|"z"
+---the node that the others follow; of the nodes, it alone may be supported in the plane. Default the first of `nodes`
+---@field master? hinge.node
+
 ---@class hinge.mass_options
 ---@field node hinge.node it may be fixed: then the support carries it
 ---@field mass number kg, above 0

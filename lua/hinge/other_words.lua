@@ -14,7 +14,7 @@ local temperature = missing({ "hinge.material" }, "a material keeps its properti
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
 local released = there({ "model:connector", "model:fix" },
   "a pin is two nodes at one place, with a connector that is stiff in all directions but one")
-local rigid = missing({ "model:connector" }, "a connector with high stiffness joins two nodes")
+local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
 local shaken = there({ "hinge.ground", "model:move" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
 local used = missing({ "run:read", "member:state" }, "f_y of a section, eq 14, is 1 where it is fully plastic")
@@ -26,7 +26,7 @@ return {
   ["time history"] = shaken, seismic = shaken,
   ["response spectrum"] = missing({ "hinge.ground", "model:move" }, "runs follow a record in time"),
   drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
-  diaphragm = missing({ "model:connector", "model:member" }, "connectors or braces keep the nodes of a floor together"),
+  diaphragm = rigid,
   slab = floors, floor = floors, plate = floors, shell = floors, wall = floors, membrane = floors,
   ["own weight"] = there({ "model:gravity" }, "gravity acts on the density of members and on point masses"),
   ["dead load"] = there({ "model:case", "model:load", "model:gravity" }, "a load case holds loads under a name"),

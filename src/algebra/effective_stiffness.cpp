@@ -164,21 +164,31 @@ void EffectiveStiffness::remove(int element) {
 
 void EffectiveStiffness::set_blocks(Blocks blocks) {
     set_couplings(std::move(blocks.pairs));
-    for (const Blocks::Node& n : matrices_.node_blocks()) mark(n.node);
-    for (Blocks::Node& n : blocks.nodes) mark(n.node), n.K *= stiffness_factor_;
-    matrices_.set_node_blocks(std::move(blocks.nodes));
+    for (Blocks::Node& n : blocks.nodes) n.K *= stiffness_factor_;
+    if (reduction_) given_.nodes = std::move(blocks.nodes), given_changed_ = true;
+    else take_node_blocks(std::move(blocks.nodes));
 }
 
 void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
+    for (Coupling& c : couplings) c.K *= stiffness_factor_;
+    if (reduction_) given_.pairs = std::move(couplings), given_changed_ = true;
+    else take_couplings(std::move(couplings));
+}
+
+void EffectiveStiffness::take_node_blocks(std::vector<Blocks::Node> blocks) {
+    for (const Blocks::Node& n : matrices_.node_blocks()) mark(n.node);
+    for (const Blocks::Node& n : blocks) mark(n.node);
+    matrices_.set_node_blocks(std::move(blocks));
+}
+
+void EffectiveStiffness::take_couplings(std::vector<Coupling> couplings) {
     for (const auto* list : {&couplings_, &couplings})
         for (const Coupling& c : *list) mark(c.a), mark(c.b);
     couplings_ = std::move(couplings);
     const std::vector<std::uint8_t>& held = matrices_.held();
-    for (Coupling& c : couplings_) {
-        c.K *= stiffness_factor_;
+    for (Coupling& c : couplings_)
         for (int i = 0; i < 12; ++i)
             if (held[i < 6 ? c.a : c.b] >> (i % 6) & 1) c.K.row(i).setZero(), c.K.col(i).setZero();
-    }
     std::vector<int> changed;
     if (single_) single_->couple(couplings_, changed);
     if (condensed_) condensed_->couple(couplings_, changed);
@@ -190,7 +200,10 @@ void EffectiveStiffness::set_offset_mass(int node, const Mat6& mass) {
     mark(node);
 }
 
-void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& held) {
+void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& by_supports) {
+    std::vector<std::uint8_t> held = by_supports;
+    if (reduction_)
+        for (const Reduction::Dependent& d : reduction_->dependents()) held[d.node] |= d.tied;
     for (std::size_t i = 0; i < held.size(); ++i) {
         if (held[i] == matrices_.held()[i]) continue;
         mark(int(i));
@@ -218,6 +231,12 @@ bool EffectiveStiffness::take_up_all() {
 }
 
 void EffectiveStiffness::assemble() {
+    if (reduction_ && (structure_.large() || given_changed_ || !dirty_.empty())) {
+        given_changed_ = false;
+        Blocks blocks = reduced_blocks();
+        take_couplings(std::move(blocks.pairs));
+        take_node_blocks(std::move(blocks.nodes));
+    }
     if (dirty_.empty()) return;
     factor_valid_ = false;
     std::sort(dirty_.begin(), dirty_.end());
@@ -229,6 +248,17 @@ void EffectiveStiffness::assemble() {
 
 SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vector<Vec6>& x,
                                       const SolverSettings& settings) {
+    if (!reduction_) return solve_reduced(right, x, settings);
+    std::vector<Vec6> reduced = right;
+    reduction_->reduce(reduced);
+    take_out_held(reduced);
+    const SolveReport report = solve_reduced(reduced, x, settings);
+    reduction_->expand(x);
+    return report;
+}
+
+SolveReport EffectiveStiffness::solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& x,
+                                              const SolverSettings& settings) {
     ++counts_.solves;
     if (settings.direct) {
         if (!factorise()) return {0, false};

@@ -8,6 +8,7 @@
 #include "algebra/condensed.h"
 #include "algebra/direct_factors.h"
 #include "algebra/node_blocks.h"
+#include "algebra/reduction.h"
 #include "state/element_assembly.h"
 
 namespace hinge {
@@ -53,6 +54,9 @@ public:
     void set_couplings(std::vector<Coupling> couplings);
     void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
+    /// Eliminates degrees of freedom that depend on others: A becomes T^T A T, with the factors that `reduction` has
+    /// where A is assembled and solved. To be called before set_held.
+    void set_reduction(const Reduction* reduction) { reduction_ = reduction; }
 
     /// Excludes the nodes of which `resting` is not negative from conjugate gradients: nothing acts on them, nothing
     /// couples them to others, and their solution is zero. Empty: none.
@@ -98,6 +102,7 @@ public:
     static void fields(Self& s, A& a) {
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
           s.counts_.solves, s.counts_.factorisations);
+        if (s.reduction_) a(s.given_.pairs, s.given_.nodes);
         if constexpr (A::reading) a.must(s.take_up_all());
     }
 
@@ -117,6 +122,11 @@ private:
     int real_negative_modes(int most);
     void mark(int node);
     bool take_up_all();
+    SolveReport solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
+    void take_out_held(std::vector<Vec6>& v) const;
+    void take_couplings(std::vector<Coupling> couplings);
+    void take_node_blocks(std::vector<Blocks::Node> blocks);
+    Blocks reduced_blocks() const;
 
     const Structure& structure_;
     ThreadPool& pool_;
@@ -126,6 +136,9 @@ private:
     MatrixStorage keeping_;
     ElementMatrices matrices_;
     std::vector<Coupling> couplings_;
+    const Reduction* reduction_ = nullptr;  ///< null where no degree of freedom depends on others
+    Blocks given_;                          ///< with a reduction: the blocks of effects before it
+    bool given_changed_ = false;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> single_;
     std::vector<int> dirty_;  // nodes

@@ -53,12 +53,16 @@ void ElementMatrices::set_bridge(int first, const Mat6& between) {
     single_precision_ ? fill(single_bridge_) : fill(double_bridge_);
 }
 
-Mat6 ElementMatrices::bridge(int first, int end) const {
+Mat6 ElementMatrices::whole_bridge(int first) const {
     if (!has_bridges()) return Mat6::Zero();
     const std::size_t at = std::size_t(first) / 2 * 36;
-    const Mat6 between = single_precision_
-                             ? Mat6(Eigen::Map<const Eigen::Matrix<float, 6, 6>>(&single_bridge_[at]).cast<double>())
+    return single_precision_ ? Mat6(Eigen::Map<const Eigen::Matrix<float, 6, 6>>(&single_bridge_[at]).cast<double>())
                              : Mat6(Eigen::Map<const Mat6>(&double_bridge_[at]));
+}
+
+Mat6 ElementMatrices::bridge(int first, int end) const {
+    if (!has_bridges()) return Mat6::Zero();
+    const Mat6 between = whole_bridge(first);
     const int a = structure_.elements()[first].node[0], b = structure_.elements()[first + 1].node[1];
     return end == 0 ? masked(a, b, between) : masked(b, a, between.transpose());
 }
@@ -144,6 +148,17 @@ double ElementMatrices::product_of_offset_mass(int node, const double* x) const 
     if (offset_mass_.empty()) return 0;
     const Eigen::Map<const Vec6> v(x + 6 * node);
     return v.dot(offset_mass_[node] * v);
+}
+
+Mat12 ElementMatrices::whole_part(int element) const {
+    const std::size_t at = stride_ * std::size_t(element);
+    const auto block = [&](auto of) { return single_precision_ ? of(&single_part_[at]) : of(&double_part_[at]); };
+    Mat12 part;
+    for (int end : {0, 1}) {
+        part.block<6, 6>(6 * end, 6 * end) = block([&](const auto* p) { return own_of(p, end); });
+        part.block<6, 6>(6 * end, 6 * (1 - end)) = block([&](const auto* p) { return across_of(p, end); });
+    }
+    return part;
 }
 
 Mat6 ElementMatrices::across(int element, int end) const {

@@ -25,6 +25,11 @@ public:
     bool has_bridges() const { return !double_bridge_.empty() || !single_bridge_.empty(); }
     bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
     void set_offset_mass(int node, const Mat6& mass);
+    /// As they were set, with the rows and columns of what is held: an element's part, the block between the outer ends
+    /// of a pair, the offset mass of a node.
+    Mat12 whole_part(int element) const;
+    Mat6 whole_bridge(int first) const;
+    Mat6 offset_mass(int node) const { return offset_mass_.empty() ? Mat6(Mat6::Zero()) : offset_mass_[node]; }
     /// Replaces the blocks that effects add to single nodes; several of one node add up.
     void set_node_blocks(std::vector<Blocks::Node> blocks) { node_blocks_ = std::move(blocks); }
     const std::vector<Blocks::Node>& node_blocks() const { return node_blocks_; }

@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
-#include "beam/element_mass.h"
 #include "algebra/blocks.h"
+#include "algebra/effective_stiffness.h"
+#include "beam/element_mass.h"
 #include "state/node_mass.h"
 
 namespace hinge {
@@ -169,8 +171,23 @@ Mass::Mass(const Structure& structure, const State& state) : structure_(structur
     renew(all, state, configuration_of(state));
 }
 
+void Mass::set_reduction(const Reduction* reduction) {
+    reduction_ = reduction;
+    leave_out_joined();
+}
+
+void Mass::leave_out_joined() {
+    if (!reduction_ || !structure_.lumped()) return;
+    for (const std::vector<int>& group : reduction_->groups())
+        for (const int n : group) lumped_inverse_[n].setZero();
+}
+
 void Mass::renew(const std::vector<int>& elements, const State& state, const Configuration& pose) {
     if (structure_.lumped()) return renew_lumped(elements, state, pose);
+    if (reduction_) {
+        pose_ = std::make_unique<Configuration>(pose);
+        return;
+    }
     const bool first = !blocks_;
     if (first) keep_blocks(state);
     const auto take_up = [&](int index) {
@@ -204,6 +221,7 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
         heavy_.push_back(h);
     }
     rotate_offset_masses(state, pose);
+    leave_out_joined();
 }
 
 void Mass::rotate_offset_masses(const State& state, const Configuration& pose) {
@@ -252,9 +270,11 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
     if (structure_.lumped()) {
         for (std::size_t i = 0; i < right.size(); ++i) change[i] = lumped_inverse_[i].cwiseProduct(right[i]);
         for (const Heavy& h : heavy_) change[h.node] = h.inverse * right[h.node];
+        if (reduction_) solve_joined(right, change, state);
         hold(change, state);
         return {};
     }
+    if (reduction_) return solve_reduced(right, change, state);
     if (!blocks_ && structure_.cubic()) renew({}, state, configuration_of(state));
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
     take_up_held(state);
@@ -265,6 +285,79 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
     SolverSettings sharp;
     sharp.tolerance = tolerance;
     return blocks_->condensed.solve(right[0].data(), change[0].data(), sharp);
+}
+
+Mat6 Mass::lumped_at(int node, const State& state) const {
+    const LumpedMass own = lumped_mass_at(structure_, state, node);
+    Mat6 M = Mat6::Zero();
+    M.diagonal() << Vec3::Constant(own.mass), Vec3::Constant(own.rotary);
+    for (const Heavy& h : heavy_)
+        if (h.node == node) M += h.offsets;
+    return M;
+}
+
+/// Each group by itself: T^T M T of the nodes on which others depend. The free components of a dependent node are on
+/// their own, unless an offset mass couples them to the others.
+void Mass::solve_joined(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state) const {
+    for (const std::vector<int>& group : reduction_->groups()) {
+        std::vector<Mat6> M;
+        std::vector<int> place;  // of each node of the group in the matrix, -1
+        int unknowns = 0;
+        for (const int n : group) {
+            M.push_back(lumped_at(n, state));
+            const bool alone = reduction_->depends(n) && M.back().isDiagonal(0);
+            place.push_back(alone ? -1 : std::exchange(unknowns, unknowns + 6));
+        }
+        const auto place_of = [&](int node) {
+            return place[std::lower_bound(group.begin(), group.end(), node) - group.begin()];
+        };
+        Eigen::MatrixXd A = Eigen::MatrixXd::Zero(unknowns, unknowns);
+        Eigen::VectorXd right = Eigen::VectorXd::Zero(unknowns);
+        const auto out = [&](int n) { return reduction_->tied(n) | state.held[n]; };
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            const int n = group[i];
+            if (place[i] >= 0) A.block<6, 6>(place[i], place[i]) += M[i], right.segment<6>(place[i]) += impulse[n];
+            reduction_->spread(n, n, M[i], [&](int p, int q, const Mat6& block) {
+                if (place_of(p) >= 0 && place_of(q) >= 0) A.block<6, 6>(place_of(p), place_of(q)) += block;
+            });
+        }
+        for (const Reduction::Dependent& d : reduction_->dependents())
+            if (std::binary_search(group.begin(), group.end(), d.node))
+                for (const Reduction::Part& p : d.parts)
+                    right.segment<6>(place_of(p.node)) += p.factors.transpose() * impulse[d.node];
+        for (std::size_t i = 0; i < group.size(); ++i)
+            for (int c = 0; place[i] >= 0 && c < 6; ++c)
+                if (const int k = place[i] + c; (out(group[i]) >> c & 1) || !(A(k, k) > 0))
+                    A.row(k).setZero(), A.col(k).setZero(), A(k, k) = 1, right[k] = 0;
+        const Eigen::VectorXd x = A.ldlt().solve(right);
+        for (std::size_t i = 0; i < group.size(); ++i) {
+            Vec6& of = change[group[i]];
+            if (place[i] >= 0) of = x.segment<6>(place[i]);
+            else
+                for (int c = 0; c < 6; ++c)
+                    of[c] = (out(group[i]) >> c & 1) || !(M[i](c, c) > 0) ? 0 : impulse[group[i]][c] / M[i](c, c);
+        }
+    }
+    reduction_->expand(change);
+}
+
+/// Consistent mass: by the factors of T^T M T, which are made anew.
+SolveReport Mass::solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& change, const State& state) {
+    EffectiveStiffness reduced(structure_, alone_, 1, 0, false, MatrixStorage::direct);
+    reduced.set_reduction(reduction_);
+    reduced.set_held(state.held);
+    std::vector<int> elements;
+    for (int e = 0; e < int(state.broken.size()); ++e)
+        if (!state.broken[e]) elements.push_back(e);
+    const Configuration at = pose_ ? *pose_ : configuration_of(state);
+    reduced.build(elements, state, at, {});
+    for (int n = 0; n < int(state.offset_mass.size()); ++n)
+        if (has_offset_mass(state, n))
+            reduced.set_offset_mass(n, offset_mass_in_space(state.offset_mass[n], at.rotation[n]));
+    reduced.assemble();
+    SolverSettings direct;
+    direct.direct = true;
+    return reduced.solve(right, change, direct);
 }
 
 double pass_on(State& state, Mass& mass, std::vector<Vec6>& impulse) {

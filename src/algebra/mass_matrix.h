@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "algebra/condensed.h"
+#include "algebra/reduction.h"
 #include "state/element_assembly.h"
 
 namespace hinge {
@@ -18,6 +19,8 @@ class Mass {
 public:
     /// Mass of all whole elements and rigid offset masses, at the positions of `state`.
     Mass(const Structure& structure, const State& state);
+    /// Degrees of freedom that depend on others: solutions are those of T^T M T, moved by T, from now on.
+    void set_reduction(const Reduction* reduction);
 
     /// Computes again the mass of these elements at `pose`, and that of the rigid offset masses. A broken element has
     /// no mass but that of its offset mass. Before its first call, solutions use the element positions of `state`.
@@ -44,6 +47,9 @@ public:
         }
     };
     const std::vector<Heavy>& heavy() const { return heavy_; }
+    /// Lumped: solves for the nodes that constraints join, which lumped_inverse leaves out. Other nodes of `change`
+    /// stay as they are. `impulse` is zero where `state` holds a degree of freedom.
+    void solve_joined(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state) const;
 
     /// Fields of a checkpoint.
     template <class Self, class A>
@@ -66,8 +72,13 @@ private:
     void make_blocks();
     void take_up_held(const State& state);
     void mark(int node);
+    void leave_out_joined();
+    Mat6 lumped_at(int node, const State& state) const;
+    SolveReport solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& change, const State& state);
 
     const Structure& structure_;
+    const Reduction* reduction_ = nullptr;  ///< null where no degree of freedom depends on others
+    std::unique_ptr<Configuration> pose_;   ///< consistent, with a reduction: where it was renewed last
     std::vector<Vec6> lumped_inverse_;
     std::vector<Heavy> heavy_;  ///< in order of their nodes
     struct Blocks {

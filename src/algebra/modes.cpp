@@ -60,6 +60,35 @@ struct Matrices {
         K.resize(size, size), M.resize(size, size);
         K.setFromTriplets(stiffness.begin(), stiffness.end());
         M.setFromTriplets(mass.begin(), mass.end());
+        if (!added.constraints.empty()) reduce(place, added.constraints);
+    }
+
+private:
+    /// T^T K T and T^T M T, with T of the constraints whose degrees of freedom are all here.
+    void reduce(const std::vector<int>& place, const std::vector<LinearConstraint>& constraints) {
+        const auto place_of = [&](const DegreeOfFreedom& of) { return place[6 * of.node + of.component]; };
+        std::vector<char> depends(size, 0);
+        for (const LinearConstraint& c : constraints)
+            if (const int row = place_of(c.dependent); row >= 0) depends[row] = 1;
+        std::vector<int> column(size, -1);
+        int left = 0;
+        std::vector<Eigen::Triplet<double>> entries;
+        for (int i = 0; i < size; ++i)
+            if (!depends[i]) column[i] = left++, entries.emplace_back(i, column[i], 1.0);
+        for (const LinearConstraint& c : constraints)
+            for (const LinearConstraint::Term& term : c.terms)
+                if (const int row = place_of(c.dependent), of = place_of(term.of); row >= 0 && of >= 0)
+                    entries.emplace_back(row, column[of], term.factor);
+        Sparse T(size, left);
+        T.setFromTriplets(entries.begin(), entries.end());
+        const auto reduced = [&](const Sparse& lower) -> Sparse {
+            const Sparse whole = lower.selfadjointView<Eigen::Lower>();
+            const Sparse product = T.transpose() * whole * T;
+            return product.triangularView<Eigen::Lower>();
+        };
+        K = reduced(K), M = reduced(M);
+        size = left;
+        adds_stiffness = true;  // bodies may be joined that are not rigid together
     }
 };
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "algebra/node_blocks.h"
+#include "model/linear_constraint.h"
 #include "model/structure.h"
 
 namespace hinge {
@@ -40,6 +41,7 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 struct AddedToModes {
     Blocks stiffness = Blocks();
     std::vector<Blocks::Node> mass = {};
+    std::vector<LinearConstraint> constraints = {};  ///< those of other nodes count for nothing
 };
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
                                         const AddedToModes& added = {});

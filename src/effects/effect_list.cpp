@@ -20,8 +20,9 @@ EffectList::EffectList(Workspace& w, Host& host) {
         if (kind.make)
             if (auto effect = kind.make(w, host)) all.push_back(std::move(effect));
     list_those(all, loads), list_those(all, forces), list_those(all, section_forces), list_those(all, prescribers);
-    list_those(all, matrix_watchers), list_those(all, contact_laws), list_those(all, breakers);
-    list_those(all, break_listeners), list_those(all, step_limiters), list_those(all, sleepers);
+    list_those(all, constrainers), list_those(all, matrix_watchers), list_those(all, contact_laws);
+    list_those(all, breakers), list_those(all, break_listeners), list_those(all, step_limiters),
+        list_those(all, sleepers);
     list_those(all, rest_keepers), list_those(all, run_checkers);
 }
 

@@ -2,6 +2,7 @@
 // list.inc.
 #pragma once
 
+#include "effects/constrainer.h"
 #include "effects/effect.h"
 #include "effects/roles.h"
 
@@ -27,6 +28,7 @@ struct EffectList {
     RoleList<Force> forces;
     RoleList<SectionForceSource> section_forces;
     RoleList<Prescriber> prescribers;
+    RoleList<Constrainer> constrainers;
     RoleList<MatrixWatcher> matrix_watchers;
     RoleList<ContactLaw> contact_laws;
     RoleList<Breaker> breakers;

@@ -70,6 +70,8 @@ struct Step {
     double end() const { return begin + dt; }
 };
 
+class Constraints;
+
 /// What the stages and effects of a run work on. Each array means one thing; six numbers a node are in space: force and
 /// moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
 struct Workspace {
@@ -97,7 +99,8 @@ struct Workspace {
     /// Steps with one solution need the current offset masses: an outdated mass loses velocity at every step, by as
     /// much in a short step as in a long one.
     bool solved_at_once = false;
-    std::vector<Vec6> steady = {};  ///< the part of F that does not change with time: weights at nodes
+    std::vector<Vec6> steady = {};       ///< the part of F that does not change with time: weights at nodes
+    Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
 
     /// Whether the node belongs to a body at rest.
     bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }

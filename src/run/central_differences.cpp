@@ -22,6 +22,28 @@ void CentralDifferences::predict(const Step& step) {
     });
 }
 
+/// The values of the nodes that constraints join.
+std::vector<Vec6> CentralDifferences::of_joined(const std::vector<Vec6>& of) const {
+    std::vector<Vec6> values;
+    if (w_.constraints)
+        for (const std::vector<int>& group : w_.constraints->reduction().groups())
+            for (const int n : group) values.push_back(of[n]);
+    return values;
+}
+
+/// (T^T M T) q = T^T (F - R); R has what the acceleration towards the centre of rotation resists.
+void CentralDifferences::solve_joined() {
+    joined_force_.resize(w_.resisting.size(), Vec6::Zero());
+    joined_change_.resize(w_.resisting.size(), Vec6::Zero());
+    for (const std::vector<int>& group : w_.constraints->reduction().groups())
+        for (const int n : group) {
+            joined_force_[n] = w_.external[n] - w_.resisting[n];
+            for (int c = 0; c < 6; ++c)
+                if (w_.state.held[n] >> c & 1) joined_force_[n][c] = 0;
+        }
+    mass_.now()->solve_joined(joined_force_, joined_change_, w_.state);
+}
+
 /// Eq 15 without K: a' = M^-1 (F - R), and half of it and of what was there before go into the velocity.
 void CentralDifferences::accelerate(Step& step) {
     const double half = 0.5 * step.dt;
@@ -39,6 +61,7 @@ void CentralDifferences::accelerate(Step& step) {
     const int nodes = int(w_.resisting.size());
     begin_fastest((nodes + some_nodes - 1) / some_nodes);
     power_of_.assign(fastest_of_.size(), 0);
+    const std::vector<Vec6> towards_centre = of_joined(w_.trial.acceleration);
     const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
         Lanes sum{}, power{};
         for (int i = first; i < end; ++i) {
@@ -60,12 +83,23 @@ void CentralDifferences::accelerate(Step& step) {
     double power = 0;
     for (const double of_piece : power_of_) power += of_piece;
     for (const Mass::Heavy& h : mass.heavy()) {
+        if (w_.constraints && w_.constraints->reduction().joins(h.node)) continue;
         const Vec6 f = w_.external[h.node] - w_.resisting[h.node];
         Vec6 a = h.inverse * f;
         for (int c = 0; c < 6; ++c)
             if (w_.state.held[h.node] >> c & 1) a[c] = 0;
         power += a.dot(f);
         move(h.node, load_row<6>(a.data()), fastest_of_.back());
+    }
+    if (w_.constraints) {
+        solve_joined();
+        auto turning = towards_centre.begin();
+        for (const std::vector<int>& group : w_.constraints->reduction().groups())
+            for (const int n : group) {
+                power += joined_change_[n].dot(joined_force_[n]);
+                const Vec6 a = joined_change_[n] + *turning++;
+                move(n, load_row<6>(a.data()), fastest_of_.back());
+            }
     }
     swing_ = 0.5 * half * half * power;
     note_fastest(step.end());

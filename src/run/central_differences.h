@@ -26,11 +26,14 @@ public:
 
 private:
     void accelerate(Step& step);
+    std::vector<Vec6> of_joined(const std::vector<Vec6>& of) const;
+    void solve_joined();
     int accelerate_;
     std::vector<double> power_of_;  ///< a^T F of each piece of the nodes, N m / s^2
     /// J, of the last step: dt^2 a^T M a / 8. In a linear model the velocities half a step before and after conserve
     /// v^T M v / 2 + u^T K u / 2; with the velocity between them the energy differs by this.
     double swing_ = 0;
+    std::vector<Vec6> joined_force_, joined_change_;  ///< of nodes that constraints join: F - R, and T q
 };
 
 }  // namespace hinge

@@ -162,6 +162,14 @@ void Dynamics::begin_step() {
 void Dynamics::predict() {
     integrator_->predict(step_);
     for (const auto& p : effects_->prescribers) p->predicted(step_);
+    if (constraints_) keep_constraints(true);
+}
+
+/// Dependent nodes move with those on which they depend.
+void Dynamics::keep_constraints(bool moved) {
+    if (moved) constraints_->place(state_, w_.rotation_step), constraints_->renew();
+    constraints_->set_velocities();
+    constraints_->set_accelerations(true);
 }
 
 /// A step too long for what comes is begun again as a shorter one.
@@ -190,6 +198,7 @@ void Dynamics::recover(double time) {
     for (const auto& load : effects_->loads) load->subtract_following_loads(w_.resisting);
     for (const auto& force : effects_->forces) force->add_forces(time, w_.resisting);
     if (any_of(effects_->forces, &Force::blocks_follow)) blocks_changed(w_.trial);
+    if (constraints_) constraints_->balance([this](int n) { return w_.external[n]; });
     for (int e : assembly_.rotated()) stiffness_changed(e);
     if (step_.iteration == 0 && assembly_.folded() >= 0) step_.failure = assembly_.failure();
 }
@@ -198,12 +207,14 @@ void Dynamics::recover(double time) {
 bool Dynamics::correct() {
     const bool again = integrator_->correct(step_);
     for (const auto& p : effects_->prescribers) p->corrected(step_, integrator_->change());
+    if (constraints_) keep_constraints(!explicit_steps());
     if (again) return true;
     if (integrator_->may_go_on(step_))
         for (const auto& law : effects_->contact_laws)
             if (!law->settled()) return true;
     integrator_->solved(step_);
     for (const auto& e : effects_->all) e->solved(step_, integrator_->change());
+    if (constraints_) constraints_->set_velocities();
     return false;
 }
 
@@ -288,6 +299,8 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     for (Vec6& a : state_.acceleration) a.setZero();
     prescribe();
     w_.trial = configuration_of(state_);
+    if (constraints_) constraints_->renew(), constraints_->set_accelerations(false);
+    const std::vector<Vec6> towards_centre = w_.trial.acceleration;
     step_.iteration = 0;
     recover(state_.time);
     integrator_->start_from_forces();
@@ -301,6 +314,9 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
             if (state_.held[n] >> c & 1) r[c] = 0 - out_of_balance[n][c], out_of_balance[n][c] = 0;
     }
     must_be_solved(mass.solve(out_of_balance, state_.acceleration, state_, 1e-12));
+    if (constraints_)
+        for (const std::vector<int>& group : constraints_->reduction().groups())
+            for (const int n : group) state_.acceleration[n] += towards_centre[n];
     w_.yielding.clear();
     anew_ = false;
     for (const auto& e : effects_->all) e->acceleration_found();
@@ -321,6 +337,7 @@ void Dynamics::add_inertia_to_reactions() {
     assembly.run(state_, pose, with, force, yielding);
     for (Vec6& a : pose.acceleration) a.setZero();
     assembly.run(state_, pose, without, force, yielding);
+    if (constraints_) constraints_->reduction().reduce(with), constraints_->reduction().reduce(without);
     for (int n : w_.supported)
         for (int c = 0; c < 6; ++c)
             if (state_.held[n] >> c & 1) reaction_[n][c] += with[n][c] - without[n][c];

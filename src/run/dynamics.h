@@ -62,6 +62,7 @@ private:
     void stage(int stage, F f);
     void begin_step();
     void predict();
+    void keep_constraints(bool moved);
     void meet();
     void restart();
     void recover(double time);

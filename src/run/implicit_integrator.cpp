@@ -33,6 +33,7 @@ void ImplicitIntegrator::make_effective_stiffness(const EffectList& effects, dou
     effects_ = &effects;
     effective_ = std::make_unique<EffectiveStiffness>(w_.structure, w_.pool, 1 - scheme_.alpha,
                                                       scheme_.to_displacement(dt), geometric, storage);
+    if (w_.constraints) effective_->set_reduction(&w_.constraints->reduction());
     effective_->set_held(w_.state.held);
     effective_->set_damping(damping_of(w_.structure), scheme_.to_velocity(dt));
     for (int e = 0; e < int(w_.state.broken.size()); ++e)

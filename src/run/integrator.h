@@ -6,6 +6,7 @@
 #include "algebra/mass_matrix.h"
 #include "core/built.h"
 #include "effects/effect_list.h"
+#include "run/constraints.h"
 #include "run/settings.h"
 #include "run/stages.h"
 
@@ -22,7 +23,10 @@ public:
     Mass& renewed(const Configuration& pose) {
         is_stale_.assign(w_.state.broken.size(), 0);
         if (mass_) mass_->renew(stale_, w_.state, pose);
-        else mass_ = std::make_unique<Mass>(w_.structure, w_.state);
+        else {
+            mass_ = std::make_unique<Mass>(w_.structure, w_.state);
+            if (w_.constraints) mass_->set_reduction(&w_.constraints->reduction());
+        }
         stale_.clear();
         return *mass_;
     }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/rotation.h"
+#include "run/constraints.h"
 #include "run/yield_tangents.h"
 
 namespace hinge {
@@ -122,6 +123,13 @@ void Newton::move_by_step(double factor) {
     }
 }
 
+/// The step is a linear one: dependent nodes have left their places by what rotations are beyond that.
+void Newton::place_dependent_nodes(const ConfigurationView& from) {
+    std::vector<Vec3> rotations;
+    for (const Vec6& v : step_) rotations.push_back(v.tail<3>());
+    w_.constraints->place(from, rotations);
+}
+
 /// The set of hinges may differ at the two ends of the step, and Newton's method then swings between them: a step that
 /// makes the balance worse is taken by half, and by half again. False where the forces are not finite.
 bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) {
@@ -136,6 +144,7 @@ bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) 
             for (Vec6& v : step_) v *= 0.5;
         }
         move_by_step(factor_before + share * factor_change);
+        if (w_.constraints) place_dependent_nodes(before);
         forces_.recover();
         at.residual = forces_.residual();
         const double norm = at.residual.norm;

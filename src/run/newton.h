@@ -51,6 +51,7 @@ private:
     bool find_correction();
     bool find_step(double factor_change, Iteration& at);
     void move_by_step(double factor);
+    void place_dependent_nodes(const ConfigurationView& from);
     bool search_line(double factor_change, bool whole_steps, Iteration& at);
     bool has_converged(const Iteration& at) const;
     bool is_hopeless(const Iteration& at) const;

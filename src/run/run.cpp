@@ -47,6 +47,7 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
       at_start_(state_.accumulated),
       first_step_(state_.step) {
     const std::size_t nodes = structure_->position().size();
+    begin_constraints();
     const Energy start_energy = energy_of(state_);
     initial_ = start_energy["kinetic"] + start_energy["elastic"];
     w_.external.assign(nodes, Vec6::Zero());
@@ -58,6 +59,14 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
 }
 
 Run::~Run() = default;
+
+/// Constraints are kept from where the run begins. Nodes at rest that depend on others begin with their velocity.
+void Run::begin_constraints() {
+    if (effects_->constrainers.empty()) return;
+    constraints_ = std::make_unique<Constraints>(w_, *effects_);
+    w_.constraints = constraints_.get();
+    constraints_->begin();
+}
 
 Energy Run::energy_of(const State& state) const {
     Accounts sums;

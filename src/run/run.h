@@ -11,6 +11,7 @@
 #include "effects/host.h"
 #include "effects/reports.h"
 #include "effects/workspace.h"
+#include "run/constraints.h"
 #include "run/pressed_pairs.h"
 
 namespace hinge {
@@ -47,6 +48,8 @@ public:
     Energy energy() const { return energy_of(state_); }
     /// What effects add to the stiffness of the elements where the state is.
     Blocks added_stiffness() const;
+    /// Constraints between degrees of freedom; null where there are none.
+    const Constraints* constraints() const { return constraints_.get(); }
     /// The accounts of the energy balance, in the order in which they are shown.
     const AccountList& accounts() const { return accounts_; }
     /// Effects that woke, or went to sleep because they had nothing to do; the first thousand.
@@ -90,6 +93,7 @@ public:
 protected:
     void fail(std::string why);
     void warn(std::optional<RunWarning> warning);
+    void begin_constraints();
     Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
 
@@ -121,6 +125,7 @@ protected:
     ElementAssembly assembly_;
     Workspace w_;
     std::unique_ptr<const EffectList> effects_;
+    std::unique_ptr<Constraints> constraints_;  ///< null where there are none
     AccountList accounts_;
     double initial_ = 0;  ///< J, kinetic and elastic energy at the start
     Accounts at_start_;   ///< what had been added up before this run

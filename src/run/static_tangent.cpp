@@ -4,6 +4,7 @@
 
 #include "core/doing.h"
 #include "core/errors.h"
+#include "run/constraints.h"
 #include "run/effect_forces.h"
 #include "run/pressed_pairs.h"
 #include "run/yield_tangents.h"
@@ -19,6 +20,7 @@ double hinge_regularisation(double off_balance) { return std::clamp(1e-3 * off_b
 
 std::unique_ptr<EffectiveStiffness> make_matrix(const StaticProblem& p, MatrixStorage storage) {
     auto matrix = std::make_unique<EffectiveStiffness>(p.w.structure, p.w.pool, 0.0, 1.0, true, storage);
+    if (p.w.constraints) matrix->set_reduction(&p.w.constraints->reduction());
     matrix->set_held(p.held);
     return matrix;
 }
@@ -36,6 +38,7 @@ StaticTangent::StaticTangent(const StaticProblem& problem, StaticForces& forces,
 
 void StaticTangent::keep_unsymmetric() {
     matrix_ = make_matrix(problem_, MatrixStorage::unsymmetric);
+    unsymmetric_ = true;
     built_ = false;
 }
 
@@ -83,6 +86,7 @@ bool StaticTangent::renew(double off_balance, double hinge_stiffness) {
         matrix_->build(list, w_.state, w_.trial, plastic);
         w_.force.swap(w_.state.force);
         Blocks blocks = added_blocks(problem_.effects, w_.trial, 0);
+        if (w_.constraints) add_curvature_of_constraints(blocks);
         const bool has_blocks = !blocks.pairs.empty() || !blocks.nodes.empty();
         if (has_blocks || had_blocks_) matrix_->set_blocks(std::move(blocks));
         had_blocks_ = has_blocks;
@@ -92,6 +96,14 @@ bool StaticTangent::renew(double off_balance, double hinge_stiffness) {
     bool good = false;
     stages_.timed(factorise_stage_, [&] { good = matrix_->factorise(); });
     return good;
+}
+
+/// Its symmetric part where the tangent is kept as a symmetric one.
+void StaticTangent::add_curvature_of_constraints(Blocks& blocks) const {
+    const std::size_t others = blocks.nodes.size();
+    w_.constraints->add_curvature(w_.trial, blocks);
+    for (std::size_t i = others; i < blocks.nodes.size() && !unsymmetric_; ++i)
+        blocks.nodes[i].K = (0.5 * (blocks.nodes[i].K + blocks.nodes[i].K.transpose())).eval();
 }
 
 bool StaticTangent::solve(const std::vector<Vec6>& forces, std::vector<Vec6>& displacements) {

@@ -43,13 +43,14 @@ private:
     std::vector<int> elements_to_build() const;
     std::vector<ElementTangent> plastic_tangents(const std::vector<int>& elements, double hinge_stiffness);
     int modes_within_pairs();
+    void add_curvature_of_constraints(Blocks& blocks) const;
 
     const StaticProblem& problem_;
     Workspace& w_;
     StaticForces& forces_;
     std::unique_ptr<EffectiveStiffness> matrix_;
     std::vector<int> was_yielding_;  ///< elements built with a plastic tangent
-    bool built_ = false, had_blocks_ = false;
+    bool built_ = false, had_blocks_ = false, unsymmetric_ = false;
     bool of_state_ = false, of_trial_ = false;  ///< what is factorised is the elastic tangent there
     int overloaded_member_ = -1;
     Stages& stages_;

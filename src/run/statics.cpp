@@ -22,6 +22,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     assembly_.update_active(state_);
     forces_.recover();
     forces_.find_reactions(0);
+    if (constraints_) constraints_->reduction().refuse_held(problem_.held);
     refuse_mechanism();
     stability_.begin();
     if (structure_->large() && forces_.are_unsymmetric()) tangent_.keep_unsymmetric();

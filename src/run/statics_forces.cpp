@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "run/constraints.h"
 #include "run/effect_forces.h"
 #include "run/yield_tangents.h"
 
@@ -96,6 +97,10 @@ void StaticForces::recover() {
         w_.assembly.run(w_.state, w_.trial, w_.resisting, w_.force, w_.yielding);
         add_resistance_of_effects();
         if (follow_) find_loads();
+        if (w_.constraints) {
+            w_.constraints->renew();
+            w_.constraints->balance([this](int n) { return load(std::size_t(n), w_.factor); });
+        }
     });
 }
 

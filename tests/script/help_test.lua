@@ -89,7 +89,7 @@ case("hinge reference finds a call by words that the reference does not use", fu
   for words, wanted in pairs {
     ["-s drift"] = "'drift' is not available; see node:displacement, run:probe (the drift of a storey is the "
       .. "difference of the displacements of two nodes)",
-    ["-s diaphragms"] = "'diaphragms' is not available; see model:connector, model:member (...)",
+    ["-s diaphragms"] = "'diaphragms': see model:rigid_link, model:diaphragm (...)",
     ["-s inter-storey-drift"] = "...",
     ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
     ["-s earthquake"] = "'earthquake': see hinge.ground, model:move (...)",

@@ -207,6 +207,8 @@ local calls = {
   ["model:damping"] = function(x) s.model:damping(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
   ["model:connector"] = function(x) s.model:connector(with({ s.tip, ground = true }, x)) end,
+  ["model:rigid_link"] = function(x) s.model:rigid_link(with({ from = s.tip, to = s.tip }, x)) end,
+  ["model:diaphragm"] = function(x) s.model:diaphragm(with({ nodes = {} }, x)) end,
   ["model:connector.axes"] = function(x) s.model:connector { s.tip, ground = true, axes = x } end,
   ["model:connector.stiffness"] = function(x) s.model:connector { s.tip, ground = true, stiffness = x } end,
   ["model:connector.damping"] = function(x) s.model:connector { s.tip, ground = true, damping = x } end,

@@ -32,15 +32,18 @@ struct Piece {
     bool held_by_effects = false;  ///< an effect adds stiffness to it
 };
 
-/// Bodies that elements hold together, or what effects add between their nodes.
+/// Bodies that elements hold together, or what effects add or tie between their nodes.
 Bodies joined_bodies(const Structure& structure, const AddedToModes& added) {
     Bodies found = find_bodies(structure, initial_state(structure));
-    for (const Coupling& c : added.stiffness.pairs) {
-        const int keep = found.of_node[c.a], gone = found.of_node[c.b];
-        if (keep == gone || keep < 0 || gone < 0) continue;
+    const auto join = [&](int a, int b) {
+        const int keep = found.of_node[a], gone = found.of_node[b];
+        if (keep == gone || keep < 0 || gone < 0) return;
         for (int& body : found.of_node)
             if (body == gone) body = keep;
-    }
+    };
+    for (const Coupling& c : added.stiffness.pairs) join(c.a, c.b);
+    for (const LinearConstraint& c : added.constraints)
+        for (const LinearConstraint::Term& term : c.terms) join(term.of.node, c.dependent.node);
     std::vector<int> number(found.count, -1);
     found.count = 0;
     for (int& body : found.of_node)
@@ -52,7 +55,8 @@ Bodies joined_bodies(const Structure& structure, const AddedToModes& added) {
 }
 
 AddedToModes added_by_effects(const Run& run) {
-    AddedToModes added{run.added_stiffness(), {}};
+    AddedToModes added{run.added_stiffness(), {}, {}};
+    if (run.constraints()) added.constraints = run.constraints()->list_at(run.state());
     const State& s = run.state();
     for (std::size_t n = 0; n < s.offset_mass.size(); ++n)
         if (s.offset_mass[n].mass > 0)
@@ -81,6 +85,8 @@ std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& add
         if (const int b = found.of_node[c.a]; b >= 0) bodies[b].held_by_effects = true;
     for (const Blocks::Node& n : added.stiffness.nodes)
         if (const int b = found.of_node[n.node]; b >= 0) bodies[b].held_by_effects = true;
+    for (const LinearConstraint& c : added.constraints)
+        if (const int b = found.of_node[c.dependent.node]; b >= 0) bodies[b].held_by_effects = true;
     std::stable_sort(bodies.begin(), bodies.end(),
                      [](const Piece& a, const Piece& b) { return a.members > b.members; });
     return bodies;

@@ -1,0 +1,182 @@
+#include "effects/rigid_groups.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "core/rotation.h"
+#include "effects/declared.h"
+#include "effects/removal.h"
+#include "state/node_mass.h"
+
+namespace hinge {
+
+namespace {
+
+bool can_break(const Structure& structure, int element) {
+    const Element& e = structure.elements()[element];
+    const auto& removals = structure.model().declared<Removal>(removal_effect);
+    return e.fracture >= 0 || std::any_of(removals.begin(), removals.end(), [&](const Removal& r) {
+               return r.group < 0 ? r.member == e.member : structure.in_group(element, r.group);
+           });
+}
+
+}  // namespace
+
+RigidGroups::RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host)
+    : Effect(name, w, host), call_(call) {
+    for (RigidGroup& group : groups) {
+        refuse(group);
+        bodies_.push_back(weigh(std::move(group)));
+    }
+}
+
+/// Nodes that nothing moves, those that a support moves along a path, and those of members that can break.
+void RigidGroups::refuse(const RigidGroup& group) const {
+    std::vector<int> nodes{group.first};
+    for (const RigidGroup::Follower& f : group.followers) nodes.push_back(f.node);
+    for (const int n : nodes) {
+        if (w_.structure.elements_at(n).empty())
+            throw InputError(call_ + (": " + w_.structure.node_name(n)) +
+                             " has no member, so that it has neither stiffness nor mass; join nodes of members");
+        for (const DeclaredLoad& load : declared_loads(w_.structure.model()))
+            if (load.motion && load.node == n && w_.kind.dynamic)
+                throw InputError(call_ + (": " + w_.structure.node_name(n)) +
+                                 " is moved by model:move; that does not go together yet: move a node that is not "
+                                 "joined");
+        for (const int e : w_.structure.elements_at(n))
+            if (w_.kind.dynamic && can_break(w_.structure, e))
+                throw InputError(call_ + (": " + w_.structure.element_name(e)) + " can break at " +
+                                 w_.structure.node_name(n) +
+                                 ", by model:fracture or model:remove; that does not go together yet: give members at "
+                                 "joined nodes a group without fracture");
+    }
+}
+
+RigidGroups::Body RigidGroups::weigh(RigidGroup group) const {
+    Body body{std::move(group), {}, false};
+    body.nodes.push_back({body.group.first, 0, 0});
+    for (const RigidGroup::Follower& f : body.group.followers) body.nodes.push_back({f.node, 0, f.tied});
+    std::vector<double> mass(w_.state.displacement.size(), 0);
+    for_each_weight(w_.structure, w_.state, [&](int node, double kg) { mass[node] += kg; });
+    for (std::size_t n = 0; n < w_.state.offset_mass.size(); ++n) mass[n] += w_.state.offset_mass[n].mass;
+    double sum = 0;
+    for (const Weighed& n : body.nodes) sum += mass[n.node];
+    std::uint8_t in_plane = 7;
+    if (body.group.normal >= 0) in_plane &= std::uint8_t(~(1 << body.group.normal));
+    body.about_first = !w_.kind.dynamic || !(sum > 0) || (w_.state.held[body.group.first] & in_plane);
+    if (body.about_first) body.nodes[0].part = 1;
+    else
+        for (Weighed& n : body.nodes) n.part = mass[n.node] / sum;
+    return body;
+}
+
+/// Small displacement: as declared.
+Vec3 RigidGroups::place_of(int node, const ConfigurationView& at) const {
+    return w_.structure.large() ? Vec3(w_.structure.position()[node] + at.displacement[node])
+                                : w_.structure.position()[node];
+}
+
+template <class Of>
+Vec3 RigidGroups::mean(const Body& body, Of of) const {
+    if (body.about_first) return body.in_plane(of(body.nodes[0].node));
+    Vec3 sum = Vec3::Zero();
+    for (const Weighed& n : body.nodes) sum += n.part * of(n.node);
+    return body.in_plane(sum);
+}
+
+/// set(node, r) for each node that is placed by the reference point.
+template <class Set>
+void RigidGroups::for_arms(const Body& body, const ConfigurationView& at, Set set) const {
+    const Vec3 centre = mean(body, [&](int n) { return place_of(n, at); });
+    for (const Weighed& n : body.nodes)
+        if (n.tied || !body.about_first) set(n, Vec3(body.in_plane(place_of(n.node, at)) - centre));
+}
+
+/// u' = u + w x arm, w' = w.
+void RigidGroups::add_constraints(const ConfigurationView& at, std::vector<LinearConstraint>& list) const {
+    for (const Body& body : bodies_) {
+        const int first = body.group.first;
+        for (const RigidGroup::Follower& f : body.group.followers) {
+            const Vec3 arm = body.in_plane(place_of(f.node, at) - place_of(first, at));
+            for (int c = 0; c < 6; ++c) {
+                if (!(f.tied >> c & 1)) continue;
+                LinearConstraint tie{call_, {f.node, c}, {{{first, c}, 1}}};
+                for (int k = 0; c < 3 && k < 3; ++k)
+                    if (const double lever = body.turning(Vec3::Unit(k)).cross(arm)[c]; lever != 0)
+                        tie.terms.push_back({{first, 3 + k}, lever});
+                list.push_back(std::move(tie));
+            }
+        }
+    }
+}
+
+void RigidGroups::place(const ConfigurationView& from, const std::vector<Vec3>& rotation_step,
+                        Configuration& to) const {
+    for (const Body& body : bodies_) {
+        const Vec3 by = body.turning(rotation_step[body.group.first]);
+        const Quat turn = rotated(by, Quat::Identity());
+        const Vec3 moved = mean(body, [&](int n) -> Vec3 { return to.displacement[n] - from.displacement[n]; });
+        for_arms(body, from, [&](const Weighed& n, const Vec3& r) {
+            const Vec3 turned = w_.structure.large() ? Vec3(turn * r - r) : by.cross(r);
+            for (int c = 0; c < 3; ++c)
+                if (c != body.group.normal)
+                    to.displacement[n.node][c] = from.displacement[n.node][c] + moved[c] + turned[c];
+        });
+    }
+}
+
+void RigidGroups::set_velocities(Configuration& of) const {
+    for (const Body& body : bodies_) {
+        const Vec3 w = body.turning(of.velocity[body.group.first].tail<3>());
+        const Vec3 v = mean(body, [&](int n) -> Vec3 { return of.velocity[n].head<3>(); });
+        for_arms(body, of, [&](const Weighed& n, const Vec3& r) {
+            const Vec3 there = v + w.cross(r);
+            for (int c = 0; c < 3; ++c)
+                if (c != body.group.normal) of.velocity[n.node][c] = there[c];
+            for (int c = 3; c < 6; ++c)
+                if (n.tied >> c & 1) of.velocity[n.node][c] = of.velocity[body.group.first][c];
+        });
+    }
+}
+
+void RigidGroups::set_accelerations(Configuration& of) const {
+    for (const Body& body : bodies_) {
+        const Vec6& first = of.acceleration[body.group.first];
+        const Vec3 dw = body.turning(first.tail<3>()), w = body.turning(of.velocity[body.group.first].tail<3>());
+        const bool large = w_.structure.large();
+        const Vec3 a = mean(body, [&](int n) -> Vec3 { return of.acceleration[n].head<3>(); });
+        for_arms(body, of, [&](const Weighed& n, const Vec3& r) {
+            const Vec3 there = large ? Vec3(a + dw.cross(r) + w.cross(w.cross(r))) : Vec3(a + dw.cross(r));
+            for (int c = 0; c < 3; ++c)
+                if (c != body.group.normal) of.acceleration[n.node][c] = there[c];
+            for (int c = 3; c < 6; ++c)
+                if (n.tied >> c & 1) of.acceleration[n.node][c] = first[c];
+        });
+    }
+}
+
+/// The moment arm x f of a dependent node on the first one changes as the arm rotates: d(arm) = dw x arm.
+void RigidGroups::add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced,
+                                Blocks& blocks) const {
+    if (!w_.structure.large()) return;
+    for (const Body& body : bodies_) {
+        Mat3 sum = Mat3::Zero();
+        for (const RigidGroup::Follower& f : body.group.followers) {
+            const Vec3 arm = body.in_plane(place_of(f.node, at) - place_of(body.group.first, at));
+            sum += skew(body.in_plane(unbalanced[f.node].head<3>())) * skew(arm);
+        }
+        Mat6 K = Mat6::Zero();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                if (body.group.normal < 0 || (i == body.group.normal && j == i)) K(3 + i, 3 + j) = sum(i, j);
+        blocks.stiffness(body.group.first, K);
+    }
+}
+
+void RigidGroups::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const {
+    for (const Body& body : bodies_)
+        for (const Weighed& n : body.nodes)
+            if (const int b = bodies.of_node[n.node]; b >= 0) rests[b] = 0;
+}
+
+}  // namespace hinge
