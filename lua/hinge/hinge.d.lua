@@ -576,8 +576,9 @@ function model:mass(options) end
 ---work: what acts on `to` acts on `from`, with its moment about `from`. Several links may begin at one node, and a node
 ---follows one other node. The link keeps the nodes as they are where a run begins. In dynamics `to` begins with the
 ---velocity that follows from `from`. It is an error if `to` is held by a support where it would follow, and if a node
----has no member when a run begins. These do not go with it yet, and are errors: integrator = "energy-momentum", a
----support that moves at one of the nodes, and a member at one of the nodes that can break.
+---has no member when a run begins. If fracture takes the last member of a node, the link keeps the others together.
+---These do not go with it yet, and are errors: integrator = "energy-momentum", a support that moves at one of the
+---nodes, and several links, one with dofs = "xyz", from a node whose members can break.
 ---```lua
 ---local face = model:node { 0.2, 0, 3 } -- of a column, 0.2 m from its axis
 ---local axis = model:node { 0, 0, 3 }

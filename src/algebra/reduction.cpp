@@ -14,7 +14,7 @@ const char* const component_names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
 
 Reduction::Reduction(const Structure& structure, const std::vector<std::uint8_t>& held,
                      const std::vector<LinearConstraint>& constraints)
-    : structure_(structure), which_(structure.position().size(), -1) {
+    : structure_(&structure), which_(structure.position().size(), -1) {
     for (const LinearConstraint& c : constraints) {
         int& at = which_[c.dependent.node];
         if (at < 0) at = int(dependents_.size()), dependents_.push_back({c.dependent.node, 0, {}, c.declared_by});
@@ -40,7 +40,8 @@ void Reduction::refuse_held(const std::vector<std::uint8_t>& held) const {
         for (int c = 0; c < 6; ++c)
             if (d.tied & held[d.node] & (1 << c))
                 throw InputError(d.declared_by + (": " + std::string(component_names[c])) + " of " +
-                                 structure_.node_name(d.node) + " depends on " + structure_.node_name(d.parts[0].node) +
+                                 structure_->node_name(d.node) + " depends on " +
+                                 structure_->node_name(d.parts[0].node) +
                                  " and is held by a support too; support the node on which it depends, or leave one "
                                  "of the two out");
 }

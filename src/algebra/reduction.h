@@ -69,7 +69,7 @@ private:
     Parts parts_of(int node) const;
     void find_groups();
 
-    const Structure& structure_;
+    const Structure* structure_;
     std::vector<int> which_;  ///< of each node: its place in dependents_, -1
     std::vector<Dependent> dependents_;
     std::vector<std::vector<int>> groups_;

@@ -23,14 +23,12 @@ bool can_break(const Structure& structure, int element) {
 }  // namespace
 
 RigidGroups::RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host)
-    : Effect(name, w, host), call_(call) {
-    for (RigidGroup& group : groups) {
-        refuse(group);
-        bodies_.push_back(weigh(std::move(group)));
-    }
+    : Effect(name, w, host), call_(call), declared_(std::move(groups)) {
+    for (const RigidGroup& group : declared_) refuse(group);
+    find_bodies();
 }
 
-/// Nodes that nothing moves, those that a support moves along a path, and those of members that can break.
+/// Nodes that nothing moves, those that a support moves along a path, and ball joints on an arm that may lose its node.
 void RigidGroups::refuse(const RigidGroup& group) const {
     std::vector<int> nodes{group.first};
     for (const RigidGroup::Follower& f : group.followers) nodes.push_back(f.node);
@@ -43,22 +41,46 @@ void RigidGroups::refuse(const RigidGroup& group) const {
                 throw InputError(call_ + (": " + w_.structure.node_name(n)) +
                                  " is moved by model:move; that does not go together yet: move a node that is not "
                                  "joined");
-        for (const int e : w_.structure.elements_at(n))
-            if (w_.kind.dynamic && can_break(w_.structure, e))
-                throw InputError(call_ + (": " + w_.structure.element_name(e)) + " can break at " +
-                                 w_.structure.node_name(n) +
-                                 ", by model:fracture or model:remove; that does not go together yet: give members at "
-                                 "joined nodes a group without fracture");
     }
+    const auto balls =
+        std::count_if(group.followers.begin(), group.followers.end(), [](const auto& f) { return f.tied == 7; });
+    if (!w_.kind.dynamic || balls == 0 || nodes.size() == 2) return;
+    for (const int e : w_.structure.elements_at(group.first))
+        if (can_break(w_.structure, e))
+            throw InputError(call_ + (": " + w_.structure.element_name(e)) + " can break at " +
+                             w_.structure.node_name(group.first) +
+                             ", from which links with dofs = 'xyz' and others begin; that does not go together yet: "
+                             "give the member a group without fracture");
 }
 
-RigidGroups::Body RigidGroups::weigh(RigidGroup group) const {
-    Body body{std::move(group), {}, false};
-    body.nodes.push_back({body.group.first, 0, 0});
-    for (const RigidGroup::Follower& f : body.group.followers) body.nodes.push_back({f.node, 0, f.tied});
+/// Of the nodes that have members left. The first one is followed by the others, or by what follows it in full.
+RigidGroup RigidGroups::without_gone(RigidGroup group) const {
+    const auto is_gone = [&](const RigidGroup::Follower& f) { return w_.state.gone[f.node] != 0; };
+    group.followers.erase(std::remove_if(group.followers.begin(), group.followers.end(), is_gone),
+                          group.followers.end());
+    if (!w_.state.gone[group.first]) return group;
+    const auto next = std::find_if(group.followers.begin(), group.followers.end(),
+                                   [&](const RigidGroup::Follower& f) { return group.normal >= 0 || f.tied == 63; });
+    if (next == group.followers.end()) return group.followers.clear(), group;
+    group.first = next->node;
+    group.followers.erase(next);
+    return group;
+}
+
+void RigidGroups::find_bodies() {
     std::vector<double> mass(w_.state.displacement.size(), 0);
     for_each_weight(w_.structure, w_.state, [&](int node, double kg) { mass[node] += kg; });
     for (std::size_t n = 0; n < w_.state.offset_mass.size(); ++n) mass[n] += w_.state.offset_mass[n].mass;
+    bodies_.clear();
+    for (const RigidGroup& group : declared_)
+        if (RigidGroup left = without_gone(group); !left.followers.empty())
+            bodies_.push_back(weigh(std::move(left), mass));
+}
+
+RigidGroups::Body RigidGroups::weigh(RigidGroup group, const std::vector<double>& mass) const {
+    Body body{std::move(group), {}, false};
+    body.nodes.push_back({body.group.first, 0, 0});
+    for (const RigidGroup::Follower& f : body.group.followers) body.nodes.push_back({f.node, 0, f.tied});
     double sum = 0;
     for (const Weighed& n : body.nodes) sum += mass[n.node];
     std::uint8_t in_plane = 7;
@@ -69,6 +91,11 @@ RigidGroups::Body RigidGroups::weigh(RigidGroup group) const {
         for (Weighed& n : body.nodes) n.part = mass[n.node] / sum;
     return body;
 }
+
+/// Masses at nodes have changed, and a node may be gone.
+void RigidGroups::broke(const Break&) { find_bodies(); }
+
+bool RigidGroups::restored(std::span<const State* const>) { return find_bodies(), true; }
 
 /// Small displacement: as declared.
 Vec3 RigidGroups::place_of(int node, const ConfigurationView& at) const {

@@ -11,6 +11,7 @@
 
 #include "effects/constrainer.h"
 #include "effects/effect.h"
+#include "effects/roles.h"
 
 namespace hinge {
 
@@ -24,7 +25,7 @@ struct RigidGroup {
     int normal = -1;  ///< 0 to 2: rigid in the plane across x, y or z; -1: in space
 };
 
-class RigidGroups : public Effect, public Constrainer {
+class RigidGroups : public Effect, public Constrainer, public BreakListener {
 public:
     /// `call`: the script's, for messages.
     RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host);
@@ -35,6 +36,8 @@ public:
     void set_accelerations(Configuration& of) const override;
     void add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const override;
 
+    void broke(const Break& b) override;
+    bool restored(std::span<const State* const> states) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override;
 
 private:
@@ -56,7 +59,9 @@ private:
             return group.normal < 0 ? w : Vec3(w[group.normal] * Vec3::Unit(group.normal));
         }
     };
-    Body weigh(RigidGroup group) const;
+    void find_bodies();
+    RigidGroup without_gone(RigidGroup group) const;
+    Body weigh(RigidGroup group, const std::vector<double>& mass) const;
     void refuse(const RigidGroup& group) const;
     Vec3 place_of(int node, const ConfigurationView& at) const;
     template <class Of>
@@ -65,6 +70,7 @@ private:
     void for_arms(const Body& body, const ConfigurationView& at, Set set) const;
 
     const char* call_;
+    const std::vector<RigidGroup> declared_;
     std::vector<Body> bodies_;
 };
 

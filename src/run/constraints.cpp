@@ -39,6 +39,8 @@ void Constraints::place(const ConfigurationView& from, const std::vector<Vec3>& 
     for (const auto& c : constrainers_) c->place(from, rotation_step, w_.trial);
 }
 
+void Constraints::rebuild() { reduction_ = Reduction(w_.structure, w_.state.held, list_at(w_.state)); }
+
 void Constraints::renew() {
     if (w_.structure.large()) reduction_.renew(list_at(w_.trial));
 }

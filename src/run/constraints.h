@@ -16,6 +16,8 @@ public:
     /// Gives dependent nodes the velocity that follows from the others. Throws InputError where they have another one.
     void begin();
 
+    /// Nodes have lost their last member, or a checkpoint was read: the constraints that are left, where the state is.
+    void rebuild();
     /// Takes the factors of the trial configuration.
     void renew();
     /// Sets the displacements of the trial, which the nodes have reached from `from` by these rotation vectors.

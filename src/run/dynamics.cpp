@@ -277,6 +277,7 @@ void Dynamics::break_elements() {
         assembly_.deactivate(b.element);
     }
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
+    if (constraints_) rebuild_constraints();
     Mass& mass = mass_.renewed(configuration_of(state_));
     const double before = work_of_supports(state_.velocity, state_.velocity);
     if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
@@ -284,6 +285,15 @@ void Dynamics::break_elements() {
     for (const auto& listener : effects_->break_listeners) listener->all_broke();
     if (watched) control_.leave_behind(energy().error - error);
     anew_ = true;
+}
+
+/// Those of nodes that are left; a node that is no longer joined has its own mass again.
+void Dynamics::rebuild_constraints() {
+    for (const std::vector<int>& group : constraints_->reduction().groups())
+        for (const int n : group)
+            for (const int e : structure_->elements_at(n)) mass_.changed(e);
+    constraints_->rebuild();
+    if (EffectiveStiffness* effective = integrator_->effective()) effective->set_held(state_.held);
 }
 
 // ---- what the steps stand on ----------------------------------------------------------------------------------------

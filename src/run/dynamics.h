@@ -77,6 +77,7 @@ private:
     bool calls_for_control() const;
     void commit();
     void break_elements();
+    void rebuild_constraints();
     void watch_effects();
 
     void choose_length();

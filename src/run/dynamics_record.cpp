@@ -85,6 +85,7 @@ void Dynamics::read(std::string_view saved) {
     std::vector<const State*> states{&state_};
     if (const State* good = energy_monitor_.good_state()) states.push_back(good);
     for (const auto& e : effects_->all) reader.must(e->restored(states));
+    if (constraints_) constraints_->rebuild();
     assembly_.update_active(state_);
     reader(assembly_);
     reader.must(reader.rest().empty());

@@ -328,6 +328,60 @@ case("factors and conjugate gradients find the same motion", function()
   for c = 1, 6 do near(one[c], two[c], 1e-7, "displacement " .. c) end -- m and rad; the solver's tolerance is 1e-8
 end)
 
+-- Three bars on a rigid Y spin. First the bar breaks off on which the others' links begin, then one of the two that are
+-- left is taken out and leaves its halves at its ends.
+local function torn(integrator)
+  local model, n = hinge.model {}, {}
+  local places = {
+    { 0.5, 0, 0 }, { 1, 0, 0 }, { -0.5, 0.5, 0.1 }, { -1, 1, 0.1 }, { -0.5, -0.5, 0 }, { -1, -1, 0 },
+  }
+  for i, at in ipairs(places) do n[i] = model:node(at) end
+  for i = 1, 5, 2 do
+    n[i + 6] = model:member { n[i], n[i + 1], section = bar, material = steel(nil, 1e9), up = { 0, 0, 1 },
+      group = "body" }
+  end
+  model:rigid_link { from = n[1], to = n[3] }
+  model:rigid_link { from = n[1], to = n[5] }
+  model:velocity("body", { 1, 0, 0 }, { 0, 1, spin })
+  model:fracture { rule = function(s) return s.node == n[1].index and s.time > 0.05 end }
+  model:remove { member = n[11], at = 0.15 }
+  local explicit = integrator == "explicit"
+  return model:dynamic { dt = explicit and "auto" or 2e-4, duration = 0.4, integrator = integrator, record = false }, n
+end
+local function place(run, node, at)
+  local x, y, z = run:displacement(node)
+  return { at[1] + x, at[2] + y, at[3] + z }
+end
+
+for _, integrator in ipairs { "newmark", "explicit" } do
+  case("what a link joins stays joined as members break at it, and momenta are kept: " .. integrator, function()
+    local run, n = torn(integrator)
+    local before = run:momentum()
+    local path, saved = os.tmpname(), false
+    for step in run:steps() do
+      if step.time > 0.2 and not saved then saved = run:checkpoint(path) or true end
+    end
+    equal(run.verdict, "completed", "verdict " .. run.reason)
+    equal(run:count { state = "broken" }, 2, "two bars are broken")
+    local after = run:momentum()
+    near(after.mass, before.mass, 1e-9, "mass")
+    for c = 1, 3 do -- angular: second order in dt
+      near(after.linear[c], before.linear[c], 1e-7 * before.linear[1], "linear momentum " .. c)
+      near(after.angular[c], before.angular[c], 1e-4 * before.angular[3], "angular momentum " .. c)
+    end
+    -- what a break takes counts as fracture; the rest is the error
+    expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "energy error %g of %g J", run.energy.remainder,
+      run.energy.initial)
+    local p, q = place(run, n[3], { -0.5, 0.5, 0.1 }), place(run, n[5], { -0.5, -0.5, 0 })
+    local apart = math.sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
+    near(apart, math.sqrt(1.01), 1e-10, "the length of the link that is left")
+    local resumed = torn(integrator):resume(path)
+    resumed:finish()
+    os.remove(path)
+    equal(resumed.hash, run.hash, "state of the run that goes on after the breaks")
+  end)
+end
+
 case("a run that goes on from a checkpoint has the same bits", function()
   for _, integrator in ipairs { "newmark", "explicit" } do
     local function made()
@@ -404,9 +458,16 @@ case("what does not go together is refused where the run is made", function()
   refused("uz of node 3 at {2.5, 0, 0} m depends on node 2 at {2, 0, 0} m and is held by a support too",
     function() model:static { steps = 1 } end)
 
-  model = extended {}
+  local arms = {}
+  model = hinge.model {}
+  for i = 1, 3 do
+    arms[i] = model:node { i, 0, 0 }
+    model:member { arms[i], model:node { i, 1, 0 }, section = bar, material = steel(), group = "weak" }
+  end
+  model:rigid_link { from = arms[1], to = arms[2], dofs = "xyz" }
+  model:rigid_link { from = arms[1], to = arms[3] }
   model:fracture { axial_strain = 0.1 }
-  refused("can break", function() model:dynamic { dt = 1e-3, duration = 0.1 } end)
+  refused("can break at node 1", function() model:dynamic { dt = 1e-3, duration = 0.1 } end)
 
   model, _, tip, far = extended {}
   model:velocity(tip, { 1, 0, 0 })
