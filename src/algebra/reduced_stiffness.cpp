@@ -12,17 +12,59 @@ void EffectiveStiffness::take_out_held(std::vector<Vec6>& v) const {
             if (matrices_.held()[i] >> c & 1) v[i][c] = 0;
 }
 
+namespace {
+
+/// Sums of T^T A T over blocks of A, without those parts that stay where they are.
+class Sums {
+public:
+    explicit Sums(const Reduction& reduction, std::size_t nodes) : of_node_(nodes, nullptr) {
+        for (const Reduction::Dependent& d : reduction.dependents()) of_node_[d.node] = &d;
+    }
+
+    void spread(int a, int b, const Mat6& block) {
+        const Reduction::Dependent *of_a = of_node_[a], *of_b = of_node_[b];
+        if (!of_a && !of_b) return;
+        Mat6 free_rows = block;
+        for (int c = 0; of_a && c < 6; ++c)
+            if (of_a->tied >> c & 1) free_rows.row(c).setZero();
+        spread_columns(a, b, free_rows, false);
+        if (of_a)
+            for (const Reduction::Part& p : of_a->parts)
+                spread_columns(p.node, b, p.factors.transpose().lazyProduct(block), true);
+    }
+    void spread(const int node[2], const Mat12& K) {
+        for (int i : {0, 1})
+            for (int j : {0, 1}) spread(node[i], node[j], K.block<6, 6>(6 * i, 6 * j));
+    }
+    const std::map<std::pair<int, int>, Mat6>& blocks() const { return blocks_; }
+
+private:
+    /// `own`: with the columns of b itself that are free.
+    void spread_columns(int row, int b, const Mat6& block, bool own) {
+        const Reduction::Dependent* of_b = of_node_[b];
+        if (own) {
+            Mat6& sum = at(row, b);
+            for (int c = 0; c < 6; ++c)
+                if (!of_b || !(of_b->tied >> c & 1)) sum.col(c) += block.col(c);
+        }
+        if (of_b)
+            for (const Reduction::Part& q : of_b->parts) at(row, q.node) += block.lazyProduct(q.factors);
+    }
+    Mat6& at(int a, int b) {
+        const auto [found, fresh] = blocks_.try_emplace({a, b});
+        if (fresh) found->second.setZero();
+        return found->second;
+    }
+
+    std::vector<const Reduction::Dependent*> of_node_;
+    std::map<std::pair<int, int>, Mat6> blocks_;
+};
+
+}  // namespace
+
 /// The blocks of effects, and what T^T A T adds to A without the degrees of freedom that depend on others.
 Blocks EffectiveStiffness::reduced_blocks() const {
-    std::map<std::pair<int, int>, Mat6> sums;
-    const auto add = [&](int a, int b, const Mat6& block) {
-        const auto [at, fresh] = sums.try_emplace({a, b}, block);
-        if (!fresh) at->second += block;
-    };
-    const auto spread = [&](const int node[2], const Mat12& K) {
-        for (int i : {0, 1})
-            for (int j : {0, 1}) reduction_->spread(node[i], node[j], K.block<6, 6>(6 * i, 6 * j), add);
-    };
+    Sums sums(*reduction_, is_dirty_.size());
     std::vector<int> elements, pairs;
     for (const Reduction::Dependent& d : reduction_->dependents()) {
         for (const int e : structure_.elements_at(d.node)) {
@@ -30,33 +72,33 @@ Blocks EffectiveStiffness::reduced_blocks() const {
             if (matrices_.has_bridges() && structure_.elements()[e].partner >= 0)
                 pairs.push_back(std::min(e, structure_.elements()[e].partner));
         }
-        reduction_->spread(d.node, d.node, matrices_.offset_mass(d.node), add);
+        sums.spread(d.node, d.node, matrices_.offset_mass(d.node));
     }
     for (std::vector<int>* list : {&elements, &pairs}) {
         std::sort(list->begin(), list->end());
         list->erase(std::unique(list->begin(), list->end()), list->end());
     }
-    for (const int e : elements) spread(structure_.elements()[e].node, matrices_.whole_part(e));
+    for (const int e : elements) sums.spread(structure_.elements()[e].node, matrices_.whole_part(e));
     for (const int first : pairs) {
         const int outer[2] = {structure_.elements()[first].node[0], structure_.elements()[first + 1].node[1]};
         const Mat6 K = matrices_.whole_bridge(first);
-        reduction_->spread(outer[0], outer[1], K, add);
-        reduction_->spread(outer[1], outer[0], K.transpose(), add);
+        sums.spread(outer[0], outer[1], K);
+        sums.spread(outer[1], outer[0], K.transpose());
     }
     for (const Coupling& c : given_.pairs) {
         const int node[2] = {c.a, c.b};
-        spread(node, c.K);
+        sums.spread(node, c.K);
     }
-    for (const Blocks::Node& n : given_.nodes) reduction_->spread(n.node, n.node, n.K, add);
+    for (const Blocks::Node& n : given_.nodes) sums.spread(n.node, n.node, n.K);
     Blocks blocks;
     blocks.pairs = given_.pairs, blocks.nodes = given_.nodes;
-    for (const auto& [at, block] : sums) {
+    for (const auto& [at, block] : sums.blocks()) {
         const auto [a, b] = at;
         if (a == b) blocks.nodes.push_back({a, block});
         if (a >= b) continue;
         Coupling c{a, b, Mat12::Zero()};
         c.K.topRightCorner<6, 6>() = block;
-        c.K.bottomLeftCorner<6, 6>() = sums.at({b, a});
+        c.K.bottomLeftCorner<6, 6>() = sums.blocks().at({b, a});
         blocks.pairs.push_back(c);
     }
     return blocks;
