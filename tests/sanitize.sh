@@ -20,7 +20,7 @@ not_under_asan=(
   script_startup      # bounds how long a script takes to begin
   script_slurm        # starts daemons, which would get the sanitizer too
 )
-# Leaks of others: bash, the tool that makes a terminal, Xvfb, Mesa.
+# Leaks of others that have no name to suppress them by (tests/leaks.txt): the tool that makes a terminal, Mesa.
 leaks_of_others=(script_setup script_prompt script_program output_test)
 
 kind=${1:-}
@@ -32,7 +32,8 @@ tests() {
   local runtime
   runtime=$(g++ -print-file-name="$1.so"):$(g++ -print-file-name=libstdc++.so)
   shift
-  LD_PRELOAD=$runtime ctest --test-dir "$build" --output-on-failure -j 2 "$@"
+  LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0 HINGE_SANITIZED=1 \
+    LD_PRELOAD=$runtime ctest --test-dir "$build" --output-on-failure -j 2 "$@"
 }
 any_of() (IFS='|' && echo "^($*)\$")
 

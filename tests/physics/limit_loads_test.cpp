@@ -303,7 +303,8 @@ struct Vogel : Bench {
             profile(39.1, 3892, 366.6)};  // IPE 400, 360, 330, 300, 300, 240
         for (int floor = 1; floor <= 6; ++floor) {
             for (int line = 0; line < 3; ++line) {
-                section = (line == 1 ? inner : outer)[(floor - 1) / 2];
+                const std::shared_ptr<Section>* column = line == 1 ? inner : outer;
+                section = column[(floor - 1) / 2];
                 member(joint[floor - 1][line], joint[floor][line]);
             }
             load(joint[floor][0], {floor == 6 ? 10.23e3 : 20.44e3, 0, 0});
