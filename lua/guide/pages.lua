@@ -10,7 +10,8 @@
 -- A picture pictures/FILE.png is one that the page's commands leave in a folder under out/.
 local pages = { folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" }
 
-local support = dofile(pages.folder .. "../../tests/script/support.lua")
+package.path = pages.folder .. "../../tests/script/?.lua;" .. package.path
+local support = require "support"
 local quote = support.quote
 pages.read, pages.write = support.read, support.write
 

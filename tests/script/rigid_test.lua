@@ -21,7 +21,7 @@ local function done(run, what)
 end
 local function balanced(run, within, what)
   local e = run.energy
-  local most = math.max(e.elastic, e.kinetic, e.initial)
+  local most = support.largest_of(e.elastic, e.kinetic, e.initial)
   expect(most > 0, "%s: the energy balance has nothing to close", what)
   expect(math.abs(e.remainder) <= within * most, "%s: energy error %g of %g J", what, e.remainder, most)
 end
@@ -95,7 +95,7 @@ case("a structure with a rigid link moves as with a member that is 1e6 times sti
     for _, pair in ipairs { { d, d2 }, { c, c2 } } do
       local x, y = { one:displacement(pair[1]) }, { two:displacement(pair[2]) }
       for i = 1, 6 do
-        moved = math.max(moved, math.abs(x[i]))
+        moved = support.largest_of(moved, math.abs(x[i]))
         near(x[i], y[i], 1e-5 * 0.5, name .. ": displacement " .. i) -- what a stiffness of 1e-6 leaves, ten times over
       end
     end
@@ -300,7 +300,7 @@ for _, integrator in ipairs { "newmark", "explicit" } do
       for c = 1, 3 do
         -- the centre of mass moves as the integrator moves a node: what is left is rounding and the solver's residual
         near(after.linear[c], before.linear[c], 1e-7 * before.linear[1], "linear momentum " .. c)
-        angular = math.max(angular, math.abs(after.angular[c] - before.angular[c]) / before.angular[3])
+        angular = support.largest_of(angular, math.abs(after.angular[c] - before.angular[c]) / before.angular[3])
       end
       local p, q = { run:displacement(n[2]) }, { run:displacement(n[3]) }
       local apart = math.sqrt((q[1] + 0.8 - p[1]) ^ 2 + (q[2] + 0.1 - p[2]) ^ 2 + (q[3] + 0.2 - p[3]) ^ 2)

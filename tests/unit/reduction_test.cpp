@@ -66,8 +66,8 @@ struct Case {
         const Eigen::VectorXd wanted = T * (T.transpose() * A * T).ldlt().solve(T.transpose() * f);
         double worst = 0;
         for (std::size_t i = 0; i < free.size(); ++i)
-            worst = std::max(worst, std::abs(x[free[i] / 6][free[i] % 6] - wanted[i]));
-        return worst / wanted.cwiseAbs().maxCoeff();
+            worst = largest_of(worst, std::abs(x[free[i] / 6][free[i] % 6] - wanted[i]));
+        return worst / largest_entry(wanted);
     }
     double off_dense(MatrixStorage storage) const {
         const double m = 1, k = 1e-6;
