@@ -64,6 +64,9 @@ function hinge.model(options) end
 ---Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation
 ---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
+---interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). paper (default): eq 14.
+---exact: that of the section's shape; sections whose shape is not known keep eq 14
+---@field interaction? "paper"|"exact"
 ---how the weight of members acts. members (default): along them. It acts at the nodes of their elements, and a member's
 ---two end nodes get what that misses of the end moments of a load along it; `member:forces` has the part between the
 ---nodes, too. End forces and displacements of joints are then those of a load `q` of the same size: exact in elastic
@@ -128,9 +131,10 @@ local section = {}
 ---```lua
 ---local column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 }
 ---```
----@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number }
+---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number,
+---  interaction?: string }
 ---  outer sizes and wall thicknesses, m. thickness is for all walls. In its place, web is for the walls along y, and
----  flange for the others
+---  flange for the others. interaction: as for hinge.section.general, here and below
 ---@return hinge.section
 function section.box(options) end
 
@@ -139,7 +143,7 @@ function section.box(options) end
 ---```lua
 ---local girder = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }
 ---```
----@param options { depth: number, width: number, web: number, flange: number }
+---@param options { depth: number, width: number, web: number, flange: number, interaction?: string }
 ---  outer sizes and thicknesses, m; without fillets
 ---@return hinge.section
 function section.h(options) end
@@ -148,7 +152,7 @@ function section.h(options) end
 ---```lua
 ---local brace = hinge.section.pipe { diameter = 0.1143, thickness = 0.0045 }
 ---```
----@param options { diameter: number, thickness: number } outer diameter and wall, m
+---@param options { diameter: number, thickness: number, interaction?: string } outer diameter and wall, m
 ---@return hinge.section
 function section.pipe(options) end
 
@@ -157,7 +161,7 @@ function section.pipe(options) end
 ---```lua
 ---local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
 ---```
----@param options { width: number, depth: number } m
+---@param options { width: number, depth: number, interaction?: string } m
 ---@return hinge.section
 function section.solid(options) end
 
@@ -165,7 +169,7 @@ function section.solid(options) end
 ---```lua
 ---local rod = hinge.section.round { diameter = 0.03 }
 ---```
----@param options { diameter: number } m
+---@param options { diameter: number, interaction?: string } m
 ---@return hinge.section
 function section.round(options) end
 
@@ -197,6 +201,14 @@ function section.general(options) end
 ---web and of the flanges pictures show an H
 ---@field size? { width: number, depth: number, web?: number, flange?: number }
 ---@field kind? string a name for messages
+---the shape, m: its parts, each a polygon or a circle; hole = true takes it away. Its centroid becomes the origin, and
+---its area may differ from `area` by 2 % at most. It is needed for interaction "exact"
+---@field outline? { corners?: number[][], diameter?: number, centre?: number[], hole?: boolean }[]
+---how N, Mx and My interact where the section yields; default: as the model's option says, "paper". paper: eq 14, the
+---sum of the squares of the resultants over their fully plastic values. exact: that of the outline, from its stress
+---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
+---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count
+---@field interaction? "paper"|"exact"
 
 ---@class hinge.section read-only
 ---@field kind string
@@ -216,6 +228,7 @@ function section.general(options) end
 ---@field Mz0? number N m
 ---@field width number m, along x; 0: the square root of the area; the same holds for depth
 ---@field depth number m, along y
+---@field interaction? "paper"|"exact" nil: as the model's option says
 local any_section = {}
 
 ---The exact plastic moments beside an axial force, as parts of those without it: about x over Mx0, and about y over

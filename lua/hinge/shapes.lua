@@ -3,7 +3,8 @@
 -- x and y are the section's axes, y along the member's `up`. Ix bends about x, so it resists deflection along y. Each
 -- function returns the table that core.section takes: area (m^2), Ix, Iy, J (m^4), shear_area_x and shear_area_y (m^2),
 -- plastic = { A, Zx, Zy, Zz } (m^2, m^3: fully plastic resultant over yield stress; Zz over yield stress / sqrt 3),
--- size = { width, depth } (m, along x and y; of an H also web and flange, for pictures) and kind.
+-- size = { width, depth } (m, along x and y; of an H also web and flange, for pictures), outline (m), interaction and
+-- kind.
 --
 -- Shear areas: Cowper (1966) with Poisson's ratio 0, which is the area of equal shear strain energy. It gives the
 -- paper's 5/6 for the rectangle and needs no material.
@@ -13,6 +14,13 @@ local shapes = {}
 local pi = math.pi
 local length = { "number", unit = "m", above = 0 }
 local optional_length = { "number", unit = "m", above = 0, optional = true }
+
+local interaction = { "string", one_of = { "paper", "exact" }, optional = true }
+
+--- A rectangle between -b/2 and b/2, -d/2 and d/2, as a part of an outline.
+local function rectangle(b, d, hole)
+  return { corners = { { -b / 2, -d / 2 }, { b / 2, -d / 2 }, { b / 2, d / 2 }, { -b / 2, d / 2 } }, hole = hole }
+end
 
 local function must_be_below(where, field, value, limit, what)
   if value >= limit then
@@ -47,10 +55,11 @@ end
 
 --- Solid rectangle: width along x, depth along y.
 function shapes.solid(options)
-  local o = check.options("hinge.section.solid", options, { width = length, depth = length })
+  local o = check.options("hinge.section.solid", options, { width = length, depth = length, interaction = interaction })
   local b, d = o.width, o.depth
   return {
-    kind = "solid", size = { width = b, depth = d }, area = b * d,
+    kind = "solid", interaction = o.interaction, outline = { rectangle(b, d) }, size = { width = b, depth = d },
+    area = b * d,
     Ix = b * d ^ 3 / 12, Iy = d * b ^ 3 / 12, J = torsion_of_rectangle(b, d),
     shear_area_x = 5 / 6 * b * d, shear_area_y = 5 / 6 * b * d,
     plastic = { A = b * d, Zx = b * d ^ 2 / 4, Zy = d * b ^ 2 / 4, Zz = sand_heap(b, d) },
@@ -62,7 +71,7 @@ end
 function shapes.box(options)
   local where = "hinge.section.box"
   local o = check.options(where, options, { width = length, depth = length, thickness = optional_length,
-    web = optional_length, flange = optional_length })
+    web = optional_length, flange = optional_length, interaction = interaction })
   if o.thickness and (o.web or o.flange) then
     check.fail("%s: fields 'thickness' and '%s' are both given; give thickness (m), or web and flange (m)", where,
       o.web and "web" or "flange")
@@ -77,7 +86,8 @@ function shapes.box(options)
   local bm, dm = b - tw, d - tf
   local area, webs, flanges = b * d - bi * di, 2 * dm * tw, 2 * bm * tf
   return {
-    kind = "box", size = { width = b, depth = d }, area = area,
+    kind = "box", interaction = o.interaction, outline = { rectangle(b, d), rectangle(bi, di, true) },
+    size = { width = b, depth = d }, area = area,
     Ix = (b * d ^ 3 - bi * di ^ 3) / 12, Iy = (d * b ^ 3 - di * bi ^ 3) / 12,
     J = 4 * (bm * dm) ^ 2 / (2 * bm / tf + 2 * dm / tw),
     shear_area_x = area * flanged_shear_factor(webs / flanges, dm, bm),
@@ -92,14 +102,19 @@ end
 -- for the web without slopes at its ends. Neither includes the fillets. Shear along x: 5/6 of the flanges.
 function shapes.h(options)
   local where = "hinge.section.h"
-  local o = check.options(where, options, { depth = length, width = length, web = length, flange = length })
+  local o = check.options(where, options, { depth = length, width = length, web = length, flange = length,
+    interaction = interaction })
   local b, d, tw, tf = o.width, o.depth, o.web, o.flange
   must_be_below(where, "web", tw, b, "the width")
   must_be_below(where, "flange", tf, d / 2, "half the depth")
   local di, dm = d - 2 * tf, d - tf
   local area = 2 * b * tf + di * tw
+  local x, y, w, f = b / 2, d / 2, tw / 2, di / 2
+  local corners = { { -x, -y }, { x, -y }, { x, -f }, { w, -f }, { w, f }, { x, f }, { x, y }, { -x, y }, { -x, f },
+    { -w, f }, { -w, -f }, { -x, -f } }
   return {
-    kind = "h", size = { width = b, depth = d, web = tw, flange = tf }, area = area,
+    kind = "h", interaction = o.interaction, outline = { { corners = corners } },
+    size = { width = b, depth = d, web = tw, flange = tf }, area = area,
     Ix = (b * d ^ 3 - (b - tw) * di ^ 3) / 12, Iy = (2 * tf * b ^ 3 + di * tw ^ 3) / 12,
     J = (2 * b * tf ^ 3 + di * tw ^ 3) / 3,
     shear_area_x = 5 / 6 * 2 * b * tf,
@@ -109,14 +124,16 @@ function shapes.h(options)
   }
 end
 
-local function ring(kind, outer, inner)
+local function ring(kind, outer, inner, law)
   local area = pi / 4 * (outer ^ 2 - inner ^ 2)
   local I, Z = pi / 64 * (outer ^ 4 - inner ^ 4), (outer ^ 3 - inner ^ 3) / 6
   local m = inner / outer
   local q = (1 + m ^ 2) ^ 2
   local shear = area * 6 * q / (7 * q + 20 * m ^ 2)
   return {
-    kind = kind, size = { width = outer, depth = outer }, area = area, Ix = I, Iy = I, J = 2 * I,
+    kind = kind, interaction = law,
+    outline = { { diameter = outer }, inner > 0 and { diameter = inner, hole = true } or nil },
+    size = { width = outer, depth = outer }, area = area, Ix = I, Iy = I, J = 2 * I,
     shear_area_x = shear, shear_area_y = shear, plastic = { A = area, Zx = Z, Zy = Z, Zz = pi / 2 * Z },
   }
 end
@@ -124,14 +141,15 @@ end
 --- Round tube: outer diameter and thickness. All values exact but the shear area (Cowper).
 function shapes.pipe(options)
   local where = "hinge.section.pipe"
-  local o = check.options(where, options, { diameter = length, thickness = length })
+  local o = check.options(where, options, { diameter = length, thickness = length, interaction = interaction })
   must_be_below(where, "thickness", o.thickness, o.diameter / 2, "half the diameter")
-  return ring("pipe", o.diameter, o.diameter - 2 * o.thickness)
+  return ring("pipe", o.diameter, o.diameter - 2 * o.thickness, o.interaction)
 end
 
 --- Solid circle.
 function shapes.round(options)
-  return ring("round", check.options("hinge.section.round", options, { diameter = length }).diameter, 0)
+  local o = check.options("hinge.section.round", options, { diameter = length, interaction = interaction })
+  return ring("round", o.diameter, 0, o.interaction)
 end
 
 return shapes

@@ -23,72 +23,12 @@ constexpr int flat_rounds = 30;
 /// The larger of p in the two planes at axial force N.
 double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0], k.c[1]); }
 
-/// One element's flow so far, in the numbers of its hinges.
-struct Hinges {
-    Vec6 p = Vec6::Zero();        ///< forces on the surface
-    Vec6 plastic = Vec6::Zero();  ///< in d of timoshenko.h
-    double lambda[2] = {0, 0};    ///< as ReturnMapResult::lambda
-    bool converged = true;
-};
-
-/// The multiplier at one end, where the others do not flow: the root of a convex, falling function of lambda. Newton's
-/// method comes to it from the left, from any start.
-///   c  what lambda takes off each resultant, relative to it;  g  the parts of f_y at lambda = 0
-double multiplier(const double (&c)[4], const double (&g)[4], double lambda) {
-    for (int i = 0; i < 60; ++i) {
-        double f = -1, slope = 0;
-        for (int j = 0; j < 4; ++j) {
-            const double a = 1 / (1 + lambda * c[j]), b = g[j] * a * a;
-            f += b;
-            slope -= 2 * c[j] * a * b;
-        }
-        if (std::abs(f) <= 1e-13 || slope == 0) break;
-        lambda = std::max(0.0, lambda - f / slope);
-    }
-    return lambda;
-}
-
-/// f_y at end j of the forces p.
-double f_y(const Vec6& p, int j, const YieldSurface& w, const FixedEnd& fixed) {
-    const double mx = p[j] + fixed.moment[j], my = p[2 + j] + fixed.moment[2 + j], n = p[4] + fixed.N[j],
-                 mz = p[5] + fixed.Mz[j];
-    return w.x * mx * mx + w.y * my * my + w.n * n * n + w.z * mz * mz;
-}
-
-/// The point of one element's surface nearest to `trial` in the energy norm of `k`; `before`: where the multipliers
-/// start from.
-Hinges return_alone(const Vec6& trial, const Stiffness& k, const YieldSurface& w, const FixedEnd& fixed,
-                    const Hinges& before) {
-    Hinges out;
-    out.p = trial;
-    const double f[2] = {f_y(trial, 0, w, fixed), f_y(trial, 1, w, fixed)};
-    const int j = f[1] > f[0] ? 1 : 0;
-    if (!(f[j] > 1)) return out;
-    const double kx = j == 0 ? k.x11 : k.x22, ky = j == 0 ? k.y11 : k.y22;
-    const double c[4] = {2 * w.x * kx, 2 * w.y * ky, 2 * w.n * k.axial, 2 * w.z * k.twist};
-    double r[4] = {trial[j] + fixed.moment[j], trial[2 + j] + fixed.moment[2 + j], trial[4] + fixed.N[j],
-                   trial[5] + fixed.Mz[j]};
-    const double g[4] = {w.x * r[0] * r[0], w.y * r[1] * r[1], w.n * r[2] * r[2], w.z * r[3] * r[3]};
-    const double lambda = multiplier(c, g, before.lambda[1 - j] == 0 ? before.lambda[j] : 0);
-    for (int i = 0; i < 4; ++i) r[i] /= 1 + lambda * c[i];
-    const double rate[4] = {2 * lambda * w.x * r[0], 2 * lambda * w.y * r[1], 2 * lambda * w.n * r[2],
-                            2 * lambda * w.z * r[3]};
-    out.plastic[j] = rate[0], out.plastic[2 + j] = rate[1], out.plastic[4] = rate[2], out.plastic[5] = rate[3];
-    out.p -= k.times(out.plastic);
-    out.lambda[j] = lambda;
-    if (f_y(out.p, 1 - j, w, fixed) <= 1 + 1e-13) return out;
-    const ReturnMapResult both = return_to_surface(trial, k, w, ends, 2, fixed);
-    out.p = both.p, out.plastic = both.plastic, out.converged = both.converged;
-    out.lambda[0] = both.lambda[0], out.lambda[1] = both.lambda[1];
-    return out;
-}
-
 /// A pair whose return is looked for.
 class PairReturn {
 public:
-    PairReturn(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-               const YieldSurface* const (&w)[2], const FixedEnd* fixed, double tolerance)
-        : k_(k), of_(of), d_(d), w_(w), fixed_(fixed), tolerance_(tolerance) {}
+    PairReturn(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
+               const FixedEnd* fixed, double tolerance)
+        : k_(k), of_(of), d_(d), law_(law), fixed_(fixed), tolerance_(tolerance) {}
 
     bool find(ReturnMapResult (&flow)[2]) {
         At now = at(no_flow_, no_flow_);
@@ -108,6 +48,7 @@ public:
         for (int i : {0, 1}) {
             ReturnMapResult& f = flow[i];
             f.p = end.p[i], f.plastic = end.of[i].plastic, f.elastic = d_[i] - f.plastic;
+            for (int j : {0, 1}) f.section[j] = end.of[i].section[j];
             f.converged = converged;
             for (int j : {0, 1}) f.lambda[j] = end.of[i].lambda[j];
             f.dissipation = f.p.dot(f.plastic) + fixed_work(i, end.of[i]);
@@ -119,12 +60,12 @@ public:
 
 private:
     struct At {
-        Hinges of[2];
+        ElementFlow of[2];
         Vec6 p[2];  ///< dU/dd at d - plastic
         double N;
     };
 
-    At at(const Hinges& one, const Hinges& two) const {
+    At at(const ElementFlow& one, const ElementFlow& two) const {
         At a{{one, two}, {}, 0};
         const Vec6 elastic[2] = {d_[0] - one.plastic, d_[1] - two.plastic};
         const Vec12 beyond = pair_forces(k_, elastic[0], elastic[1], &a.N);
@@ -148,11 +89,8 @@ private:
         for (int i : {0, 1}) by_line += 0.5 * (trial.p[i] - end.p[i]).dot(end.of[i].plastic);
         return lost > by_line + straight * std::abs(by_line) ? lost : 0;
     }
-    double fixed_work(int i, const Hinges& h) const {
-        if (!(h.lambda[0] > 0) && !(h.lambda[1] > 0)) return 0;
-        ReturnMapResult flow;
-        flow.p = h.p, flow.lambda[0] = h.lambda[0], flow.lambda[1] = h.lambda[1];
-        return work_of(fixed_[i], flow, *w_[i], ends, 2, fixed_[i]);
+    double fixed_work(int i, const ElementFlow& h) const {
+        return h.flows() ? law_.work_of(fixed_[i], h, ends, 2, fixed_[i]) : 0;
     }
 
     /// What a pair's element has of the pair's bending stiffness, without its partner's part in it.
@@ -182,9 +120,9 @@ private:
     }
 
     At round(const At& from, const Stiffness (&k)[2]) const {
-        Hinges next[2];
+        ElementFlow next[2];
         for (int i : {0, 1})
-            next[i] = return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], *w_[i], fixed_[i], from.of[i]);
+            next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], fixed_[i], from.of[i]);
         return at(next[0], next[1]);
     }
 
@@ -291,11 +229,8 @@ private:
         Vec12 off;
         for (int i : {0, 1}) {
             off.segment<6>(6 * i) = next.of[i].plastic - now.of[i].plastic;
-            const double* lambda = next.of[i].lambda;
-            const bool active[2] = {lambda[0] > 0, lambda[1] > 0};
-            if (!active[0] && !active[1]) continue;
-            const Mat6 F = k[i].flexibility(),
-                       D = plastic_tangent(next.of[i].p, k[i], *w_[i], ends, lambda, active, 2, fixed_[i]);
+            if (!next.of[i].flows()) continue;
+            const Mat6 F = k[i].flexibility(), D = law_.tangent(next.of[i], k[i], ends, 2, fixed_[i]);
             J.block<6, 12>(6 * i, 0) += (F - F * D * F) * H.block<6, 12>(6 * i, 0);
         }
         const Vec12 step = J.partialPivLu().solve(off);
@@ -308,41 +243,25 @@ private:
     const PairKind<double>& k_;
     const Stiffness (&of_)[2];
     const Vec6 (&d_)[2];
-    const YieldSurface* const (&w_)[2];
+    const SectionLaw& law_;
     const FixedEnd* fixed_;
     double tolerance_;
-    inline static const Hinges no_flow_{};
+    inline static const ElementFlow no_flow_{};
 };
 
 }  // namespace
 
-bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-                       const YieldSurface* const (&w)[2], ReturnMapResult (&flow)[2], double tolerance,
-                       const FixedEnd* fixed_end) {
-    return PairReturn(k, of, d, w, fixed_end, tolerance).find(flow);
+bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
+                       ReturnMapResult (&flow)[2], double tolerance, const FixedEnd* fixed_end) {
+    return PairReturn(k, of, d, law, fixed_end, tolerance).find(flow);
 }
 
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const ReturnMapResult* const (&flow)[2],
-                        const FixedEnd* fixed_end) {
+                        const SectionLaw& law, const ElementFlow* const (&flow)[2], const FixedEnd* fixed_end) {
     PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
     for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
     if (!flow[0] && !flow[1]) return H;
-    PairMatrix F = H.inverse();
-    Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 4> a(12, 0);
-    for (int i : {0, 1})
-        for (int s = 0; flow[i] && s < 2; ++s) {
-            if (!(flow[i]->lambda[s] > 0)) continue;
-            F.block<6, 6>(6 * i, 6 * i) += 2 * flow[i]->lambda[s] * yield_matrix(ends[s], *w[i]);
-            a.conservativeResize(12, a.cols() + 1);
-            a.rightCols<1>().setZero();
-            a.rightCols<1>().segment<6>(6 * i) = yield_gradient(flow[i]->p + fixed_end[i].at(ends[s]), ends[s], *w[i]);
-        }
-    const PairMatrix X = F.inverse();  // eq 10a, of the pair
-    if (a.cols() == 0) return X;
-    const Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 4> Xa = X * a;
-    const Eigen::MatrixXd h = a.transpose() * Xa;
-    return X - Xa * h.completeOrthogonalDecomposition().pseudoInverse() * Xa.transpose();
+    return law.pair_tangent(H, flow, fixed_end);
 }
 
 }  // namespace hinge::beam

@@ -24,6 +24,7 @@
 #pragma once
 
 #include "beam/beam_column.h"
+#include "beam/section_law.h"
 
 namespace hinge::beam {
 
@@ -33,19 +34,18 @@ inline const FixedEnd no_fixed_ends[2];
 /// (timoshenko.h).
 ///   k          stiffness and length of the elements of the pair
 ///   of         their stiffnesses k(s)
-///   w          their yield surfaces; both ends can yield
+///   law        of their sections; both ends can yield
 ///   fixed_end  fixed-end forces of the two elements (yield.h)
 ///   tolerance  on the last change of the plastic deformation, over the elastic one, in the energy norm
 /// Returns false if the iteration did not reach that tolerance: the step must then be rolled back.
-bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2],
-                       const YieldSurface* const (&w)[2], ReturnMapResult (&flow)[2], double tolerance = 1e-4,
-                       const FixedEnd* fixed_end = no_fixed_ends);
+bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
+                       ReturnMapResult (&flow)[2], double tolerance = 1e-4, const FixedEnd* fixed_end = no_fixed_ends);
 
 /// Consistent tangent d(forces)/dd of a pair after that return, 12 x 12 (eq 10a for a pair).
 ///   elastic  elastic deformations after the flow
 ///   flow     null for an element that does not flow
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const YieldSurface* const (&w)[2], const ReturnMapResult* const (&flow)[2],
+                        const SectionLaw& law, const ElementFlow* const (&flow)[2],
                         const FixedEnd* fixed_end = no_fixed_ends);
 
 }  // namespace hinge::beam

@@ -267,7 +267,7 @@ ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const Y
     return flow;
 }
 
-double work_of(const FixedEnd& part, const ReturnMapResult& flow, const YieldSurface& w, const double* sections, int n,
+double work_of(const FixedEnd& part, const ElementFlow& flow, const YieldSurface& w, const double* sections, int n,
                const FixedEnd& fixed_end) {
     double work = 0;
     for (int i = 0; i < n; ++i) {

@@ -12,6 +12,11 @@ struct YieldSurface {
     bool elastic() const { return x == 0 && y == 0 && n == 0 && z == 0; }
 };
 
+/// Mx, My, N and Mz at section r (-1: node 1, 0: middle, +1: node 2) of the element forces p.
+inline Vec4 resultants(const Vec6& p, double r) {
+    return {-p[0] * ((1 - r) / 2) + p[1] * ((1 + r) / 2), -p[2] * ((1 - r) / 2) + p[3] * ((1 + r) / 2), p[4], p[5]};
+}
+
 /// Yield function f_y of eq 14 at section r (-1: node 1, 0: middle, +1: node 2) for the element forces p.
 template <class P>
 inline auto yield_function(const P& p, double r, const YieldSurface& w) {
@@ -56,20 +61,29 @@ Mat6 yield_matrix(double r, const YieldSurface& w);
 /// The gradient of f_y with respect to p.
 Vec6 yield_gradient(const Vec6& p, double r, const YieldSurface& w);
 
+/// Plastic flow of an element in a step.
+struct ElementFlow {
+    Vec6 p = Vec6::Zero();        ///< forces on the surface
+    Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation, in the places of p
+    /// Half the plastic work at each of the sections that can yield, J, >= 0, with that of fixed-end forces; for the
+    /// surface of eq 14 this is the multiplier: d = lambda df/dp.
+    double lambda[2] = {0, 0};
+    bool converged = true;  ///< false: no forces keep all sections within the surface, or none was found
+    /// What a law that is not eq 14 keeps of each section: its plastic rotations about x and y (rad), elongation (m)
+    /// and twist (rad).
+    Vec4 section[2] = {Vec4::Zero(), Vec4::Zero()};
+    bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
+};
+
 /// Result of the return mapping of an element.
-struct ReturnMapResult {
-    Vec6 p;                       ///< forces on the surface
-    Vec6 plastic = Vec6::Zero();  ///< increment of plastic deformation
-    double lambda[2] = {0, 0};    ///< multiplier at each of the given sections, >= 0, 1/(N m)-like: d = lambda df/dp
-    double dissipation = 0;       ///< (p plus fixed-end forces) . plastic, J, >= 0
-    bool converged = true;        ///< false: no forces keep all sections within the surface, or none was found
+struct ReturnMapResult : ElementFlow {
+    double dissipation = 0;  ///< (p plus fixed-end forces) . plastic, J, >= 0
     /// Elastic deformation after the flow, m and rad; only of pairs whose bending depends on N (beam_column.h), else 0.
     Vec6 elastic = Vec6::Zero();
-    bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.p, s.plastic, s.lambda, s.dissipation, s.elastic);
+        a(s.p, s.plastic, s.lambda, s.dissipation, s.elastic, s.section);
     }
 };
 
@@ -83,7 +97,7 @@ ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const Y
                                   int n, const FixedEnd& fixed_end = no_fixed_end);
 
 /// Work of fixed-end forces on the plastic flow at the n sections, J; `part`: `fixed_end` or a part of it.
-double work_of(const FixedEnd& part, const ReturnMapResult& flow, const YieldSurface& w, const double* sections, int n,
+double work_of(const FixedEnd& part, const ElementFlow& flow, const YieldSurface& w, const double* sections, int n,
                const FixedEnd& fixed_end);
 
 /// Consistent tangent dp/dd of return_to_surface; D_p of eq 10 for infinitesimal lambda. `active`: sections that flow.

@@ -12,9 +12,11 @@ static_assert(
 namespace hinge {
 
 using Vec3 = Eigen::Vector3d;
+using Vec4 = Eigen::Vector4d;
 using Vec6 = Eigen::Matrix<double, 6, 1>;
 using Vec12 = Eigen::Matrix<double, 12, 1>;
 using Mat3 = Eigen::Matrix3d;
+using Mat4 = Eigen::Matrix4d;
 using Mat6 = Eigen::Matrix<double, 6, 6>;
 using Mat12 = Eigen::Matrix<double, 12, 12>;
 using Quat = Eigen::Quaterniond;

@@ -35,7 +35,7 @@ void AxialStrength::look(const Workspace& w, const Step& step) {
 void AxialStrength::look_at(const Workspace& w, const Step& step, int index) {
     const Element& e = w.structure.elements()[index];
     const int shape = shape_of_[e.member];
-    if (shape < 0 || e.yield.n == 0 || w.state.broken[index]) return;
+    if (shape < 0 || e.yield.n == 0 || w.state.broken[index] || !e.law->ignores_shape()) return;
     for (double r : {-1.0, 1.0}) {
         const Vec6 p = w.state.force[index] + w.assembly.fixed_end(index).at(r);
         const double n = std::sqrt(e.yield.n) * std::abs(p[4]);
@@ -70,8 +70,8 @@ void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
              (others > 0
                   ? ", and so do " + count_text(others, "more member") + " by more than " + excess_text(unsafe_excess)
                   : ""),
-         "eq 14 is unsafe there, and the strength found is too high; give such members a lower M" + axis +
-             "0 (hinge.section.general), or a lower yield stress",
+         "eq 14 is unsafe there, and the strength found is too high; give the section, or hinge.model, interaction = "
+         "\"exact\"",
          member});
 }
 

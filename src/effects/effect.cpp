@@ -16,8 +16,8 @@ double ImpulseResponse::factor_for(double work) const {
 double Effect::work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& part) const {
     double section[2];
     const int n = w_.assembly.sections(section);
-    return beam::work_of(part, of.flow, w_.structure.elements()[of.element].yield, section, n,
-                         w_.assembly.fixed_end(of.element));
+    return w_.structure.elements()[of.element].law->work_of(part, of.flow, section, n,
+                                                            w_.assembly.fixed_end(of.element));
 }
 
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {

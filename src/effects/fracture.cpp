@@ -170,7 +170,8 @@ private:
     Break at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.assembly.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
-        return beam::yield_function(resultants_at(element, r), r, w_.structure.elements()[element].yield);
+        const beam::SectionLaw* law = w_.structure.elements()[element].law;
+        return law ? law->yield_function(resultants_at(element, r), r) : 0;
     }
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,
                       const beam::ReturnMapResult* flow);
@@ -305,13 +306,16 @@ void Fracture::decide(Step& step) {
               [](const Break& a, const Break& b) { return a.element < b.element; });
 }
 
-/// The section that flows, else the one nearer to it.
+/// The section that flows, else the one whose forces over its strengths are larger (the measure of eq 14, whatever the
+/// law: no law has to be asked of sections far from flow).
 int Fracture::weaker_end(int index, const beam::ReturnMapResult* flow) const {
-    const Vec6 p = resultants_at(index, 0);
-    const double f1 = yield_at(index, -1), f2 = yield_at(index, 1);
-    const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
     if (flow && !w_.structure.conventional() && flow->lambda[0] != flow->lambda[1])
         return flow->lambda[0] > flow->lambda[1] ? 1 : 2;
+    const Vec6 p = resultants_at(index, 0);
+    const beam::YieldSurface& strength = w_.structure.elements()[index].yield;
+    const double f1 = beam::yield_function(resultants_at(index, -1), -1, strength),
+                 f2 = beam::yield_function(resultants_at(index, 1), 1, strength);
+    const double m1 = p[0] * p[0] + p[2] * p[2], m2 = p[1] * p[1] + p[3] * p[3];
     return f1 > f2 || (f1 == f2 && m1 > m2) ? 1 : 2;
 }
 

@@ -20,6 +20,10 @@
 
 namespace hinge {
 
+namespace beam {
+class SectionOutline;
+}
+
 /// A material; SI units. `yield_stress` infinite: never yields.
 struct Material {
     double E = 0;                                                   ///< Pa
@@ -29,6 +33,10 @@ struct Material {
     std::string asked_at = {};                                      ///< the script's line, "" where none
 };
 
+/// Interaction of N, Mx and My where a section yields (src/laws): eq 14, or that of its outline. by_model: as the
+/// model's option says.
+enum class Interaction : std::uint8_t { by_model, paper, exact };
+
 /// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
 struct Section {
     std::string kind = "general";
@@ -37,10 +45,12 @@ struct Section {
     double mass_Ix = 0, mass_Iy = 0;            ///< m^4, of the rotary inertia; 0: Ix and Iy
     double plastic_area = 0, Zx = 0, Zy = 0,
            Zz = 0;  ///< fully plastic resultant / stress: m^2, m^3 (Zz per shear yield stress)
-    std::optional<double> N0, Mx0, My0, Mz0;  ///< given directly, N and N m
-    double width = 0, depth = 0;              ///< m, along x and y: contact and pictures
-    double web = 0, flange = 0;               ///< m, thickness of an H's: pictures
-    std::string asked_at = {};                ///< the script's line, "" where none
+    std::optional<double> N0, Mx0, My0, Mz0;                   ///< given directly, N and N m
+    double width = 0, depth = 0;                               ///< m, along x and y: contact and pictures
+    double web = 0, flange = 0;                                ///< m, thickness of an H's: pictures
+    std::shared_ptr<const beam::SectionOutline> outline = {};  ///< null: only the properties are known
+    Interaction interaction = Interaction::by_model;
+    std::string asked_at = {};  ///< the script's line, "" where none
 };
 
 enum class Formulation : std::uint8_t { conventional, asi, asi_gauss };
@@ -132,6 +142,7 @@ struct ModelOptions {
     MassShape mass = MassShape::linear;
     PDelta p_delta = PDelta::member;
     Weight weight = Weight::members;
+    Interaction interaction = Interaction::paper;  ///< of sections that do not say theirs and have an outline
     bool plasticity = true;
     int elements_per_member = 2;
     bool automatic_elements = false;  ///< elements_per_member = "auto"

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "core/errors.h"
+#include "laws/laws.h"
 
 namespace hinge {
 namespace {
@@ -27,6 +28,20 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
     return {inverse_square(s.Mx0, s.Zx, m.yield_stress), inverse_square(s.My0, s.Zy, m.yield_stress),
             inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
 }
+
+namespace {
+
+/// The law of a section, null where it cannot yield.
+std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const beam::YieldSurface& w,
+                                               const ModelOptions& options) {
+    if (w.elastic()) return nullptr;
+    const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
+    const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
+    if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0) return beam::paper_law(w);
+    return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)});
+}
+
+}  // namespace
 
 Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
     const Model& m = *model_;
@@ -80,10 +95,12 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                                                  mat.density * sec.area,
                                                  mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix),
                                                  mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-                kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s),
-                                  m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{}});
+                const beam::YieldSurface strength =
+                    m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
+                kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), strength,
+                                  law_of(sec, strength, m.options())});
                 at->second = &kinds_.back();
-                can_yield_ |= !kinds_.back().yield.elastic();
+                can_yield_ |= !strength.elastic();
             }
             const Kind& kind = *at->second;
             const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
@@ -99,6 +116,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                                  kind.rigidity,
                                  kind.stiffness,
                                  kind.yield,
+                                 kind.law.get(),
                                  radius,
                                  fracture,
                                  collides});

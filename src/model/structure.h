@@ -9,7 +9,7 @@
 
 #include "beam/element_mass.h"
 #include "beam/timoshenko.h"
-#include "beam/yield.h"
+#include "beam/section_law.h"
 #include "model/model.h"
 
 namespace hinge {
@@ -26,10 +26,11 @@ struct Element {
     const Quat& axes;  ///< local axes at the start (columns x y z)
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
-    const beam::YieldSurface& yield;
-    double radius;  ///< half the smaller side of the section, m
-    int fracture;   ///< index of its rule, -1 for none
-    bool collides;  ///< takes part in contact
+    const beam::YieldSurface& yield;   ///< fully plastic resultants
+    const beam::SectionLaw* law;       ///< null: no section can yield
+    double radius;                     ///< half the smaller side of the section, m
+    int fracture;                      ///< index of its rule, -1 for none
+    bool collides;                     ///< takes part in contact
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 
@@ -88,6 +89,7 @@ private:
         beam::Rigidity rigidity;
         beam::Stiffness stiffness;
         beam::YieldSurface yield;
+        std::unique_ptr<const beam::SectionLaw> law;
     };
     std::deque<Kind> kinds_;
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node

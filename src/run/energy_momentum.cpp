@@ -407,7 +407,7 @@ void EnergyMomentum::recovered_last() {
     for (PlasticIncrement& y : w_.yielding) {
         const beam::FixedEnd& fixed = w_.assembly.fixed_end(y.element);
         y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
-                             beam::work_of(fixed, y.flow, w_.structure.elements()[y.element].yield, section, n, fixed);
+                             w_.structure.elements()[y.element].law->work_of(fixed, y.flow, section, n, fixed);
     }
 }
 

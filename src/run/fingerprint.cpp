@@ -50,7 +50,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         const Section& section = *m.section;
         a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
           section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.N0, section.Mx0,
-          section.My0, section.Mz0, section.width, section.depth);
+          section.My0, section.Mz0, section.width, section.depth, section.interaction);
     }));
     parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
     parts.back().count = model.groups().size();
@@ -69,7 +69,8 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_contact), bool(r.on_release));
     }));
     parts.push_back(part("options of the model", std::vector{model.options()}, [](Sum& a, const ModelOptions& o) {
-        a(o.formulation, o.displacement, o.shift, o.mass, o.p_delta, o.weight, o.plasticity, o.elements_per_member);
+        a(o.formulation, o.displacement, o.shift, o.mass, o.p_delta, o.weight, o.plasticity, o.interaction,
+          o.elements_per_member);
     }));
     parts.push_back(part("duration", std::vector{s.duration}, [](Sum& a, double duration) { a(duration); }));
     parts.push_back(part("dt", std::vector{run.shortest()}, [&](Sum& a, double dt) { a(dt, s.automatic); }));

@@ -160,7 +160,8 @@ double Run::yield_value(int element, double r) const {
             source->add_section_forces(element, end == 0 ? -1 : 1, there);
         fixed.add(end, there.Mx, there.My, there.N, there.Mz);
     }
-    return beam::yield_function(Vec6(state_.force[element] + fixed.at(r)), r, structure_->elements()[element].yield);
+    const beam::SectionLaw* law = structure_->elements()[element].law;
+    return law ? law->yield_function(state_.force[element] + fixed.at(r), r) : 0;
 }
 
 double Run::yield_value(int element) const {

@@ -13,10 +13,8 @@ inline Mat6 yield_tangent(const Structure& structure, const State& state, const 
                           const PlasticIncrement& y) {
     double section[2];
     const int n = assembly.sections(section);
-    const bool active[2] = {y.flow.lambda[0] > 0, y.flow.lambda[1] > 0};
-    return beam::plastic_tangent(y.flow.p, stiffness_now(structure, state, y.element),
-                                 structure.elements()[y.element].yield, section, y.flow.lambda, active, n,
-                                 assembly.fixed_end(y.element));
+    return structure.elements()[y.element].law->tangent(y.flow, stiffness_now(structure, state, y.element), section, n,
+                                                        assembly.fixed_end(y.element));
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from

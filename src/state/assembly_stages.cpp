@@ -126,22 +126,31 @@ bool any_remembered(const std::vector<double>& twist, int element) {
     }
 }
 
+/// Whether the law of lane i tells quickly that its sections stay elastic.
+bool ElementAssembly::no_section_flows(int element, int i, const Lanes (&p)[6]) const {
+    double section[2];
+    const int section_count = sections(section);
+    Vec6 trial;
+    for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
+    return structure_.elements()[element + i].law->surely_elastic(trial, section, section_count,
+                                                                  fixed_end(element + i));
+}
+
 /// The return to the yield surface of a pair, the first of which is lane i.
 [[gnu::noinline]] void ElementAssembly::return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6],
                                                     Lanes (&p)[6], Found& found) const {
     beam::Stiffness k[2];
     Vec6 elastic[2];
-    const beam::YieldSurface* surface[2];
     for (int j : {0, 1}) {
         const int at = i + j;
         k[j] = kind.stiffness(at);
         for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
-        surface[j] = &structure_.elements()[element + at].yield;
     }
     beam::ReturnMapResult flow[2];
     const beam::FixedEnd* fixed = fixed_ends_.empty() ? beam::no_fixed_ends : &fixed_ends_[element + i];
-    const bool converged = beam::return_to_surface(pair_kind_of(structure_.elements()[element + i]), k, elastic,
-                                                   surface, flow, return_tolerance_, fixed);
+    const Element& e = structure_.elements()[element + i];
+    if (no_section_flows(element, i, p) && no_section_flows(element, i + 1, p)) return;
+    const bool converged = beam::return_to_surface(pair_kind_of(e), k, elastic, *e.law, flow, return_tolerance_, fixed);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
@@ -233,11 +242,13 @@ template <bool p_delta>
             i |= 1;
             continue;
         }
-        found.yielding.push_back({element + i, beam::return_to_surface(trial, kind.stiffness(i), e.yield, section,
-                                                                       section_count, fixed_end(element + i))});
+        if (no_section_flows(element, i, p)) continue;
+        found.yielding.push_back({element + i, e.law->return_to_surface(trial, kind.stiffness(i), section,
+                                                                        section_count, fixed_end(element + i))});
         const beam::ReturnMapResult& flow = found.yielding.back().flow;
         if (!flow.converged && found.unreturned < 0) found.unreturned = element + i;
         for (int c = 0; c < 6; ++c) p[c][i] = flow.p[c];
+        if (!flow.flows()) found.yielding.pop_back();
     }
 }
 

@@ -82,7 +82,8 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
         for (int c = 0; c < 4; ++c) kind.axes[c][i] = q[c];
         const double ks[8] = {k.x11, k.x12, k.x22, k.y11, k.y12, k.y22, k.axial, k.twist};
         for (int c = 0; c < 8; ++c) kind.k[c][i] = ks[c];
-        const double w[4] = {e.yield.x, e.yield.y, e.yield.n, e.yield.z};
+        const beam::YieldSurface screen = e.law ? e.law->screen() : beam::YieldSurface{};
+        const double w[4] = {screen.x, screen.y, screen.n, screen.z};
         for (int c = 0; c < 4; ++c) kind.yield[c][i] = w[c];
         kind.mass[i] = e.mass() / 6;
         const Vec3 rotary = beam::rotary_inertia(e.rigidity) * (e.length / 6);
@@ -98,7 +99,7 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
             kind.pair.axial[i] = pair.axial, kind.pair.length[i] = pair.length;
             for (int plane : {0, 1}) kind.pair.b[plane][i] = pair.b[plane], kind.pair.c[plane][i] = pair.c[plane];
         }
-        kind.can_yield |= !e.yield.elastic();
+        kind.can_yield |= e.law != nullptr;
     }
     return kind;
 }

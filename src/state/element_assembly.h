@@ -97,6 +97,7 @@ private:
                         Found& found) const;
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
     void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
+    bool no_section_flows(int element, int i, const Lanes (&p)[6]) const;
     void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
     // the stages for eight elements, in this order (assembly_stages.cpp)
     enum class Mass : char { none, linear, cubic };

@@ -31,13 +31,13 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
                               const beam::ReturnMapResult* const (&flow)[2]) {
     const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
     const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
-    const beam::YieldSurface* surface[2] = {&e[0]->yield, &e[1]->yield};
     Vec6 elastic[2];
     elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
     const beam::FixedEnd fixed[2] = {assembly.fixed_end(first), assembly.fixed_end(first + 1)};
-    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, surface, flow, fixed);
+    const beam::ElementFlow* flows[2] = {flow[0], flow[1]};
+    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, *e[0]->law, flows, fixed);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,

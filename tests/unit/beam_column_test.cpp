@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "beam/pair_return.h"
+#include "laws/laws.h"
 #include "helpers.h"
 
 using namespace hinge;
@@ -181,30 +182,28 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
     for (int n = 0; n < 400; ++n) {
         SomePair pair = some_pair(dice, 0.03, n % 2 ? 2 : 4);
         const Vec12 start = pair.forces();
-        YieldSurface surfaces[2];
-        for (int i : {0, 1}) {
-            const Vec6 p = start.segment<6>(6 * i);
-            const double m = largest_of(p[0] * p[0], p[1] * p[1], p[2] * p[2], p[3] * p[3]);
-            surfaces[i] = {dice(0.2, 1) / m, dice(0.2, 1) / m, dice(0, 0.5) / (p[4] * p[4]), 0.1 / (p[5] * p[5])};
-        }
-        const YieldSurface* w[2] = {&surfaces[0], &surfaces[1]};
+        const Vec6 p0 = start.segment<6>(6 * dice.pick(2));
+        const double m = largest_of(p0[0] * p0[0], p0[1] * p0[1], p0[2] * p0[2], p0[3] * p0[3]);
+        const YieldSurface w = {dice(0.2, 1) / m, dice(0.2, 1) / m, dice(0, 0.5) / (p0[4] * p0[4]),
+                                0.1 / (p0[5] * p0[5])};
+        const auto of_section = paper_law(w);
         const double far = n % 4 < 2 ? 1.1 : 3;  // how far the trial is beyond
         const Vec6 trial[2] = {far * pair.d[0], far * pair.d[1]};
         ReturnMapResult flow[2];
-        beam::return_to_surface(pair.kind, pair.of, trial, w, flow, 1e-13);
+        beam::return_to_surface(pair.kind, pair.of, trial, *of_section, flow, 1e-13);
         const Vec6 elastic[2] = {trial[0] - flow[0].plastic, trial[1] - flow[1].plastic};
         const Vec12 p = pair.forces(elastic[0], elastic[1]);
         bool flowing[2];
         for (int i : {0, 1}) {
             law = largest_of(law, largest_entry(p.segment<6>(6 * i) - flow[i].p) / largest_entry(flow[i].p));
-            const double f = largest_of(yield_function(flow[i].p, -1.0, *w[i]), yield_function(flow[i].p, 1.0, *w[i]));
+            const double f = largest_of(yield_function(flow[i].p, -1.0, w), yield_function(flow[i].p, 1.0, w));
             flowing[i] = !flow[i].plastic.isZero(0);
             surface = largest_of(surface, flowing[i] ? std::abs(f - 1) : f - 1);
             CHECK(flow[i].dissipation >= 0);
         }
         flows += flowing[0] || flowing[1], both += flowing[0] && flowing[1];
-        const ReturnMapResult* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
-        const PairMatrix K = pair_tangent(pair.kind, pair.of, elastic, w, given);
+        const ElementFlow* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
+        const PairMatrix K = pair_tangent(pair.kind, pair.of, elastic, *of_section, given);
         // Central differences with steps of h; `same` is false where a corner of the surface lies between.
         bool same = true;
         const auto differences = [&](int i, double h) {
@@ -213,7 +212,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
                 Vec6 there[2] = {trial[0], trial[1]};
                 there[i / 6][i % 6] += side * h;
                 ReturnMapResult moved[2];
-                beam::return_to_surface(pair.kind, pair.of, there, w, moved, 1e-13);
+                beam::return_to_surface(pair.kind, pair.of, there, *of_section, moved, 1e-13);
                 for (int e : {0, 1}) {
                     column.segment<6>(6 * e) += side * moved[e].p / (2 * h);
                     for (int s : {0, 1}) same = same && (moved[e].lambda[s] > 0) == (flow[e].lambda[s] > 0);
@@ -290,7 +289,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
     double beyond_surface = 0, off_law = 0;
     for (int n = 0; n < 40000; ++n) {
         const YieldingPair y(dice, n % 4 == 0 ? 2 : 1.2);
-        const YieldSurface* w[2] = {&y.w, &y.w};
+        const auto of_section = paper_law(y.w);
         const Vec12 trial = y.pair.forces();
         double f = 0;
         for (int i : {0, 1})
@@ -299,7 +298,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
         ++returns;
         ReturnMapResult flow[2];
         const double tolerance = n % 8 == 0 ? 1e-9 : 1e-4;
-        const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, w, flow, tolerance, none);
+        const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, *of_section, flow, tolerance, none);
         unconverged += !converged;
         const double before = y.pair.energy(y.pair.d[0], y.pair.d[1]),
                      after = y.pair.energy(flow[0].elastic, flow[1].elastic);

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "model/plastic_shape.h"
+#include "script/bind/section_outline.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -48,7 +49,7 @@ int material_text(lua_State* L) {
 int section(lua_State* L) {
     Options o(L, 1, "hinge.section.general");
     o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0",
-              "plastic", "size", "kind"});
+              "plastic", "size", "kind", "outline", "interaction"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);
@@ -81,6 +82,18 @@ int section(lua_State* L) {
     }
     lua_pop(L, 1);
     if (const auto kind = o.text("kind")) s.kind = *kind;
+    s.outline = read_outline(o);
+    if (s.outline) {
+        const double area = s.outline->outline().area();
+        if (!(std::abs(area - s.area) <= 0.02 * area))
+            o.complain("area", show(s.area) + " m^2",
+                       "the outline has " + show(area) + " m^2, and the two may differ by 2 % of it");
+    }
+    if (const std::string asked = o.word("interaction", {"", "paper", "exact"}, ""); !asked.empty())
+        s.interaction = asked == "exact" ? Interaction::exact : Interaction::paper;
+    if (s.interaction == Interaction::exact && !s.outline)
+        o.complain("interaction", "'exact'",
+                   "needs the section's shape: give 'outline', or take hinge.section.h, box, pipe, solid or round");
     o.finish();
     s.asked_at = where(L);
     push<SectionBox>(L, std::make_shared<const Section>(s));
@@ -117,12 +130,16 @@ int section_fields(lua_State* L) {
                                                       {"depth", s.depth}};
     for (const auto& [name, value] : numbers)
         if (key == name) return lua_pushnumber(L, value), 1;
+    if (key == "interaction") {
+        if (s.interaction == Interaction::by_model) return lua_pushnil(L), 1;
+        return lua_pushstring(L, s.interaction == Interaction::exact ? "exact" : "paper"), 1;
+    }
     const std::pair<const char*, std::optional<double>> given[] = {
         {"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};
     for (const auto& [name, value] : given)
         if (key == name) return value ? lua_pushnumber(L, *value) : lua_pushnil(L), 1;
     if (key == "kind") return lua_pushstring(L, s.kind.c_str()), 1;
-    std::vector<std::string> names = {"kind", "N0", "Mx0", "My0", "Mz0"};
+    std::vector<std::string> names = {"kind", "N0", "Mx0", "My0", "Mz0", "interaction"};
     for (const auto& n : numbers) names.push_back(n.first);
     throw InputError("section has no field '" + key + "'" + did_you_mean(key, names));
 }
@@ -156,7 +173,7 @@ void open_values(lua_State* L, int module) {
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
     name_fields(L, SectionBox::lua_name,
                 {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
-                 "N0", "Mx0", "My0", "Mz0", "width", "depth"});
+                 "N0", "Mx0", "My0", "Mz0", "width", "depth", "interaction"});
     lua_pushcfunction(L, (guarded<takes<"hinge.material", 1, material>>));
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));

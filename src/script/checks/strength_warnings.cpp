@@ -20,7 +20,7 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
         const int member = elements[i].member;
         const beam::YieldSurface& yield = declared.elements()[i].yield;
         const auto shape = PlasticShape::of(*model.members()[member].section);
-        if (!shape || yield.n == 0) continue;
+        if (!shape || yield.n == 0 || !declared.elements()[i].law->ignores_shape()) continue;
         double n = 0;
         for (double side : {-1.0, 1.0})
             n = std::max(n, std::sqrt(yield.n) * std::abs(solution.run->section_forces(i, side).N));
@@ -36,14 +36,14 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
         }
     }
     if (worst_member < 0) return {};
-    const char *about = worst_axis == 0 ? "x" : "y", *moment = worst_axis == 0 ? "Mx0" : "My0";
+    const char* about = worst_axis == 0 ? "x" : "y";
     std::vector<Warning> list(1);
     Warning& w = list.front();
     w.what = member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
              ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
              "N eq 14 gives it " + excess_text(excess) + " more than its exact plastic moment about " + about;
-    w.advice = "what bends it to yielding is found too strong; a lower " + std::string(moment) +
-               " (hinge.section.general) or a lower yield stress is safe";
+    w.advice =
+        "what bends it to yielding is found too strong; give the section, or hinge.model, interaction = \"exact\"";
     w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
     w.more = members - 1, w.tells_of = members;
     return list;

@@ -1,0 +1,68 @@
+// The law of a section: which forces it can carry, and how it flows when it carries all that it can.
+//
+// An element asks its section's law, and knows none by name. The laws are in src/laws, one file each.
+#pragma once
+
+#include "beam/yield.h"
+
+namespace hinge::beam {
+
+/// Law of the sections of an element, or of both elements of a pair. It is const: elements of the same section and
+/// material share it.
+class SectionLaw {
+public:
+    /// `screen`: a surface inside of the yield surface. Forces within it never flow; the assembly asks that first, for
+    /// eight elements at once.
+    explicit SectionLaw(const YieldSurface& screen) : screen_(screen) {}
+    SectionLaw(const SectionLaw&) = delete;
+    virtual ~SectionLaw() = default;
+
+    virtual const char* name() const = 0;
+    const YieldSurface& screen() const { return screen_; }
+    /// True of a law that is eq 14 whatever the section's shape: it may be unsafe beside an axial force.
+    virtual bool ignores_shape() const { return false; }
+
+    /// Yield function f_y of a section's Mx, My (N m), N (N) and Mz (N m): 1 on the surface. Its root is the
+    /// utilisation: it grows as the forces do, where all of them grow alike.
+    virtual double yield_function(const Vec4& q) const = 0;
+    /// The same at section r (-1: node 1, 0: middle, +1: node 2), for element forces with the fixed-end parts in them.
+    double yield_function(const Vec6& p, double r) const { return yield_function(resultants(p, r)); }
+
+    /// True only if no section flows under these forces; asked beyond the screen, and cheaper than the return. False
+    /// says nothing.
+    virtual bool surely_elastic(const Vec6& p, const double* sections, int n, const FixedEnd& fixed_end) const {
+        return (void)p, (void)sections, (void)n, (void)fixed_end, false;
+    }
+
+    /// Return mapping of an element, implicit, with associated flow: the point within the yield surfaces of its
+    /// sections nearest to `trial` in the energy norm.
+    ///   trial     forces if the step were elastic
+    ///   k         the element's elastic stiffness
+    ///   sections  positions r that can yield, n of them
+    /// The flow is evaluated for p plus the fixed-end forces; ReturnMapResult::p excludes them.
+    virtual ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
+                                              const FixedEnd& fixed_end) const = 0;
+
+    /// The same for an element whose two ends can yield, as a round of the return of a pair (pair_return.h) needs it:
+    /// `before` is the round before, from which the search may start.
+    virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const FixedEnd& fixed_end,
+                                     const ElementFlow& before) const = 0;
+
+    /// Work of fixed-end forces on the plastic flow, J; `part`: `fixed_end` or a part of it.
+    virtual double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
+                           const FixedEnd& fixed_end) const = 0;
+
+    /// Consistent tangent dp/dd of return_to_surface.
+    virtual Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
+                         const FixedEnd& fixed_end) const = 0;
+
+    /// Consistent tangent of a pair, 12 x 12. `elastic`: its tangent without flow; `flow`: null for an element that
+    /// does not flow.
+    virtual Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
+                               const FixedEnd* fixed_end) const = 0;
+
+private:
+    YieldSurface screen_;
+};
+
+}  // namespace hinge::beam

@@ -1,0 +1,91 @@
+// The exact interaction of N, Mx and My of a section's outline (beam/plastic_domain.h), without hardening. Torsion
+// takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, where g is the gauge of N, Mx and My.
+#include <cmath>
+
+#include "beam/potential_law.h"
+#include "laws/laws.h"
+
+namespace hinge::beam {
+namespace {
+
+YieldSurface screen_of(const PlasticDomain& domain, const Vec4& strength) {
+    const Vec3 axis = domain.ellipsoid().cwiseProduct(strength.head<3>());
+    const auto inverse_square = [](double a) { return 1 / (a * a); };
+    return {inverse_square(axis[0]), inverse_square(axis[1]), inverse_square(axis[2]), inverse_square(strength[3])};
+}
+
+class Exact : public PotentialLaw {
+public:
+    Exact(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength)
+        : PotentialLaw(screen_of(*domain, strength), strength), domain_(std::move(domain)) {}
+
+    const char* name() const override { return "exact"; }
+
+    double yield_function(const Vec4& q) const override {
+        const Vec4 of = normalised(q);
+        const double g = domain_->gauge(of.head<3>());
+        return g * g + of[3] * of[3];
+    }
+
+    bool surely_elastic(const Vec6& p, const double* sections, int n, const FixedEnd& fixed_end) const override {
+        for (int i = 0; i < n; ++i)
+            if (!within(normalised(resultants(p + fixed_end.at(sections[i]), sections[i])))) return false;
+        return true;
+    }
+
+protected:
+    double potential(const Vec4& e, Vec4& q, Mat4& curvature) const override {
+        Vec3 point;
+        Mat3 bend;
+        if (e[3] == 0) {
+            const double h = domain_->support(e.head<3>(), point, &bend);
+            q << point, 0;
+            curvature.setZero();
+            curvature.topLeftCorner<3, 3>() = bend;
+            curvature(3, 3) = 1 / h;
+            return h;
+        }
+        const double h = e.head<3>().isZero(0) ? 0 : domain_->support(e.head<3>(), point, &bend),
+                     D = std::hypot(h, e[3]);
+        if (h == 0) point.setZero(), bend.setZero();
+        q << h / D * point, e[3] / D;
+        curvature.topLeftCorner<3, 3>() = (point * point.transpose() + h * bend) / D;
+        curvature.topRightCorner<3, 1>().setZero();
+        curvature.bottomLeftCorner<1, 3>().setZero();
+        curvature(3, 3) = 1 / D;
+        curvature -= q * q.transpose() / D;
+        return D;
+    }
+
+    Vec4 direction(const Vec4& q) const override {
+        Vec3 normal;
+        domain_->surely_inside(q.head<3>(), &normal);
+        Vec4 e;
+        e << normal, q[3] * normal.norm();
+        return e;
+    }
+
+    bool outside(const Vec4& q, Vec4& direction) const override {
+        if (within(q)) return false;
+        Vec3 normal;
+        const double g = domain_->gauge(q.head<3>(), &normal);
+        direction << g * normal, q[3];
+        return std::hypot(g, q[3]) > 1 + 1e-12;
+    }
+
+private:
+    bool within(const Vec4& q) const {
+        const double rest = 1 - q[3] * q[3];
+        return rest > 0 && domain_->surely_inside(q.head<3>() / std::sqrt(rest));
+    }
+
+    std::shared_ptr<const PlasticDomain> domain_;
+};
+
+}  // namespace
+
+std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength) {
+    return std::make_unique<Exact>(std::move(domain), strength);
+}
+
+}  // namespace hinge::beam

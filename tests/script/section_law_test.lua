@@ -1,0 +1,181 @@
+-- Laws of sections: with the exact interaction of N, Mx and My members carry what closed forms give, in statics and in
+-- all integrators; the energy balance closes; a run resumes to the same bytes; wrong input is refused.
+--
+-- Run: lua5.4 tests/script/section_law_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "section law"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local fy, L = 235e6, 3
+local steel = hinge.material { E = 210e9, density = 7850, yield_stress = fy }
+local shapes = {
+  HEB = { hinge.section.h, { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019 } },
+  RHS = { hinge.section.box, { depth = 0.2, width = 0.1, thickness = 0.008 } },
+  pipe = { hinge.section.pipe, { diameter = 0.2, thickness = 0.005 } },
+  solid = { hinge.section.solid, { width = 0.1, depth = 0.15 } },
+}
+local function section(name, law)
+  local options = { interaction = law }
+  for k, v in pairs(shapes[name][2]) do options[k] = v end
+  return shapes[name][1](options)
+end
+
+-- A cantilever along x that N stretches or presses; `push`: the force across at its tip, {y, z}, N.
+local function cantilever(of, n, push, options)
+  options = options or {}
+  local model = hinge.model { displacement = "small", interaction = options.interaction }
+  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  local member = model:member { a, b, section = of, material = steel, up = { 0, 0, 1 } }
+  model:fix(a, "all")
+  local N = n * of.plastic_area * fy
+  model:case "axial":load { node = b, force = { N, 0, 0 } }
+  model:case "push":load { node = b, force = { 0, push[1], push[2] } }
+  return { model = model, tip = b, member = member }
+end
+
+-- The factor of the push at the limit, beside a held N.
+local function limit(c)
+  local held = c.model:static { loads = { axial = 1 }, steps = 4 }
+  held:finish()
+  local run = c.model:static { from = held, loads = { push = 1 }, steps = 20, to_limit = true }
+  run:finish()
+  expect(run.reason:find "limit load" ~= nil, "ends at a limit load: %s", run.reason)
+  return run.factor, run
+end
+
+case("the moment beside N is that of closed forms, about both axes, in tension and compression", function()
+  for name in pairs(shapes) do
+    for axis = 1, 2 do
+      for _, n in ipairs { 0.15, -0.5, 0.9 } do
+        for _, law in ipairs { "exact", "paper" } do
+          local of = section(name, law)
+          local Mp = fy * (axis == 1 and of.Zx or of.Zy)
+          local push = axis == 1 and { 0, 1.2 * Mp / L } or { 1.2 * Mp / L, 0 }
+          local wanted = law == "exact" and select(axis, of:reduced_moments(n)) or math.sqrt(1 - n ^ 2)
+          local factor, run = limit(cantilever(of, n, push))
+          near(1.2 * factor, wanted, 2e-5, ("%s, axis %d, n %g, %s"):format(name, axis, n, law))
+          local told = false
+          for _, w in ipairs(run.warnings) do told = told or tostring(w):find "eq 14 is unsafe" ~= nil end
+          if law == "exact" then equal(told, false, "a warning of eq 14") end
+        end
+      end
+    end
+  end
+end)
+
+-- A rectangle whose neutral axis goes through the sides: my = 2 t / 3, mx = 1 - t^2 / 3, 0 <= t <= 1.
+case("in biaxial bending a rectangle carries what its neutral axis gives", function()
+  for _, t in ipairs { 0.2, 0.6, 1 } do
+    local of = section("solid", "exact")
+    local mx, my = 1 - t ^ 2 / 3, 2 * t / 3
+    local c = cantilever(of, 0, { 1.3 * my * fy * of.Zy / L, 1.3 * mx * fy * of.Zx / L })
+    local factor, run = limit(c)
+    near(1.3 * factor, 1, 2e-5, ("t %g"):format(t))
+    local at_wall = c.member:forces(run)
+    near(at_wall.f_y, 1, 5e-5, "f_y of a section that flows")
+  end
+end)
+
+case("the model's option holds for the sections that do not say theirs", function()
+  local general = hinge.section.general { area = 0.01, Ix = 1e-4, Iy = 1e-4, J = 1e-5,
+    plastic = { A = 0.01, Zx = 5e-4, Zy = 5e-4 } }
+  local function factor(of, law)
+    return (limit(cantilever(of, 0.6, { 0, 1.2 * fy * of.Zx / L }, { interaction = law })))
+  end
+  local exact = section("HEB"):reduced_moments(0.6)
+  near(1.2 * factor(section "HEB", "exact"), exact, 1e-5, "by the model")
+  near(1.2 * factor(section("HEB", "paper"), "exact"), 0.8, 1e-5, "the section's own word")
+  near(1.2 * factor(section("HEB", "exact"), "paper"), exact, 1e-5, "the section's own word, exact")
+  near(1.2 * factor(general, "exact"), 0.8, 1e-5, "a section whose shape is not known has eq 14")
+  equal(section("HEB", "exact").interaction, "exact", "section.interaction")
+  equal(section("HEB").interaction, nil, "section.interaction where none is given")
+end)
+
+case("an outline of one's own: an angle about its centroid", function()
+  local corners = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.01 }, { 0.01, 0.01 }, { 0.01, 0.1 }, { 0, 0.1 } }
+  local of = hinge.section.general { area = 0.0019, Ix = 1.8e-6, Iy = 1.8e-6, J = 6e-8,
+    outline = { { corners = corners } }, plastic = { A = 0.0019, Zx = 3.2e-5, Zy = 3.2e-5 }, interaction = "exact" }
+  local factor = limit(cantilever(of, 0, { 0, 1.5 * fy * of.Zx / L }))
+  expect(factor > 0.3 and factor < 1.01 / 1.5, "carries %g of Mx0", 1.5 * factor)
+end)
+
+-- A portal with a blow at its corner that makes hinges, in each integrator.
+local function portal(law)
+  local model = hinge.model { interaction = law }
+  local col, beam = section "HEB", section "RHS"
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
+  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
+    model:member { n[pair[1]], n[pair[2]], section = col, material = steel, up = { 0, 1, 0 } }
+  end
+  model:member { n[2], n[3], section = beam, material = steel, up = { 0, 0, 1 }, elements = 4 }
+  model:fix(n[1], "all")
+  model:fix(n[4], "all")
+  for i = 2, 3 do
+    model:mass { node = n[i], mass = 20000 }
+    model:velocity(n[i], { 6, 1.5, -2 })
+  end
+  return model, n
+end
+local integrators = {
+  newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
+  ["energy-momentum"] = { integrator = "energy-momentum", dt = 2e-4 },
+}
+local function run_of(law, options)
+  local model = portal(law)
+  local all = { duration = 0.15 }
+  for k, v in pairs(options) do all[k] = v end
+  local run = model:dynamic(all)
+  run:finish()
+  return run
+end
+
+case("in dynamics the energy balance closes, and three integrators dissipate the same", function()
+  local work = {}
+  for name, options in pairs(integrators) do
+    local run = run_of("exact", options)
+    equal(run.verdict, "completed", name)
+    near(run.energy_error, 0, 1e-3, name .. ": energy error")
+    work[name] = run.energy.plastic
+    expect(work[name] > 1e4, "%s: dissipates %g J", name, work[name])
+  end
+  near(work.newmark / work.explicit, 1, 0.01, "newmark over explicit")
+  near(work["energy-momentum"] / work.explicit, 1, 0.01, "energy-momentum over explicit")
+end)
+
+case("a run that was saved while hinges turn goes on to the same bytes", function()
+  local path = os.tmpname()
+  local model = portal "exact"
+  local run = model:dynamic { dt = 2e-4, duration = 0.12 }
+  for _ = 1, 300 do run:step() end
+  run:checkpoint(path)
+  run:finish()
+  local resumed = portal("exact"):dynamic({ dt = 2e-4, duration = 0.12 }):resume(path)
+  resumed:finish()
+  equal(resumed.hash, run.hash, "state")
+  local ok, message = pcall(function() portal("paper"):dynamic({ dt = 2e-4, duration = 0.12 }):resume(path) end)
+  expect(not ok and tostring(message):find "options of the model", "another law is refused: %s", message)
+  os.remove(path)
+end)
+
+case("wrong input", function()
+  local function refused(what, f)
+    local ok, message = pcall(f)
+    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
+  end
+  local general = { area = 0.01, Ix = 1e-4, Iy = 1e-4, J = 1e-5 }
+  local function with(more) return function() local t = {} for k, v in pairs(general) do t[k] = v end
+    for k, v in pairs(more) do t[k] = v end return hinge.section.general(t) end end
+  refused("needs the section's shape", with { interaction = "exact" })
+  refused("one of paper, exact", function() section("HEB", "exakt") end)
+  refused("'paper', 'exact'", function() hinge.model { interaction = "best" } end)
+  refused("three or more", with { outline = { { corners = { { 0, 0 }, { 1, 1 } } } } })
+  refused("must be {x, y}", with { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 1, "a" } } } } })
+  refused("on one line", with { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 2, 2 } } } } })
+  refused("either 'corners'", with { outline = { {} } })
+  refused("area must be above 0", with { outline = { { diameter = 0.1 }, { diameter = 0.2, hole = true } } })
+  refused("may differ by 2 %", with { outline = { { diameter = 0.1 } } })
+end)
+
+checks.done()

@@ -1,0 +1,268 @@
+// Laws of sections: the return of an element to its exact yield surface, its tangent and its dissipation.
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "beam/pair_return.h"
+#include "helpers.h"
+#include "laws/laws.h"
+
+using namespace hinge;
+using namespace hinge::beam;
+using namespace hinge::test;
+
+namespace {
+
+constexpr double ends[2] = {-1, 1}, middle[1] = {0};
+constexpr double fy = 235e6;
+
+std::shared_ptr<const PlasticDomain> domain_of(int kind) {
+    static std::map<int, std::shared_ptr<const PlasticDomain>> made;
+    auto& known = made[kind];
+    if (known) return known;
+    Outline o;
+    if (kind == 0) {
+        o.polygons = {{{{-0.1, -0.15}, {0.1, -0.15}, {0.1, 0.15}, {-0.1, 0.15}}}};
+    } else if (kind == 1) {  // an H
+        const double x = 0.15, y = 0.15, w = 0.0055, f = 0.131;
+        o.polygons = {{{{-x, -y},
+                        {x, -y},
+                        {x, -f},
+                        {w, -f},
+                        {w, f},
+                        {x, f},
+                        {x, y},
+                        {-x, y},
+                        {-x, f},
+                        {-w, f},
+                        {-w, -f},
+                        {-x, -f}}}};
+    } else if (kind == 2) {
+        o.circles = {{{0, 0}, 0.15, false}, {{0, 0}, 0.14, true}};
+    } else {  // an angle, without symmetry
+        o.polygons = {{{{0, 0}, {0.2, 0}, {0.2, 0.02}, {0.02, 0.02}, {0.02, 0.3}, {0, 0.3}}}};
+        o.move(-o.centroid());
+    }
+    return known = std::make_shared<PlasticDomain>(o);
+}
+
+struct Trial {
+    std::shared_ptr<const PlasticDomain> domain;
+    std::unique_ptr<const SectionLaw> law;
+    Vec4 strength;
+    Stiffness k;
+    Vec6 p;
+};
+
+/// An element of one of the shapes, and forces up to several times its strength.
+Trial random_trial(Dice& dice, double largest) {
+    Trial t;
+    t.domain = domain_of(dice.pick(4));
+    const double A = t.domain->area(), E = 206e9, G = E / 2.6;
+    t.strength << fy * t.domain->moduli()[0], fy * t.domain->moduli()[1], fy * A,
+        dice.pick(3) ? fy / std::sqrt(3.0) * 0.2 * A * std::sqrt(A) : std::numeric_limits<double>::infinity();
+    t.law = exact_law(t.domain, t.strength);
+    Rigidity c;
+    c.EIx = E * A * 0.012 * dice(0.5, 1.5), c.EIy = E * A * 0.006 * dice(0.5, 1.5), c.EA = E * A, c.GJ = G * 0.003 * A;
+    c.GAx = c.GAy = G * A * dice(0.3, 0.8);
+    t.k = stiffness(c, dice(0.5, 6), dice(-1, 1));
+    const double size = std::exp(dice(-1, largest));
+    for (int i = 0; i < 6; ++i) {
+        const double limit = i < 4 ? t.strength[i / 2] : i == 4 ? t.strength[2] : 0.3 * fy * A * std::sqrt(A);
+        t.p[i] = dice.pick(4) ? size * dice(-1, 1) * limit : 0;
+    }
+    return t;
+}
+
+Vec3 normalised(const Trial& t, const Vec4& q) { return q.head<3>().cwiseQuotient(t.strength.head<3>()); }
+
+/// By how much the rules of associated flow are missed: equilibrium, the surface, the normal.
+double off_rules(const Trial& t, const ElementFlow& flow, const FixedEnd& fixed, const double* sections, int n) {
+    double off = 0;
+    Vec6 plastic = Vec6::Zero();
+    for (int i = 0; i < n; ++i) {
+        const Vec4 q = resultants(flow.p + fixed.at(sections[i]), sections[i]);
+        const double f = t.law->yield_function(q) - 1;
+        if (!(flow.lambda[i] > 0)) {
+            off = largest_of(off, f);
+            continue;
+        }
+        off = largest_of(off, std::abs(f));
+        const Vec4& e = flow.section[i];
+        Vec3 normal = e.head<3>().cwiseProduct(t.strength.head<3>()), point = Vec3::Zero();
+        const double h = normal.isZero(0) ? 0 : t.domain->support(normal, point),
+                     twist = e[3] == 0 ? 0 : e[3] * t.strength[3], D = std::hypot(h, twist);
+        off = largest_of(off, (normalised(t, q) - h / D * point).norm(),
+                         std::isinf(t.strength[3]) ? std::abs(e[3]) : std::abs(q[3] / t.strength[3] - twist / D));
+        const double n1 = -(1 - sections[i]) / 2, n2 = (1 + sections[i]) / 2;
+        plastic += (Vec6() << n1 * e[0], n2 * e[0], n1 * e[1], n2 * e[1], e[2], e[3]).finished();
+    }
+    return largest_of(off, (plastic - flow.plastic).norm() / largest_of(1e-12, plastic.norm()));
+}
+
+}  // namespace
+
+// 1e-8: equilibrium is found to 1e-12 of the trial forces, of up to 150 times the strength, or to 1e-9 at a corner.
+TEST_CASE("exact law: 4e4 random returns keep the rules of associated flow, with loads between the nodes too",
+          "[section_law]") {
+    Dice dice(41);
+    double off = 0, least = 0, way = 0;
+    long none = 0, one = 0, both = 0, lost = 0, told = 0;
+    for (int trial = 0; trial < 40000; ++trial) {
+        const Trial t = random_trial(dice, trial % 4 ? 1.5 : 5);
+        FixedEnd fixed;
+        if (trial % 2)
+            for (int end : {0, 1})
+                fixed.add(end, dice(-0.5, 0.5) * t.strength[0], dice(-0.5, 0.5) * t.strength[1],
+                          dice(-0.1, 0.1) * t.strength[2], 0);
+        const bool conventional = trial % 5 == 0;
+        const double* sections = conventional ? middle : ends;
+        const int n = conventional ? 1 : 2;
+        const ReturnMapResult flow = t.law->return_to_surface(t.p, t.k, sections, n, fixed);
+        if (t.law->surely_elastic(t.p, sections, n, fixed)) {
+            ++told;
+            CHECK(!flow.flows());
+        }
+        if (!flow.converged) {
+            ++lost;
+            continue;
+        }
+        ++(!flow.flows() ? none : flow.lambda[0] > 0 && flow.lambda[1] > 0 ? both : one);
+        off = largest_of(off, off_rules(t, flow, fixed, sections, n));
+        const Vec6 back = flow.p + t.k.times(flow.plastic) - t.p;
+        way = largest_of(way, back.norm() / (1e-9 + t.p.norm()));
+        least = smallest_of(least, flow.dissipation);
+    }
+    CHECK_FIGURE("rules of flow", off, 1e-8);
+    CHECK_FIGURE("way back", way, 1e-12);
+    CHECK_FIGURE("negative dissipation, J", -least, 0);
+    CHECK(none > 3000);
+    CHECK(told > 3000);
+    CHECK(one > 5000);
+    CHECK(both > 5000);
+    CHECK(lost == 0);
+}
+
+TEST_CASE("exact law: where flow is along one resultant, the answer by hand", "[section_law]") {
+    Dice dice(1);
+    Trial t = random_trial(dice, 1);
+    t.domain = domain_of(0);
+    t.strength << fy * t.domain->moduli()[0], fy * t.domain->moduli()[1], fy * t.domain->area(), 1e9;
+    t.law = exact_law(t.domain, t.strength);
+    Vec6 p = Vec6::Zero();
+    p[1] = 1.25 * t.strength[0];
+    ReturnMapResult flow = t.law->return_to_surface(p, t.k, ends, 2, no_fixed_end);
+    CHECK(flow.p[1] == Approx(t.strength[0]));
+    CHECK(flow.plastic[1] == Approx(0.25 * t.strength[0] / t.k.x22));
+    p.setZero(), p[4] = -3 * t.strength[2];  // the corner of the surface
+    flow = t.law->return_to_surface(p, t.k, ends, 2, no_fixed_end);
+    CHECK(flow.converged);
+    CHECK(flow.p[4] == Approx(-t.strength[2]));
+    CHECK(flow.p.head<4>().norm() < 1e-9 * t.strength[0]);
+    CHECK(flow.plastic[4] == Approx(-2 * t.strength[2] / t.k.axial));
+    // a rectangle: m = 1 - n^2, where the strain has the neutral axis at e = n d / 2 from the middle
+    const double n = 0.4, m = 1 - n * n, kappa = 0.01, half = 0.15;
+    p.setZero();
+    p[1] = m * t.strength[0] + t.k.x22 * kappa, p[0] = t.k.x12 * kappa;
+    p[4] = n * t.strength[2] + t.k.axial * kappa * n * half;
+    flow = t.law->return_to_surface(p, t.k, ends, 2, no_fixed_end);
+    if (flow.lambda[0] == 0) {
+        CHECK(flow.p[1] == Approx(m * t.strength[0]));
+        CHECK(flow.p[4] == Approx(n * t.strength[2]));
+        CHECK(flow.plastic[1] == Approx(kappa));
+    }
+    CHECK(flow.lambda[1] > 0);
+}
+
+TEST_CASE("exact law: the tangent against differences; at the beginning of flow it resists nothing along it",
+          "[section_law]") {
+    Dice dice(43);
+    double off = 0, begins = 0;
+    int compared = 0, corners = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Trial t = random_trial(dice, 1);
+        const auto at = [&](const Vec6& p) { return t.law->return_to_surface(p, t.k, ends, 2, no_fixed_end); };
+        const ReturnMapResult flow = at(t.p);
+        if (!flow.flows()) continue;
+        const Mat6 D = t.law->tangent(flow, t.k, ends, 2, no_fixed_end), K = t.k.matrix();
+        Mat6 by_differences[2];
+        bool same = true;
+        const Vec6 d = t.k.solve(t.p);
+        for (int h = 0; h < 2; ++h)
+            for (int i = 0; i < 6; ++i) {
+                const double step = (h ? 1 : 2) * 1e-7 * (i == 4 ? t.strength[2] : t.strength[0]) / K(i, i);
+                Vec6 up = d, down = d;
+                up[i] += step, down[i] -= step;
+                const ReturnMapResult a = at(t.k.times(up)), b = at(t.k.times(down));
+                for (int s : {0, 1}) {
+                    same = same && (a.lambda[s] > 0) == (flow.lambda[s] > 0);
+                    same = same && (b.lambda[s] > 0) == (flow.lambda[s] > 0);
+                }
+                by_differences[h].col(i) = (a.p - b.p) / (2 * step);
+            }
+        const Vec4 strength = t.strength.cwiseMin(1e9);
+        Vec6 scale;
+        for (int i = 0; i < 6; ++i) scale[i] = 1 / std::sqrt(K(i, i));
+        const auto size = [&](const Mat6& m) { return largest_entry(scale.asDiagonal() * m * scale.asDiagonal()); };
+        // a side of the outline beside the neutral axis makes the tangent leap, and both steps tell it
+        for (int s : {0, 1})
+            for (int c = 0; c < 8; ++c) {
+                ElementFlow beside = flow;
+                const double part = (c < 4 ? 1e-4 : -1e-4) * beside.section[s].cwiseProduct(strength).norm();
+                if (c % 4 < 3) beside.section[s][c % 4] += part / strength[c % 4];
+                same = same && size(D - t.law->tangent(beside, t.k, ends, 2, no_fixed_end)) < 1e-3;
+            }
+        if (!same || size(by_differences[0] - by_differences[1]) > 1e-5) {
+            ++corners;
+            continue;
+        }
+        ++compared;
+        off = largest_of(off, size(D - by_differences[0]));
+        ReturnMapResult first = flow;
+        for (double& lambda : first.lambda) lambda = lambda > 0 ? 1e-300 : 0;
+        const Mat6 start = t.law->tangent(first, t.k, ends, 2, no_fixed_end);
+        begins = largest_of(begins, (scale.asDiagonal() * (start * flow.plastic)).norm() /
+                                        (scale.asDiagonal() * (K * flow.plastic)).norm());
+    }
+    CHECK_FIGURE("tangent", off, 2e-5);
+    CHECK_FIGURE("resistance along the flow at its beginning", begins, 2e-2);
+    CHECK(compared > 1500);
+    CHECK(corners < 0.2 * compared);
+}
+
+TEST_CASE(
+    "exact law: a path of random steps never dissipates less than nothing, and its forces stay within the surface",
+    "[section_law]") {
+    Dice dice(47);
+    double off = 0, least = 0, balance = 0;
+    long flows = 0, lost = 0;
+    for (int path = 0; path < 60; ++path) {
+        Trial t = random_trial(dice, 0);
+        Vec6 d = Vec6::Zero(), plastic = Vec6::Zero(), p = Vec6::Zero();
+        double scale[6];
+        for (int i = 0; i < 6; ++i)
+            scale[i] = (i < 4 ? t.strength[i / 2] : i == 4 ? t.strength[2] : 1e3) / t.k.matrix()(i, i);
+        double step = 0.1, work = 0, dissipated = 0;
+        for (int i = 0; i < 500; ++i) {
+            if (dice.pick(10) == 0) step = std::exp(dice(-6, 2));
+            Vec6 next = d;
+            for (int c = 0; c < 6; ++c) next[c] += step * scale[c] * dice(-1, 1);
+            const ReturnMapResult flow =
+                t.law->return_to_surface(t.k.times(next - plastic), t.k, ends, 2, no_fixed_end);
+            lost += !flow.converged;
+            work += 0.5 * (p + flow.p).dot(next - d);
+            dissipated += 0.5 * (p + flow.p).dot(flow.plastic);
+            least = smallest_of(least, flow.dissipation);
+            d = next, plastic += flow.plastic, p = flow.p, flows += flow.flows();
+            for (double r : ends) off = largest_of(off, t.law->yield_function(p, r) - 1);
+        }
+        const double stored = 0.5 * p.dot(t.k.solve(p));
+        balance = largest_of(balance, std::abs(work - stored - dissipated) / (std::abs(work) + 1e-9));
+    }
+    CHECK(flows > 5000);
+    CHECK(lost == 0);
+    CHECK_FIGURE("beyond the surface", off, 1e-8);
+    CHECK_FIGURE("negative dissipation, J", -least, 0);
+    CHECK_FIGURE("work less what is stored and dissipated", balance, 1e-9);
+}
