@@ -3,8 +3,8 @@
 --
 -- A scene: class, setting ("auto", "explicit", "fine dt", "coarse dt"), budget (element steps), words (a list that
 -- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
--- `changed` replaces options of the model (p_delta, elements_per_member, plasticity) and of the run (dt, integrator,
--- ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto steps too;
+-- `changed` replaces options of the model (p_delta, interaction, elements_per_member, plasticity) and of the run (dt,
+-- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto steps too;
 -- contact = "none", fracture = "none". ground = "points": elastic points (restitution = 1) in place of the layer that
 -- is the default.
 local scenes = {}
@@ -776,7 +776,7 @@ local weights = { { 20, "struck frame" }, { 20, "lost column" }, { 12, "shaken f
 -- Steps of plain numbers that users write, s: for short strokes and for collapse.
 local fine, coarse = { 2e-6, 5e-6, 1e-5, 2e-5 }, { 5e-5, 1e-4, 2e-4, 5e-4, 1e-3 }
 
-local of_model = { p_delta = true, elements_per_member = true, plasticity = true }
+local of_model = { p_delta = true, interaction = true, elements_per_member = true, plasticity = true }
 local not_of_run = { part = true, dt_times = true, contact = true, fracture = true, ground = true }
 
 --- The scene of a seed. class: that class in place of the drawn one.

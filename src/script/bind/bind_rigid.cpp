@@ -97,7 +97,8 @@ int add_diaphragm(lua_State* L) {
     Diaphragm d;
     d.normal = o.word("normal", {"x", "y", "z"}, "z")[0] - 'x';
     if (o.push_field("nodes") != LUA_TTABLE) o.complain("nodes", show(L, -1), "must be a list of at least two nodes");
-    const std::string what = std::string(call) + ": field 'nodes'";
+    std::string what = call;  // in parts: gcc 12 takes the sum for an overflow
+    what += ": field 'nodes'";
     for (lua_Integer i = 1, n = list_length(L, lua_gettop(L), what); i <= n; ++i) {
         lua_rawgeti(L, -1, i);
         const int node = node_argument(L, -1, what + ", item " + std::to_string(i), m.get()).index;
