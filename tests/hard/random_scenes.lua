@@ -4,9 +4,9 @@
 -- A scene: class, setting ("auto", "explicit", "fine dt", "coarse dt"), budget (element steps), words (a list that
 -- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
 -- `changed` replaces options of the model (p_delta, interaction, elements_per_member, plasticity) and of the run (dt,
--- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto steps too;
--- contact = "none", fracture = "none". ground = "points": elastic points (restitution = 1) in place of the layer that
--- is the default.
+-- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto
+-- steps too; contact = "none", fracture = "none". ground = "points": elastic points (restitution = 1) in place of the
+-- layer that is the default.
 local scenes = {}
 
 local g = 9.80665
