@@ -10,6 +10,8 @@ namespace {
 
 constexpr long every = 10;  ///< steps of dynamics between looks at sections that do not flow
 constexpr double least_n = unsafe_excess / (1 + unsafe_excess);  ///< of N0: below it 1 - n is more than M may be beyond
+/// A convex yield surface through n = 1 and m = 1 has at least m = 1 - n: below this a moment is not unsafe.
+double least_m(double n) { return (1 + unsafe_excess) * (1 - n); }
 
 }  // namespace
 
@@ -22,37 +24,56 @@ AxialStrength::AxialStrength(const Structure& structure) {
         if (fresh) shapes_.push_back(PlasticShape::of(*m.section));
         shape_of_.push_back(shapes_[at->second] ? at->second : -1);
     }
+    for (const Element& e : structure.elements()) {
+        const beam::YieldSurface& y = e.yield;
+        const bool looked_at = shape_of_[e.member] >= 0 && e.law && e.law->ignores_shape();
+        scales_.push_back(looked_at ? Scales{std::sqrt(y.n), {std::sqrt(y.x), std::sqrt(y.y)}} : Scales{});
+    }
 }
 
 void AxialStrength::look(const Workspace& w, const Step& step) {
-    if (w.kind.dynamic && w.state.step % every != 0) {
-        for (const PlasticIncrement& y : w.yielding) look_at(w, step, y.element);
-        return;
-    }
-    for (int i = 0; i < int(w.structure.elements().size()); ++i) look_at(w, step, i);
+    const auto look_at = [&](int i) {
+        if (may_exceed(scales_[i], w.state.force[i], w.assembly.fixed_end(i))) compare_ends(w, step, i);
+    };
+    if (w.kind.dynamic && w.state.step % every != 0)
+        for (const PlasticIncrement& y : w.yielding) look_at(y.element);
+    else
+        for (int i = 0; i < int(scales_.size()); ++i) look_at(i);
 }
 
-void AxialStrength::look_at(const Workspace& w, const Step& step, int index) {
-    const Element& e = w.structure.elements()[index];
-    const int shape = shape_of_[e.member];
-    if (shape < 0 || e.yield.n == 0 || w.state.broken[index] || !e.law->ignores_shape()) return;
-    for (double r : {-1.0, 1.0}) {
-        const Vec6 p = w.state.force[index] + w.assembly.fixed_end(index).at(r);
-        const double n = std::sqrt(e.yield.n) * std::abs(p[4]);
+/// Takes the largest of both ends and axes: for most elements that is all there is to do in a step.
+bool AxialStrength::may_exceed(const Scales& scale, const Vec6& p, const beam::FixedEnd& fixed) {
+    const double n = scale.n * (std::abs(p[4]) + std::max(std::abs(fixed.N[0]), std::abs(fixed.N[1])));
+    if (!(n > least_n)) return false;
+    const double* f = fixed.moment;
+    const double Mx = std::max(std::abs(p[0] + f[0]), std::abs(p[1] + f[1]));
+    const double My = std::max(std::abs(p[2] + f[2]), std::abs(p[3] + f[3]));
+    return std::max(scale.m[0] * Mx, scale.m[1] * My) > least_m(n);
+}
+
+void AxialStrength::compare_ends(const Workspace& w, const Step& step, int index) {
+    const Scales& scale = scales_[index];
+    const Vec6& p = w.state.force[index];
+    const beam::FixedEnd& fixed = w.assembly.fixed_end(index);
+    for (int end : {0, 1}) {
+        const double n = scale.n * std::abs(p[4] + fixed.N[end]);
         if (!(n > least_n && n < 1)) continue;
-        const double m[2] = {std::sqrt(e.yield.x) * std::abs(beam::moment_at(p[0], p[1], r)),
-                             std::sqrt(e.yield.y) * std::abs(beam::moment_at(p[2], p[3], r))};
         for (int axis : {0, 1}) {
-            // a convex yield surface through n = 1 and m = 1 has at least m = 1 - n
-            if (!(m[axis] > (1 + unsafe_excess) * (1 - n))) continue;
-            const double exact = shapes_[shape]->moment(axis, n);
-            if (!is_unsafe(m[axis], exact)) continue;
-            if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
-            unsafe_[e.member] = 1;
-            if (m[axis] - exact > worst_.m - worst_.exact + alike_moment)
-                worst_ = {n, m[axis], exact, w.reached(step), index, axis};
+            const int i = 2 * axis + end;  // of the bending moment at this end in p
+            const double m = scale.m[axis] * std::abs(p[i] + fixed.moment[i]);
+            if (m > least_m(n)) compare(w, step, index, axis, n, m);
         }
     }
+}
+
+void AxialStrength::compare(const Workspace& w, const Step& step, int index, int axis, double n, double m) {
+    if (w.state.broken[index]) return;
+    const int member = w.structure.elements()[index].member;
+    const double exact = shapes_[shape_of_[member]]->moment(axis, n);
+    if (!is_unsafe(m, exact)) return;
+    if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
+    unsafe_[member] = 1;
+    if (m - exact > worst_.m - worst_.exact + alike_moment) worst_ = {n, m, exact, w.reached(step), index, axis};
 }
 
 void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list) const {

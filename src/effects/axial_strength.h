@@ -50,10 +50,18 @@ private:
             a(s.n, s.m, s.exact, s.at, s.element, s.axis);
         }
     };
-    void look_at(const Workspace& w, const Step& step, int element);
+    /// Parts of the axial and bending strength for 1 N and 1 N m: roots of the coefficients of eq 14.
+    struct Scales {
+        double n = 0, m[2] = {0, 0};  ///< 1/N, 1/(N m); n = 0: nothing to look at
+    };
+    static bool may_exceed(const Scales& scale, const Vec6& p, const beam::FixedEnd& fixed);
+    void compare_ends(const Workspace& w, const Step& step, int element);
+    /// Compares a bending moment with the exact plastic one beside the axial force.
+    void compare(const Workspace& w, const Step& step, int element, int axis, double n, double m);
 
     std::vector<std::optional<PlasticShape>> shapes_;
-    std::vector<int> shape_of_;  ///< of each member
+    std::vector<int> shape_of_;   ///< of each member
+    std::vector<Scales> scales_;  ///< of each element: the look reads nothing else of an element with a small N
     Found worst_;
     std::vector<char> unsafe_;  ///< members; empty while there is none
 };
