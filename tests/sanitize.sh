@@ -13,26 +13,31 @@
 not_under_asan=(
   script_objects      # these two bound the memory of the process; ASan keeps for a while what is freed
   script_isolation
-  script_sandbox      # these two bound the address space; ASan asks for terabytes of it
+  script_sandbox      # these bound the address space; ASan asks for terabytes of it
+  script_guide_sandbox
+  script_size
+  script_study
+  script_interrupt
   script_cost
   script_install      # the compiler, which the test calls, leaks
   script_package      # empties the environment, and with it the sanitizer that is to be loaded before Lua
   script_startup      # bounds how long a script takes to begin
   script_slurm        # starts daemons, which would get the sanitizer too
 )
-# Leaks of others that have no name to suppress them by (tests/leaks.txt): the tool that makes a terminal, Mesa.
-leaks_of_others=(script_setup script_prompt script_program output_test)
+# Mesa leaks in our own process.
+leaks_of_others=(output_test)
 
 kind=${1:-}
 shift || true
 build=$root/build-$kind
 
-# The tests with the sanitizer loaded before Lua, which is not compiled with it; and C++, which is to be there when errors are thrown.
+# The tests with the sanitizer loaded before Lua, which is not compiled with it; and C++, which is to be there when errors
+# are thrown. What the tests start has the sanitizer too: leaks count in the programs that tests/asan names.
 tests() {
   local runtime
   runtime=$(g++ -print-file-name="$1.so"):$(g++ -print-file-name=libstdc++.so)
   shift
-  LSAN_OPTIONS=suppressions=$root/tests/leaks.txt:print_suppressions=0 HINGE_SANITIZED=1 \
+  ASAN_OPTIONS=detect_leaks=0:include_if_exists=$root/tests/asan/%b HINGE_SANITIZED=1 \
     LD_PRELOAD=$runtime ctest --test-dir "$build" --output-on-failure -j 2 "$@"
 }
 any_of() (IFS='|' && echo "^($*)\$")
