@@ -62,6 +62,7 @@ bool PotentialLaw::one_end(const Vec4& k, const Vec4& trial, Vec4& e) const {
     e = direction(trial);
     if (descend(k, trial, e) == Search::found) return true;
     if (!outside(trial, e)) return e.setZero(), true;
+    if (!e.allFinite()) return e.setZero(), false;
     const Search search = descend(k, trial, e);
     if (search == Search::not_below) e.setZero();  // on the surface, but for rounding
     if (search != Search::lost) return true;

@@ -7,7 +7,7 @@
 //   G(e) = (elastic energy of what is left of the deformation) + sum of D(e_i) over the sections
 //
 // which is convex, so that it has one least value, and a step down from any start leads there. This holds at corners of
-// the surface too, where D is flat, and where an end does not flow: e_i = 0 is the tip of D.
+// the surface too, where D has no curvature, and where an end does not flow: e_i = 0 is the tip of D.
 //
 // A law derives from PotentialLaw and says D, its two derivatives, and which way a section flows at first.
 #pragma once
@@ -38,7 +38,8 @@ protected:
     virtual double potential(const Vec4& e, Vec4& q, Mat4& curvature) const = 0;
     /// About the direction in which a section flows under q, not zero: where the search may start.
     virtual Vec4 direction(const Vec4& q) const = 0;
-    /// Where q is outside of the yield surface: a direction e with q . e > D(e), and true. Else false.
+    /// Where q is outside of the yield surface: a direction e with q . e > D(e), and true. Else false. Where that is
+    /// not found out: a direction that is not a number, and true.
     virtual bool outside(const Vec4& q, Vec4& direction) const = 0;
 
     Vec4 normalised(const Vec4& q) const { return q.cwiseProduct(per_strength_); }

@@ -68,9 +68,11 @@ protected:
     bool outside(const Vec4& q, Vec4& direction) const override {
         if (within(q)) return false;
         Vec3 normal;
-        const double g = domain_->gauge(q.head<3>(), &normal);
+        bool converged = false;
+        const double g = domain_->gauge(q.head<3>(), &normal, &converged);
         direction << g * normal, q[3];
-        return std::hypot(g, q[3]) > 1 + 1e-12;
+        if (!converged) direction.setConstant(std::nan(""));
+        return !converged || std::hypot(g, q[3]) > 1 + 1e-12;
     }
 
 private:
