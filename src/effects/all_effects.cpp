@@ -29,10 +29,27 @@ std::vector<ElementDamping> damping_of(const Structure& structure) {
 
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {
     std::vector<PlanLine> lines;
-    for (const EffectKind& effect : all_effects())
-        if (effect.plan)
-            for (PlanLine& line : effect.plan(structure, kind)) lines.push_back(std::move(line));
+    for (const EffectKind& effect : all_effects()) {
+        if (!effect.plan) continue;
+        for (PlanLine& line : effect.plan(structure, kind)) {
+            if (line.active && effect.dynamic_only && !kind.dynamic)
+                line.active = false, line.because = only_in_dynamics(line.because);
+            lines.push_back(std::move(line));
+        }
+    }
     return lines;
+}
+
+std::vector<std::string> optional_effects() {
+    std::vector<std::string> names;
+    for (const EffectKind& kind : all_effects())
+        if (kind.leave_out) names.push_back(kind.name);
+    return names;
+}
+
+void leave_out(const std::string& effect, Model& model) {
+    for (const EffectKind& kind : all_effects())
+        if (kind.leave_out && effect == kind.name) kind.leave_out(model);
 }
 
 void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan) {

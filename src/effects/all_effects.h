@@ -1,6 +1,9 @@
 // All effects that the engine knows, in the order in which they act in a step: a new one is a line in list.inc.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "effects/effect_kind.h"
 
 namespace hinge {
@@ -12,6 +15,11 @@ std::vector<ElementDamping> damping_of(const Structure& structure);
 
 /// What is simulated and what is not, and why.
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind);
+
+/// Names of the effects that a run can do without, and what takes one out of the run's own copy of a model. Other names
+/// change nothing.
+std::vector<std::string> optional_effects();
+void leave_out(const std::string& effect, Model& model);
 
 /// Counts the time of a stage, s, for the effect that names it (EffectKind::stages), where that is active.
 void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan);

@@ -149,7 +149,7 @@ private:
 }  // namespace
 
 EffectKind broken_members_kind() {
-    return {"broken members", {}, nullptr, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = "broken members", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 const Model& model = w.structure.model();
                 const bool may_break = built::fracture && w.kind.dynamic &&
                                        (!model.fracture().empty() || !model.declared<Removal>(removal_effect).empty());

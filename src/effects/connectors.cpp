@@ -436,31 +436,33 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind connectors_kind() {
-    return {connectors_effect,
-            {{"connectors", 70, "stored in connectors now, and dissipated by them", {}, false, true},
-             {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
-             {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks", "connectors"}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = connectors_effect,
+            .accounts = {{"connectors", 70, "stored in connectors now, and dissipated by them", {}, false, true},
+                         {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
+                         {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks",
+                          "connectors"}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<Connector>(connectors_effect).empty()) {
                     w.state.data.erase(connectors_effect);
                     return nullptr;
                 }
                 return std::make_unique<Connectors>(w, host);
             },
-            true,
-            nullptr,
-            {.links =
-                 [](const Model& model) {
-                     std::vector<NodeLink> list;
-                     for (const Connector& c : model.declared<Connector>(connectors_effect)) list.push_back({c.a, c.b});
-                     return list;
-                 },
-             .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
-                 const auto& list = model.declared<Connector>(connectors_effect);
-                 if (std::none_of(list.begin(), list.end(), [](const Connector& c) { return c.has_law(); })) return {};
-                 return {{5, "a connector's law", false, model.asked_at(connectors_effect)}};
-             }}};
+            .leave_out = leave_out_declared<connectors_effect>,
+            .declarer = {.links =
+                             [](const Model& model) {
+                                 std::vector<NodeLink> list;
+                                 for (const Connector& c : model.declared<Connector>(connectors_effect))
+                                     list.push_back({c.a, c.b});
+                                 return list;
+                             },
+                         .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                             const auto& list = model.declared<Connector>(connectors_effect);
+                             if (std::none_of(list.begin(), list.end(), [](const Connector& c) { return c.has_law(); }))
+                                 return {};
+                             return {{5, "a connector's law", false, model.asked_at(connectors_effect)}};
+                         }}};
 }
 
 }  // namespace hinge

@@ -277,43 +277,63 @@ private:
         pair_rules_;  ///< what the script's rule said of two members
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const bool contact = !s.model().contact().empty();
+    return {{"contact", contact, contact ? "model:contact" : "not declared", s.model().asked_at("contact")}};
+}
+
+std::vector<PlanLine> friction_plan(const Structure& s, const RunKind&) {
     const auto& rules = s.model().contact();
-    const bool contact = !rules.empty();
     const bool friction = std::any_of(rules.begin(), rules.end(), [](const ContactRule& r) {
         return r.settings.rule == contact::ContactRuleKind::surface && r.settings.friction > 0;
     });
-    return {{"contact", run.dynamic && contact, contact ? only_in_dynamics(run, "model:contact") : "not declared",
-             s.model().asked_at("contact")},
-            {"friction", run.dynamic && friction,
-             friction  ? only_in_dynamics(run, "model:contact with friction")
-             : contact ? "no friction given to model:contact"
-                       : "no contact",
+    return {{"friction", friction,
+             friction         ? "model:contact with friction"
+             : !rules.empty() ? "no friction given to model:contact"
+                              : "no contact",
              friction ? s.model().asked_at("contact") : ""}};
+}
+
+void leave_out_friction(Model& model) {
+    std::vector<ContactRule> rules = model.contact();
+    for (ContactRule& rule : rules) {
+        rule.settings.friction = 0;
+        if (!rule.pairs) continue;
+        rule.pairs = [pairs = rule.pairs](int a, int b) {
+            auto settings = pairs(a, b);
+            if (settings) settings->friction = 0;
+            return settings;
+        };
+    }
+    model.set_contact(std::move(rules));
 }
 
 }  // namespace
 
 EffectKind contact_kind() {
-    return {contact_effect,
-            {{"contact", 60, "stored in contacts now, released with ties, and heat of friction", {}, true},
-             {"contact_stored", 61, "stored in contacts now", "contact", true},
-             {"contact_released", 62, "released with ties, and heat of friction", "contact", true}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!built::contact || !w.kind.dynamic || w.structure.model().contact().empty()) {
-                    if (w.kind.dynamic) w.state.data.erase(contact_effect);
+    return {.name = contact_effect,
+            .accounts = {{"contact", 60, "stored in contacts now, released with ties, and heat of friction", {}, true},
+                         {"contact_stored", 61, "stored in contacts now", "contact", true},
+                         {"contact_released", 62, "released with ties, and heat of friction", "contact", true}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::contact || w.structure.model().contact().empty()) {
+                    w.state.data.erase(contact_effect);
                     return nullptr;
                 }
                 return std::make_unique<ContactEffect>(w, host);
             },
-            false,
-            nullptr,
-            {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+            .dynamic_only = true,
+            .leave_out = [](Model& model) { model.set_contact({}); },
+            .declarer = {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
                 if (!calls_functions(model)) return {};
                 return {{1, "a function in model:contact", true, model.asked_at("contact")}};
             }},
-            {"contact", "contact ends", "events"}};
+            .stages = {"contact", "contact ends", "events"}};
+}
+
+EffectKind friction_kind() {
+    return {.name = "friction", .plan = friction_plan, .dynamic_only = true, .leave_out = leave_out_friction};
 }
 
 }  // namespace hinge

@@ -239,29 +239,28 @@ private:
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
     if (declared.empty()) return {{damping_effect, false, "not declared", ""}};
     const bool any = !damping_of_elements(s).empty();
-    return {{damping_effect, run.dynamic && any,
-             any ? only_in_dynamics(run, "model:damping") : "declared by model:damping, but damps no member",
+    return {{damping_effect, any, any ? "model:damping" : "declared by model:damping, but damps no member",
              s.model().asked_at(damping_effect)}};
 }
 
 }  // namespace
 
 EffectKind damping_kind() {
-    return {damping_effect,
-            {{"damping", 80, "dissipated by Rayleigh damping"}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!w.kind.dynamic) return nullptr;
+    return {.name = damping_effect,
+            .accounts = {{"damping", 80, "dissipated by Rayleigh damping"}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 std::vector<ElementDamping> damping = damping_of_elements(w.structure);
                 if (damping.empty()) return nullptr;
                 return std::make_unique<RayleighDamping>(w, host, std::move(damping));
             },
-            true,
-            damping_of_elements};
+            .dynamic_only = true,
+            .leave_out = leave_out_declared<damping_effect>,
+            .damping = damping_of_elements};
 }
 
 }  // namespace hinge

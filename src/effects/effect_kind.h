@@ -12,19 +12,22 @@ namespace hinge {
 
 class Effect;
 class Host;
+class Model;
 class Structure;
 struct RunKind;
 struct Workspace;
 
 struct EffectKind {
     const char* name;
-    std::vector<AccountInfo> accounts;
+    std::vector<AccountInfo> accounts = {};
     /// Its lines of the plan.
-    std::vector<PlanLine> (*plan)(const Structure& structure, const RunKind& kind);
+    std::vector<PlanLine> (*plan)(const Structure& structure, const RunKind& kind) = nullptr;
     /// The effect, or null where the scene does not call for it.
-    std::unique_ptr<Effect> (*make)(Workspace& w, Host& host);
-    /// Declared by Model::declare under its name, so that a run can do without it (core.leave_out).
-    bool declared = false;
+    std::unique_ptr<Effect> (*make)(Workspace& w, Host& host) = nullptr;
+    /// It acts in dynamics only: statics does not make it, and its lines of the plan say so.
+    bool dynamic_only = false;
+    /// Takes it out of a model, so that a run can do without it (leave_out in all_effects.h); null where none can.
+    void (*leave_out)(Model& model) = nullptr;
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
     /// stiffness and shortens explicit steps. The forces are the effect's (Force::add_forces).
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;

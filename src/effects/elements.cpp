@@ -56,27 +56,26 @@ std::vector<PlanLine> large_displacement_plan(const Structure& s, const RunKind&
 }  // namespace
 
 EffectKind inertia_kind() {
-    return {"inertia",
-            {{"kinetic", 10, "kinetic energy", {}, true},
-             {"elastic", 30, "strain energy of the elements", {}, true},
-             {"numerical", 90, "taken out by a dissipative integrator", {}, true}},
-            inertia_plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> { return std::make_unique<Elements>(w, host); },
-            false,
-            nullptr,
-            {},
-            {"predict", "stiffness", "solve", "correct", "accelerate", "step control", "commit"}};
+    return {
+        .name = "inertia",
+        .accounts = {{"kinetic", 10, "kinetic energy", {}, true},
+                     {"elastic", 30, "strain energy of the elements", {}, true},
+                     {"numerical", 90, "taken out by a dissipative integrator", {}, true}},
+        .plan = inertia_plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> { return std::make_unique<Elements>(w, host); },
+        .stages = {"predict", "stiffness", "solve", "correct", "accelerate", "step control", "commit"}};
 }
 
 EffectKind large_displacement_kind() {
-    return {"large displacement",
-            {},
-            large_displacement_plan,
-            nullptr,
-            false,
-            nullptr,
-            {},
-            {"recover stresses", "mean forces"}};
+    return {.name = "large displacement",
+            .plan = large_displacement_plan,
+            .leave_out =
+                [](Model& model) {
+                    ModelOptions options = model.options();
+                    options.displacement = Displacement::small;
+                    model.set_options(options);
+                },
+            .stages = {"recover stresses", "mean forces"}};
 }
 
 }  // namespace hinge

@@ -569,40 +569,42 @@ void Fracture::ask_batch(int rule) {
     }
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& elements = s.elements();
     const bool rules = !s.model().fracture().empty(),
                breakable =
                    std::any_of(elements.begin(), elements.end(), [](const Element&e) { return e.fracture >= 0; });
-    return {{"fracture", run.dynamic && breakable,
+    return {{"fracture", breakable,
              !rules       ? "not declared"
              : !breakable ? "no member is in the rule's group"
-                          : only_in_dynamics(run, "model:fracture"),
+                          : "model:fracture",
              s.model().asked_at("fracture")}};
 }
 
 }  // namespace
 
 EffectKind fracture_kind() {
-    return {"fracture",
+    return {
+        .name = "fracture",
+        .accounts =
             {{"fracture", 50, "released by fracture: strain energy, and kinetic energy of what breaks off", {}, true},
              {"fracture_elastic", 51, "strain energy released by broken elements", "fracture", true},
              {"fracture_kinetic", 52, "kinetic energy lost as an offset mass is taken over", "fracture", true}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!built::fracture || !w.kind.dynamic || w.structure.model().fracture().empty()) {
-                    if (w.kind.dynamic) w.state.strained.clear(), w.state.kept.clear();
-                    return nullptr;
-                }
-                return std::make_unique<Fracture>(w, host);
-            },
-            false,
-            nullptr,
-            {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
-                if (!calls_functions(model)) return {};
-                return {{0, "a function in model:fracture", true, model.asked_at("fracture")}};
-            }},
-            {"restart", "fracture"}};
+        .plan = plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            if (!built::fracture || w.structure.model().fracture().empty()) {
+                w.state.strained.clear(), w.state.kept.clear();
+                return nullptr;
+            }
+            return std::make_unique<Fracture>(w, host);
+        },
+        .dynamic_only = true,
+        .leave_out = [](Model& model) { model.remove_fracture(); },
+        .declarer = {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+            if (!calls_functions(model)) return {};
+            return {{0, "a function in model:fracture", true, model.asked_at("fracture")}};
+        }},
+        .stages = {"restart", "fracture"}};
 }
 
 }  // namespace hinge

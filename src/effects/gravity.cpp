@@ -165,13 +165,14 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind gravity_kind() {
-    return {"gravity",
-            {{"gravity", 20, "potential energy, zero at the start of the run", {}, true, true}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = "gravity",
+            .accounts = {{"gravity", 20, "potential energy, zero at the start of the run", {}, true, true}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!w.structure.model().gravity()) return nullptr;
                 return std::make_unique<Gravity>(w, host);
-            }};
+            },
+            .leave_out = [](Model& model) { model.remove_gravity(); }};
 }
 
 }  // namespace hinge

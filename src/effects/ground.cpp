@@ -538,27 +538,28 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind ground_kind() {
-    return {
-        ground_effect,
-        {{"ground", 75, "stored where members press on the ground, and lost there"},
-         {"ground_stored", 76, "stored where members press on the ground, above that at the start", "ground"},
-         {"ground_dissipated", 77, "lost to the ground's damping, and to friction and restitution on it", "ground"}},
-        plan,
-        [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-            const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
-            if (std::all_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {
-                w.state.data.erase(ground_effect);
-                return nullptr;
-            }
-            return std::make_unique<Ground>(w, host);
-        },
-        true,
-        nullptr,
-        {.planes = [](const Model& model) {
-            std::vector<DeclaredPlane> list;
-            for (const GroundPlane& p : model.declared<GroundPlane>(ground_effect)) list.push_back({p.point, p.normal});
-            return list;
-        }}};
+    return {.name = ground_effect,
+            .accounts = {{"ground", 75, "stored where members press on the ground, and lost there"},
+                         {"ground_stored", 76, "stored where members press on the ground, above that at the start",
+                          "ground"},
+                         {"ground_dissipated", 77,
+                          "lost to the ground's damping, and to friction and restitution on it", "ground"}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
+                if (std::all_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {
+                    w.state.data.erase(ground_effect);
+                    return nullptr;
+                }
+                return std::make_unique<Ground>(w, host);
+            },
+            .leave_out = leave_out_declared<ground_effect>,
+            .declarer = {.planes = [](const Model& model) {
+                std::vector<DeclaredPlane> list;
+                for (const GroundPlane& p : model.declared<GroundPlane>(ground_effect))
+                    list.push_back({p.point, p.normal});
+                return list;
+            }}};
 }
 
 }  // namespace hinge

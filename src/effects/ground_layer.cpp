@@ -512,10 +512,8 @@ private:
 }  // namespace
 
 EffectKind ground_layer_kind() {
-    return {layer_data,
-            {},  // its accounts and its line of the plan are those of `ground`
-            nullptr,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = layer_data,  // its accounts and its line of the plan are those of `ground`
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
                 if (std::none_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {
                     w.state.data.erase(layer_data);

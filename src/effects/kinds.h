@@ -7,9 +7,15 @@
 
 namespace hinge {
 
-/// Why an effect that acts in dynamics alone is on, or is not: the call that declares it.
-inline std::string only_in_dynamics(const RunKind& run, const std::string& call) {
-    return run.dynamic ? call : "declared by " + call + ", but acts in dynamics only";
+/// Reason in the plan why statics does not have what a call declares.
+inline std::string only_in_dynamics(const std::string& call) {
+    return "declared by " + call + ", but acts in dynamics only";
+}
+
+/// EffectKind::leave_out of an effect that is declared by Model::declare under this name.
+template <const auto& name>
+void leave_out_declared(Model& model) {
+    model.undeclare(name);
 }
 
 #define HINGE_EFFECT(name) EffectKind name##_kind();

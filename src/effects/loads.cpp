@@ -229,42 +229,40 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind loads_kind() {
-    return {"loads",
-            {{"work", 100, "done by loads (not gravity) and by supports that move", {}, true}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = "loads",
+            .accounts = {{"work", 100, "done by loads (not gravity) and by supports that move", {}, true}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().loads().empty()) return nullptr;
                 return std::make_unique<Loads>(w, host);
             },
-            false,
-            nullptr,
-            {.loads =
-                 [](const Model& model) {
-                     std::vector<DeclaredLoad> list;
-                     for (const NodalLoad& l : model.loads()) {
-                         DeclaredLoad load{"the load on node " + std::to_string(l.node + 1),
-                                           "load " + std::to_string(l.number), l.node};
-                         if (l.history) load.history = &l.history;
-                         load.constant = !l.history && !l.follows_state();
-                         load.load_case = l.load_case, load.force = l.force;
-                         list.push_back(std::move(load));
-                     }
-                     return list;
-                 },
-             .functions =
-                 [](const Model& model) {
-                     const auto any = [&](auto has) {
-                         return std::any_of(model.loads().begin(), model.loads().end(), has);
-                     };
-                     const std::string asked_at = model.asked_at("loads");
-                     std::vector<ScriptFunctions> list;
-                     if (any([](const NodalLoad& l) { return l.follows_state(); }))
-                         list.push_back({2, "a load that is a function", true, asked_at});
-                     if (any([](const NodalLoad& l) { return bool(l.history); }))
-                         list.push_back({3, "a load's history", false, asked_at});
-                     return list;
-                 }},
-            {"loads"}};
+            .declarer = {.loads =
+                             [](const Model& model) {
+                                 std::vector<DeclaredLoad> list;
+                                 for (const NodalLoad& l : model.loads()) {
+                                     DeclaredLoad load{"the load on node " + std::to_string(l.node + 1),
+                                                       "load " + std::to_string(l.number), l.node};
+                                     if (l.history) load.history = &l.history;
+                                     load.constant = !l.history && !l.follows_state();
+                                     load.load_case = l.load_case, load.force = l.force;
+                                     list.push_back(std::move(load));
+                                 }
+                                 return list;
+                             },
+                         .functions =
+                             [](const Model& model) {
+                                 const auto any = [&](auto has) {
+                                     return std::any_of(model.loads().begin(), model.loads().end(), has);
+                                 };
+                                 const std::string asked_at = model.asked_at("loads");
+                                 std::vector<ScriptFunctions> list;
+                                 if (any([](const NodalLoad& l) { return l.follows_state(); }))
+                                     list.push_back({2, "a load that is a function", true, asked_at});
+                                 if (any([](const NodalLoad& l) { return bool(l.history); }))
+                                     list.push_back({3, "a load's history", false, asked_at});
+                                 return list;
+                             }},
+            .stages = {"loads"}};
 }
 
 }  // namespace hinge

@@ -461,34 +461,33 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind member_loads_kind() {
-    return {member_loads_effect,
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!acts(w.structure)) return nullptr;
-                return std::make_unique<MemberLoads>(w, host);
-            },
-            true,
-            nullptr,
-            {.loads =
-                 [](const Model& model) {
-                     std::vector<DeclaredLoad> list;
-                     for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
-                         DeclaredLoad load{"the load on member " + std::to_string(l.member + 1),
-                                           "member load " + std::to_string(l.number), -1, l.member};
-                         if (l.has_history) load.history = &l.history;
-                         load.constant = !l.has_history;
-                         load.load_case = l.load_case, load.force = whole_force(model, l);
-                         list.push_back(std::move(load));
-                     }
-                     return list;
-                 },
-             .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
-                 const auto& list = model.declared<MemberLoad>(member_loads_effect);
-                 if (std::none_of(list.begin(), list.end(), [](const MemberLoad& l) { return l.has_history; }))
-                     return {};
-                 return {{4, "a load's history", false, model.asked_at(member_loads_effect)}};
-             }}};
+    return {
+        .name = member_loads_effect,
+        .plan = plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            if (!acts(w.structure)) return nullptr;
+            return std::make_unique<MemberLoads>(w, host);
+        },
+        .leave_out = leave_out_declared<member_loads_effect>,
+        .declarer = {.loads =
+                         [](const Model& model) {
+                             std::vector<DeclaredLoad> list;
+                             for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
+                                 DeclaredLoad load{"the load on member " + std::to_string(l.member + 1),
+                                                   "member load " + std::to_string(l.number), -1, l.member};
+                                 if (l.has_history) load.history = &l.history;
+                                 load.constant = !l.has_history;
+                                 load.load_case = l.load_case, load.force = whole_force(model, l);
+                                 list.push_back(std::move(load));
+                             }
+                             return list;
+                         },
+                     .functions = [](const Model& model) -> std::vector<ScriptFunctions> {
+                         const auto& list = model.declared<MemberLoad>(member_loads_effect);
+                         if (std::none_of(list.begin(), list.end(), [](const MemberLoad& l) { return l.has_history; }))
+                             return {};
+                         return {{4, "a load's history", false, model.asked_at(member_loads_effect)}};
+                     }}};
 }
 
 }  // namespace hinge

@@ -187,26 +187,23 @@ private:
     std::unordered_map<int, ElementPart> matrices_;  ///< of the elements at moved supports
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const bool moves = !s.model().motions().empty();
-    return {{"moving supports", run.dynamic && moves,
-             moves ? only_in_dynamics(run, "model:move") : "supports do not move",
+    return {{"moving supports", moves, moves ? "model:move" : "supports do not move",
              moves ? s.model().asked_at("ground") : ""}};
 }
 
 }  // namespace
 
 EffectKind moving_supports_kind() {
-    return {"moving supports",
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!w.kind.dynamic || w.structure.model().motions().empty()) return nullptr;
+    return {.name = "moving supports",
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (w.structure.model().motions().empty()) return nullptr;
                 return std::make_unique<MovingSupports>(w, host);
             },
-            false,
-            nullptr,
-            {.loads = [](const Model& model) {
+            .dynamic_only = true,
+            .declarer = {.loads = [](const Model& model) {
                 std::vector<DeclaredLoad> list;
                 for (const SupportMotion& m : model.motions()) {
                     DeclaredLoad motion{

@@ -73,19 +73,22 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind plasticity_kind() {
-    return {"plasticity",
-            {{"plastic", 40, "dissipated in plastic hinges", {}, true}},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = "plasticity",
+            .accounts = {{"plastic", 40, "dissipated in plastic hinges", {}, true}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 const auto& hinges = w.state.hinge;
                 const bool flowed = std::any_of(hinges.begin(), hinges.end(), [](int h) { return h != 0; });
                 if (!w.structure.can_yield() && !flowed) return nullptr;
                 return std::make_unique<Plasticity>(w, host);
             },
-            false,
-            nullptr,
-            {},
-            {"yield"}};
+            .leave_out =
+                [](Model& model) {
+                    ModelOptions options = model.options();
+                    options.plasticity = false;
+                    model.set_options(options);
+                },
+            .stages = {"yield"}};
 }
 
 }  // namespace hinge

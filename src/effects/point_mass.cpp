@@ -112,16 +112,14 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind point_mass_kind() {
-    return {point_mass_effect,
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = point_mass_effect,
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<PointMass>(point_mass_effect).empty()) return nullptr;
                 return std::make_unique<PointMasses>(w, host);
             },
-            true,
-            nullptr,
-            {.masses = [](const Model& model) {
+            .leave_out = leave_out_declared<point_mass_effect>,
+            .declarer = {.masses = [](const Model& model) {
                 std::vector<AddedMass> list;
                 for (const PointMass& m : model.declared<PointMass>(point_mass_effect)) {
                     list.push_back({m.node, {}});

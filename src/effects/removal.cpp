@@ -66,9 +66,9 @@ private:
     std::vector<char> done_;  ///< of each removal
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& list = declared(s);
-    std::string text = list.empty() ? "not declared" : only_in_dynamics(run, "model:remove");
+    std::string text = list.empty() ? "not declared" : "model:remove";
     for (const Removal& r : list) {
         const auto& members = s.model().members();
         long n = r.group < 0 ? 1 : 0;
@@ -76,23 +76,21 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
             n += r.group >= 0 && std::find(m.groups.begin(), m.groups.end(), r.group) != m.groups.end();
         text += (&r == &list[0] ? "; " : ", ") + count_text(n, "member") + " at " + number_text(r.at) + " s";
     }
-    return {{removal_effect, run.dynamic && !list.empty(), text, s.model().asked_at(removal_effect)}};
+    return {{removal_effect, !list.empty(), text, s.model().asked_at(removal_effect)}};
 }
 
 }  // namespace
 
 EffectKind removal_kind() {
-    return {removal_effect,
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!built::fracture || !w.kind.dynamic || declared(w.structure).empty()) return nullptr;
+    return {.name = removal_effect,
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::fracture || declared(w.structure).empty()) return nullptr;
                 return std::make_unique<Removals>(w, host);
             },
-            true,
-            nullptr,
-            {},
-            {removal_effect}};
+            .dynamic_only = true,
+            .leave_out = leave_out_declared<removal_effect>,
+            .stages = {removal_effect}};
 }
 
 }  // namespace hinge

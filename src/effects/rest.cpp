@@ -114,10 +114,12 @@ private:
 }  // namespace
 
 EffectKind rest_kind() {
-    return {"rest", {}, nullptr, [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!w.kind.dynamic || !w.kind.rest) return nullptr;
+    return {.name = "rest",
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!w.kind.rest) return nullptr;
                 return std::make_unique<Rest>(w, host);
-            }};
+            },
+            .dynamic_only = true};
 }
 
 }  // namespace hinge

@@ -13,12 +13,12 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
     const bool called =
         std::any_of(list.begin(), list.end(), [&](const auto& f) { return run.dynamic || !f.dynamic_only; });
     const ScriptFunctions& first = list.front();
-    return {{"script functions", called, first.dynamic_only ? only_in_dynamics(run, first.call) : first.call,
+    return {{"script functions", called, first.dynamic_only && !run.dynamic ? only_in_dynamics(first.call) : first.call,
              first.asked_at}};
 }
 
 }  // namespace
 
-EffectKind script_functions_kind() { return {"script functions", {}, plan, nullptr}; }
+EffectKind script_functions_kind() { return {.name = "script functions", .plan = plan}; }
 
 }  // namespace hinge

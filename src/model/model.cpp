@@ -219,24 +219,11 @@ void Model::add_motion(SupportMotion motion) {
     fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion));
 }
 
-void Model::leave_out(const std::string& effect) {
-    declared_.erase(effect);
-    if (effect == "gravity") gravity_.reset(), held_gravity_.setZero();
-    if (effect == "large displacement") options_.displacement = Displacement::small;
-    if (effect == "plasticity") options_.plasticity = false;
-    if (effect == "fracture") fracture_.clear();
-    if (effect == "contact") contact_.clear();
-    if (effect != "friction") return;
-    for (ContactRule& rule : contact_) {
-        rule.settings.friction = 0;
-        if (!rule.pairs) continue;
-        rule.pairs = [pairs = rule.pairs](int a, int b) {
-            auto settings = pairs(a, b);
-            if (settings) settings->friction = 0;
-            return settings;
-        };
-    }
-}
+void Model::undeclare(const std::string& effect) { check_open(), declared_.erase(effect); }
+void Model::set_options(const ModelOptions& options) { check_open(), options_ = options; }
+void Model::remove_gravity() { check_open(), gravity_.reset(), held_gravity_.setZero(); }
+void Model::remove_fracture() { check_open(), fracture_.clear(); }
+void Model::set_contact(std::vector<ContactRule> rules) { check_open(), contact_ = std::move(rules); }
 
 void Model::check_open() const {
     if (locked_)

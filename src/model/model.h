@@ -149,10 +149,6 @@ struct ModelOptions {
     double elements_accuracy = 0.01;  ///< of the members whose elements = "auto"
 };
 
-/// Names in the plan of the optional effects that have no declarations of their own.
-inline const std::vector<std::string> optional_effects = {
-    "gravity", "large displacement", "plasticity", "fracture", "contact", "friction"};
-
 /// Declarations of one effect (effects/*.cpp). They are copied with the model for each run.
 class Declaration {
 public:
@@ -256,8 +252,12 @@ public:
     const Declarations& declarations() const { return declared_; }
     /// Locks the model while a run of it is inside a step: every change then raises InputError.
     void lock(bool locked) { locked_ = locked; }
-    /// Removes the declarations of one of `optional_effects`; other names change nothing.
-    void leave_out(const std::string& effect);
+    /// What effects that are left out of a run take from its copy of the model (EffectKind::leave_out).
+    void undeclare(const std::string& effect);
+    void set_options(const ModelOptions& options);
+    void remove_gravity();
+    void remove_fracture();
+    void set_contact(std::vector<ContactRule> rules);
     int group(const std::string& name);             ///< finds or adds it
     int find_group(const std::string& name) const;  ///< -1 when there is none
 

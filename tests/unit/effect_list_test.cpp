@@ -1,6 +1,8 @@
 // The lists of effects that the stages of a run walk: who is in which role, in the order of effects/list.inc.
 #include "effects/effect_list.h"
 
+#include "effects/all_effects.h"
+
 #include "helpers.h"
 
 using namespace hinge;
@@ -86,4 +88,61 @@ TEST_CASE("what a run does not call for is in none of its lists", "[effects]") {
         CHECK(list.rest_keepers.empty());
         CHECK(!list.any(&EffectTraits::forces_vanish));
     });
+}
+
+TEST_CASE("an effect that is left out takes itself out of a model", "[effects]") {
+    Frame frame;
+    frame.material = steel(235e6);
+    const int foot = frame.foot(0, 0, 0, 63);
+    frame.member(foot, frame.foot(0, 0, 3, 0));
+    frame.model->set_gravity({0, 0, -9.80665});
+    FractureRule rule;
+    rule.axial_strain = 0.1;
+    frame.model->add_fracture(rule);
+    ContactRule rough;
+    rough.settings.rule = contact::ContactRuleKind::surface, rough.settings.friction = 0.3;
+    frame.model->add_contact(rough);
+    const auto active = [&](const std::string& without) {
+        auto copy = std::make_shared<Model>(*frame.model);
+        leave_out(without, *copy);
+        RunKind dynamic;
+        dynamic.dynamic = true;
+        std::set<std::string> names;
+        for (const PlanLine& line : plan_of(Structure(copy), dynamic))
+            if (line.active) names.insert(line.name);
+        return names;
+    };
+    const std::set<std::string> all = active("no effect of this name");
+    const std::vector<std::string> optional = optional_effects();
+    for (const char* name : {"gravity", "large displacement", "plasticity", "fracture", "contact", "friction"}) {
+        INFO(name);
+        CHECK(std::count(optional.begin(), optional.end(), name) == 1);
+        CHECK(all.count(name) == 1);
+        std::set<std::string> wanted = all;
+        wanted.erase(name);
+        if (std::string(name) == "large displacement") wanted.erase("geometric stiffness");  // a part of it
+        if (std::string(name) == "contact") wanted.erase("friction");
+        CHECK(active(name) == wanted);
+    }
+    CHECK(std::count(optional.begin(), optional.end(), "inertia") == 0);
+}
+
+TEST_CASE("statics has no effect that acts in dynamics only, and its plan says why", "[effects]") {
+    with_effects(false, true, [](const EffectList& list) {
+        CHECK(names(list.loads) == Names{"loads", "gravity"});
+        CHECK(list.forces.empty());
+        CHECK(list.breakers.empty());
+    });
+    Frame frame;
+    frame.member(frame.foot(0, 0, 0, 63), frame.foot(0, 0, 3, 0));
+    frame.model->add_contact({});
+    for (const bool dynamic : {false, true}) {
+        RunKind kind;
+        kind.dynamic = dynamic;
+        const std::vector<PlanLine> plan = plan_of(Structure(frame.model), kind);
+        const auto line = std::find_if(plan.begin(), plan.end(), [](const auto& l) { return l.name == "contact"; });
+        REQUIRE(line != plan.end());
+        CHECK(line->active == dynamic);
+        CHECK(line->because == (dynamic ? "model:contact" : "declared by model:contact, but acts in dynamics only"));
+    }
 }

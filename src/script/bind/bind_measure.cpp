@@ -54,9 +54,7 @@ int on_run(lua_State* L) {
 
 /// core.optional_effects(): names of those that can be left out.
 int list_optional_effects(lua_State* L) {
-    std::vector<std::string> names = optional_effects;
-    for (const EffectKind& kind : all_effects())
-        if (kind.declared) names.push_back(kind.name);
+    const std::vector<std::string> names = optional_effects();
     lua_createtable(L, int(names.size()), 0);
     for (std::size_t i = 0; i < names.size(); ++i)
         lua_pushstring(L, names[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);

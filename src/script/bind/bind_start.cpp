@@ -7,6 +7,7 @@
 #include "script/checks/check.h"
 #include "script/files/run_checkpoint.h"
 #include "script/checks/load_warnings.h"
+#include "effects/all_effects.h"
 #include "effects/declared.h"
 #include "run/dynamics.h"
 #include "script/checks/element_count.h"
@@ -44,11 +45,12 @@ const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
 /// one.
 std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadChoice& choice) {
     auto copy = std::make_shared<Model>(m);
+    copy->lock(false);  // a run may be made inside a step of another
     context(L)->running = L;
     decide_elements(*copy);
     tell_size(*context(L), *copy);
     copy->choose(choice);
-    if (const std::string& effect = context(L)->mode.left_out; !effect.empty()) copy->leave_out(effect);
+    if (const std::string& effect = context(L)->mode.left_out; !effect.empty()) hinge::leave_out(effect, *copy);
     look_over(*context(L), *copy);
     return copy;
 }

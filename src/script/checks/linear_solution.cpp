@@ -5,13 +5,15 @@
 
 #include "algebra/modes.h"
 #include "core/errors.h"
+#include "effects/all_effects.h"
 #include "state/bodies.h"
 
 namespace hinge::script {
 
 LinearSolution solve_linearly(const Model& model, std::vector<std::uint8_t> held) {
     auto linear = std::make_shared<Model>(model);
-    for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) linear->leave_out(effect);
+    linear->lock(false);
+    for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) leave_out(effect, *linear);
     const auto structure = std::make_shared<const Structure>(linear);
     const State start = initial_state(*structure);
     StaticSettings settings;
