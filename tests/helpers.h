@@ -12,6 +12,10 @@
 #include <vector>
 
 #include "effects/contact.h"
+#include "effects/fracture.h"
+#include "effects/gravity.h"
+#include "effects/loads.h"
+#include "effects/moving_supports.h"
 #include "state/breaking.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
@@ -155,7 +159,7 @@ struct Frame {
         return model->add_member({{a, b}, section, material, up, elements, groups});
     }
     void load(int n, const Vec3& force, const Vec3& moment = Vec3::Zero(), History history = {}) {
-        model->add_load({n, force, moment, std::move(history)});
+        add_load(*model, {n, force, moment, std::move(history)});
     }
     std::shared_ptr<const Structure> build() const { return std::make_shared<Structure>(model); }
 };

@@ -35,17 +35,4 @@ JoinedStep stable_step_of_joined(const Structure& structure, const State& state,
 /// rotations held.
 double fastest_of_joined(const Structure& structure, const State& state, const Blocks& stiffness);
 
-/// Default step of a run, a part of the stable step: room for large rotations, for stiffness of contact, and for
-/// accuracy. A touch is as stiff as its softer element, which takes a node's frequency up by the root of 3/2; gap
-/// elements are four springs of half an element's length each, which take it up three times (Case I of the ten-storey
-/// impact holds its energy to 0.1 % at 0.22 of the limit, to 0.35 % at 0.37, and not at all at 0.7). Where hinges form
-/// or elements touch, the energy error goes with the square of the step: of 68 random scenes in explicit steps 10 were
-/// over 0.1 % at 0.9 and 0.7 of the limit, 2 at half of that.
-inline double usual_step(const StableStep& limit, const Structure& structure) {
-    double part = structure.can_yield() ? 0.45 : 0.9;
-    for (const ContactRule& rule : structure.model().contact())
-        part = std::min(part, rule.settings.rule == contact::ContactRuleKind::gap ? 0.2 : 0.35);
-    return part * limit.dt;
-}
-
 }  // namespace hinge

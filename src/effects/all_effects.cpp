@@ -27,12 +27,26 @@ std::vector<ElementDamping> damping_of(const Structure& structure) {
     return sum;
 }
 
+double usual_step(const StableStep& limit, const Structure& structure) {
+    double part = structure.can_yield() ? 0.45 : 0.9;
+    for (const EffectKind& kind : all_effects())
+        if (kind.part_of_stable_step) part = std::min(part, kind.part_of_stable_step(structure.model()));
+    return part * limit.dt;
+}
+
+bool may_break(const Model& model, const RunKind& run) {
+    const auto& all = all_effects();
+    return std::any_of(all.begin(), all.end(), [&](const EffectKind& kind) {
+        return kind.may_break && kind.acts_in(run) && kind.may_break(model);
+    });
+}
+
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {
     std::vector<PlanLine> lines;
     for (const EffectKind& effect : all_effects()) {
         if (!effect.plan) continue;
         for (PlanLine& line : effect.plan(structure, kind)) {
-            if (line.active && effect.dynamic_only && !kind.dynamic)
+            if (line.active && !effect.acts_in(kind))
                 line.active = false, line.because = only_in_dynamics(line.because);
             lines.push_back(std::move(line));
         }

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "effects/all_effects.h"
+#include "effects/gravity.h"
 #include "effects/kinds.h"
-#include "effects/removal.h"
 
 namespace hinge {
 namespace {
@@ -24,7 +25,7 @@ public:
     /// energy-momentum method the weight alone: momenta are the integrator's.
     void subtract_following_loads(std::vector<Vec6>& resisting) override {
         if (w_.state.offset_mass.empty()) return;
-        const Vec3 g = gravity();
+        const Vec3 g = gravity().acceleration;
         tried_rate_.assign(w_.state.offset_mass.size(), Vec3::Zero());
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
@@ -46,14 +47,14 @@ public:
 
     /// Weights at rest, where the nodes have rotated them.
     void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
-        add_weights(at, gravity(), external);
+        add_weights(at, gravity().acceleration, external);
     }
     void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
-        add_weights(at, w_.structure.model().held_gravity(), external);
+        add_weights(at, gravity().held, external);
     }
     bool follows_nodes() const override {
         const auto& masses = w_.state.offset_mass;
-        return w_.structure.model().gravity() &&
+        return gravity_of(w_.structure.model()) &&
                std::any_of(masses.begin(), masses.end(), [](const OffsetMass& h) { return !h.moment.isZero(0); });
     }
     bool has_potential() const override { return true; }
@@ -130,7 +131,10 @@ private:
             external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
         }
     }
-    Vec3 gravity() const { return w_.structure.model().gravity().value_or(Vec3::Zero()); }
+    DeclaredGravity gravity() const {
+        const DeclaredGravity* declared = gravity_of(w_.structure.model());
+        return declared ? *declared : DeclaredGravity{};
+    }
 
     void renew(int node) {
         if (w_.state.offset_mass[node].mass == 0) return;
@@ -150,10 +154,7 @@ private:
 
 EffectKind broken_members_kind() {
     return {.name = "broken members", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                const Model& model = w.structure.model();
-                const bool may_break = built::fracture && w.kind.dynamic &&
-                                       (!model.fracture().empty() || !model.declared<Removal>(removal_effect).empty());
-                if (!may_break && w.state.offset_mass.empty()) return nullptr;
+                if (!may_break(w.structure.model(), w.kind) && w.state.offset_mass.empty()) return nullptr;
                 return std::make_unique<BrokenMembers>(w, host);
             }};
 }

@@ -81,6 +81,8 @@ public:
                 }
         for (const auto& [node, mass] : masses)
             masses_.push_back({node, mass}), built_.push_back(w.state.rotation[node]);
+        const std::vector<DeclaredLoad> loads = declared_loads(w.structure.model());
+        supports_move_ = std::any_of(loads.begin(), loads.end(), [](const DeclaredLoad& l) { return l.motion; });
         find_footings();
     }
 
@@ -152,7 +154,7 @@ private:
     /// Where supports move; none where all are at rest.
     void find_footings() {
         footings_.clear();
-        if (w_.structure.model().motions().empty()) return;
+        if (!supports_move_) return;
         bodies_ = joined_bodies(w_.structure, w_.state);
         footings_.resize(bodies_.count);
         for (std::size_t n = 0; n < bodies_.of_node.size(); ++n)
@@ -231,8 +233,9 @@ private:
     std::vector<int> damped_;        ///< elements
     std::vector<Vec12> of_element_;  ///< of those
     std::vector<AtNode> masses_;
-    std::vector<Quat> built_;         ///< of those: orientation that they have in the effective stiffness
-    Bodies bodies_;                   ///< where supports move
+    std::vector<Quat> built_;  ///< of those: orientation that they have in the effective stiffness
+    Bodies bodies_;            ///< where supports move
+    bool supports_move_ = false;
     std::vector<Footing> footings_;   ///< of those bodies; empty where no support moves
     std::vector<Vec3> velocities_;    ///< m/s, of the supports of each body at the trial pose
     long impulses_ = 0;               ///< Workspace::impulses, where the forces of this step were found

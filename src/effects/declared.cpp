@@ -23,6 +23,13 @@ std::vector<AddedMass> added_masses(const Model& model) { return of_all(model, &
 std::vector<NodeLink> node_links(const Model& model) { return of_all(model, &Declarer::links); }
 std::vector<DeclaredPlane> declared_planes(const Model& model) { return of_all(model, &Declarer::planes); }
 
+std::optional<Vec3> declared_gravity(const Model& model) {
+    for (const EffectKind& kind : all_effects())
+        if (const auto ask = kind.declarer.gravity)
+            if (const auto g = ask(model)) return g;
+    return {};
+}
+
 std::vector<ScriptFunctions> script_functions(const Model& model) {
     std::vector<ScriptFunctions> list = of_all(model, &Declarer::functions);
     std::stable_sort(list.begin(), list.end(),

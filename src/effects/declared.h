@@ -2,6 +2,7 @@
 // script. Warnings, pictures, the summary and other effects ask here, and need to know no effect by its type.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,10 @@ struct DeclaredLoad {
     const History* history = nullptr;  ///< null where it has none
     bool constant = true;              ///< neither a history nor a function
     int load_case = -1;
-    Vec3 force = Vec3::Zero();  ///< N, of the whole load in space; zero where it is given in a member's axes
+    Vec3 force = Vec3::Zero();   ///< N, of the whole load in space; zero where it is given in a member's axes
+    Vec3 moment = Vec3::Zero();  ///< N m, of a load on a node
     bool motion = false;
+    bool follows_state() const { return !constant && !history; }  ///< a function of time and the run
 };
 std::vector<DeclaredLoad> declared_loads(const Model& model);
 
@@ -47,6 +50,9 @@ struct DeclaredPlane {
 };
 std::vector<DeclaredPlane> declared_planes(const Model& model);
 
+/// The acceleration of free fall, m/s^2; none where nothing gives one.
+std::optional<Vec3> declared_gravity(const Model& model);
+
 /// Functions of the script that a step calls.
 struct ScriptFunctions {
     int place;             ///< the plan names those with the lowest
@@ -63,6 +69,7 @@ struct Declarer {
     std::vector<AddedMass> (*masses)(const Model& model) = nullptr;
     std::vector<NodeLink> (*links)(const Model& model) = nullptr;
     std::vector<DeclaredPlane> (*planes)(const Model& model) = nullptr;
+    std::optional<Vec3> (*gravity)(const Model& model) = nullptr;
     std::vector<ScriptFunctions> (*functions)(const Model& model) = nullptr;
 };
 

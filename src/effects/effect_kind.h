@@ -6,6 +6,7 @@
 #include "algebra/node_blocks.h"
 #include "effects/declared.h"
 #include "effects/reports.h"
+#include "effects/workspace.h"
 #include "state/energy.h"
 
 namespace hinge {
@@ -14,8 +15,6 @@ class Effect;
 class Host;
 class Model;
 class Structure;
-struct RunKind;
-struct Workspace;
 
 struct EffectKind {
     const char* name;
@@ -26,6 +25,7 @@ struct EffectKind {
     std::unique_ptr<Effect> (*make)(Workspace& w, Host& host) = nullptr;
     /// It acts in dynamics only: statics does not make it, and its lines of the plan say so.
     bool dynamic_only = false;
+    bool acts_in(const RunKind& run) const { return run.dynamic || !dynamic_only; }
     /// Takes it out of a model, so that a run can do without it (leave_out in all_effects.h); null where none can.
     void (*leave_out)(Model& model) = nullptr;
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
@@ -33,6 +33,10 @@ struct EffectKind {
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
     /// What a model declares of it.
     Declarer declarer = {};
+    /// Whether what a model declares of it may break elements.
+    bool (*may_break)(const Model& model) = nullptr;
+    /// Largest part of the elements' stable step that it allows a default step of explicit steps; 1: any.
+    double (*part_of_stable_step)(const Model& model) = nullptr;
     /// Stages of a step whose time counts for its first line of the plan.
     std::vector<const char*> stages = {};
 };

@@ -17,7 +17,7 @@ void list_those(const std::vector<std::unique_ptr<Effect>>& all, RoleList<Role>&
 
 EffectList::EffectList(Workspace& w, Host& host) {
     for (const EffectKind& kind : all_effects())
-        if (kind.make && (w.kind.dynamic || !kind.dynamic_only))
+        if (kind.make && kind.acts_in(w.kind))
             if (auto effect = kind.make(w, host)) all.push_back(std::move(effect));
     list_those(all, loads), list_those(all, forces), list_those(all, section_forces), list_those(all, prescribers);
     list_those(all, constrainers), list_those(all, matrix_watchers), list_those(all, contact_laws);

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "effects/fracture.h"
 #include "effects/idle_rules.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
@@ -23,7 +24,7 @@ int joint_at(const Structure& s, const Element& e, int end) {
 }
 
 bool calls_functions(const Model& model) {
-    const auto& rules = model.fracture();
+    const auto& rules = fracture_rules(model);
     return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
 }
 
@@ -135,7 +136,8 @@ struct Watched {
 class Fracture : public Effect, public Breaker, public BreakListener, public RunChecker {
 public:
     Fracture(Workspace& w, Host& host);
-    const char* decides() const override { return "fracture"; }
+    const char* decides() const override { return fracture_effect; }
+    bool by_strain() const override { return true; }
     void decide(Step& step) override;
     void after_commit(const Step&) override {
         for (const PlasticIncrement& y : w_.yielding) take_up(y.element);
@@ -178,6 +180,10 @@ private:
     void ask_sections();
     void ask_batch(int rule);
 
+    int rule_of(const Element& e) const { return rule_of_member_[e.member]; }  ///< its index, -1: none
+
+    const std::vector<FractureRule>& rules_;
+    std::vector<int> rule_of_member_;
     Step* step_ = nullptr;         ///< the one that is decided on
     std::vector<int> candidates_;  ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
@@ -200,19 +206,21 @@ private:
     std::vector<Strained> strained_before_;
 };
 
-Fracture::Fracture(Workspace& w, Host& host) : Effect("fracture", w, host, {.forces_vanish = true}) {
-    const auto& rules = w.structure.model().fracture();
+Fracture::Fracture(Workspace& w, Host& host)
+    : Effect(fracture_effect, w, host, {.forces_vanish = true}), rules_(fracture_rules(w.structure.model())) {
+    for (const MemberData& member : w.structure.model().members())
+        rule_of_member_.push_back(fracture_rule_of(rules_, member));
     traits_.calls_script = calls_functions(w.structure.model());
     const std::size_t elements = w.structure.elements().size();
-    for (const FractureRule& rule : rules) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
-    const bool news = std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) {
+    for (const FractureRule& rule : rules_) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
+    const bool news = std::any_of(rules_.begin(), rules_.end(), [](const FractureRule& r) {
         return r.hook && r.where == FractureRule::Where::plastic;
     });
     if (const std::size_t three = news ? 3 * elements : 0; w.state.strained.size() != three)
         w.state.strained.assign(three, 0);
     if (const std::size_t kept = 2 * elements * kept_a_section_; w.state.kept.size() != kept)
         w.state.kept.assign(kept, 0);
-    called_.assign(rules.size(), 0);
+    called_.assign(rules_.size(), 0);
     in_candidates_.assign(elements, 0);
     for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
 }
@@ -221,7 +229,7 @@ bool Fracture::restored(std::span<const State* const> states) {
     const int n = int(w_.structure.elements().size());
     const auto within = [n](int e) { return e >= 0 && e < n; };
     if (!std::all_of(candidates_.begin(), candidates_.end(), within)) return false;
-    if (called_.size() != w_.structure.model().fracture().size()) return false;
+    if (called_.size() != rules_.size()) return false;
     for (const Watched& w : watched_)
         if (!within(w.element)) return false;
     for (const State* s : states)
@@ -234,8 +242,8 @@ bool Fracture::restored(std::span<const State* const> states) {
 /// Lists the element as one that eq 16 is checked for at every step, whether or not it flows.
 void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
-    if (e.fracture < 0 || in_candidates_[index] || w_.state.broken[index]) return;
-    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    if (rule_of(e) < 0 || in_candidates_[index] || w_.state.broken[index]) return;
+    const FractureRule& rule = rules_[rule_of(e)];
     if (ever_within_reach(rule, e, flowed(w_.state, index), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
@@ -295,13 +303,13 @@ void Fracture::decide(Step& step) {
                   n = news != newly_strained_.end() ? *news : none,
                   f = flowing != w_.yielding.end() ? flowing->element : none, e = std::min({c, n, f});
         if (e == none) break;
-        if (!w_.state.broken[e] && w_.structure.elements()[e].fracture >= 0)
+        if (!w_.state.broken[e] && rule_of(w_.structure.elements()[e]) >= 0)
             check_element(e, f == e ? &flowing->flow : nullptr, n == e);
         candidate += c == e, news += n == e, flowing += f == e;
     }
     ask_sections();
-    for (std::size_t rule = 0; rule < w_.structure.model().fracture().size(); ++rule)
-        if (w_.structure.model().fracture()[rule].batch) ask_batch(int(rule));
+    for (std::size_t rule = 0; rule < rules_.size(); ++rule)
+        if (rules_[rule].batch) ask_batch(int(rule));
     std::sort(step_->breaks.begin(), step_->breaks.end(),
               [](const Break& a, const Break& b) { return a.element < b.element; });
 }
@@ -341,7 +349,7 @@ bool Fracture::flows_at(const beam::ReturnMapResult* flow, int end, int weaker) 
 /// The end at which a limit of the element's rule is reached, 0: at neither; and which.
 Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, const beam::ReturnMapResult* flow) const {
     const Element& e = w_.structure.elements()[index];
-    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    const FractureRule& rule = rules_[rule_of(e)];
     const Break holds = {index, 0};
     if (rule.none() || (rule.plastic_only && !flow)) return holds;
     const bool by_section = rule.strain_measure == FractureRule::StrainMeasure::section && !w_.structure.conventional();
@@ -368,7 +376,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
 /// of. `news`: the element is strained as never before.
 void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
-    const FractureRule& rule = w_.structure.model().fracture()[e.fracture];
+    const FractureRule& rule = rules_[rule_of(e)];
     Vec6 plastic = flowed(w_.state, index);
     if (flow) plastic += flow->plastic;
     if (!flow && !rule.hook && in_pair(w_.structure, w_.state, index) &&
@@ -377,7 +385,7 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
     if (const Break b = at_limit(index, elastic, plastic, flow); b.end > 0) return step_->breaks.push_back(b);
     if (!rule.hook) return;
-    if (!asked_.empty() && w_.structure.elements()[asked_.back().element].fracture != e.fracture) ask_sections();
+    if (!asked_.empty() && rule_of(w_.structure.elements()[asked_.back().element]) != rule_of(e)) ask_sections();
     const int weaker = weaker_end(index, flow);
     for (int side : {weaker, 3 - weaker}) {
         const bool flows = flows_at(flow, side, weaker);
@@ -415,15 +423,15 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     v.shear_x = shear.shear_x, v.shear_y = shear.shear_y;
     v.hinge_rotation_x = beam::hinge_rotation(plastic, side, 0);
     v.hinge_rotation_y = beam::hinge_rotation(plastic, side, 1);
-    if (w_.structure.model().fracture()[e.fracture].keep.empty()) return;
+    if (rules_[rule_of(e)].keep.empty()) return;
     v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
 }
 
 /// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
 void Fracture::ask_sections() {
     if (asked_.empty()) return;
-    const int number = w_.structure.elements()[asked_[0].element].fracture;
-    const FractureRule& rule = w_.structure.model().fracture()[number];
+    const int number = rule_of(w_.structure.elements()[asked_[0].element]);
+    const FractureRule& rule = rules_[number];
     called_[number] += long(asked_.size());
     for (const SectionView& v : asked_)
         for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
@@ -546,11 +554,11 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
 
 void Fracture::ask_batch(int rule) {
     if (rule_elements_.empty()) {
-        rule_elements_.resize(w_.structure.model().fracture().size());
+        rule_elements_.resize(rules_.size());
         for (std::size_t i = 0; i < w_.structure.elements().size(); ++i)
-            if (const int r = w_.structure.elements()[i].fracture; r >= 0) rule_elements_[r].push_back(int(i));
+            if (const int r = rule_of(w_.structure.elements()[i]); r >= 0) rule_elements_[r].push_back(int(i));
     }
-    const FractureRule& declared = w_.structure.model().fracture()[rule];
+    const FractureRule& declared = rules_[rule];
     const std::vector<int>& elements = rule_elements_[rule];
     called_[rule] += !elements.empty();
     std::vector<int> places;
@@ -570,41 +578,43 @@ void Fracture::ask_batch(int rule) {
 }
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
-    const auto& elements = s.elements();
-    const bool rules = !s.model().fracture().empty(),
-               breakable =
-                   std::any_of(elements.begin(), elements.end(), [](const Element&e) { return e.fracture >= 0; });
-    return {{"fracture", breakable,
+    const auto& list = fracture_rules(s.model());
+    const auto& members = s.model().members();
+    const bool rules = !list.empty(), breakable = std::any_of(members.begin(), members.end(), [&](const MemberData&m) {
+                                          return fracture_rule_of(list, m) >= 0;
+                                      });
+    return {{fracture_effect, breakable,
              !rules       ? "not declared"
              : !breakable ? "no member is in the rule's group"
                           : "model:fracture",
-             s.model().asked_at("fracture")}};
+             s.model().asked_at(fracture_effect)}};
 }
 
 }  // namespace
 
 EffectKind fracture_kind() {
     return {
-        .name = "fracture",
+        .name = fracture_effect,
         .accounts =
             {{"fracture", 50, "released by fracture: strain energy, and kinetic energy of what breaks off", {}, true},
              {"fracture_elastic", 51, "strain energy released by broken elements", "fracture", true},
              {"fracture_kinetic", 52, "kinetic energy lost as an offset mass is taken over", "fracture", true}},
         .plan = plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-            if (!built::fracture || w.structure.model().fracture().empty()) {
+            if (!built::fracture || fracture_rules(w.structure.model()).empty()) {
                 w.state.strained.clear(), w.state.kept.clear();
                 return nullptr;
             }
             return std::make_unique<Fracture>(w, host);
         },
         .dynamic_only = true,
-        .leave_out = [](Model& model) { model.remove_fracture(); },
+        .leave_out = leave_out_declared<fracture_effect>,
         .declarer = {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
             if (!calls_functions(model)) return {};
-            return {{0, "a function in model:fracture", true, model.asked_at("fracture")}};
+            return {{0, "a function in model:fracture", true, model.asked_at(fracture_effect)}};
         }},
-        .stages = {"restart", "fracture"}};
+        .may_break = [](const Model& model) { return built::fracture && !fracture_rules(model).empty(); },
+        .stages = {"restart", fracture_effect}};
 }
 
 }  // namespace hinge

@@ -2,6 +2,8 @@
 //
 // Weights act at the nodes. What they miss of a load along the member is added to members that are whole and carried
 // (member_weights.h). It has no potential: minus its work is in gravity's account.
+#include "effects/gravity.h"
+
 #include <algorithm>
 
 #include "effects/kinds.h"
@@ -13,7 +15,9 @@ namespace {
 class Gravity : public Effect, public Load, public SectionForceSource, public BreakListener {
 public:
     Gravity(Workspace& w, Host& host)
-        : Effect("gravity", w, host, {.mean_forces = true}), g_(*w.structure.model().gravity()) {
+        : Effect(gravity_effect, w, host, {.mean_forces = true}),
+          g_(gravity_of(w.structure.model())->acceleration),
+          held_(gravity_of(w.structure.model())->held) {
         at_start_ = potential(w.state);
         if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
         choose_members();
@@ -27,11 +31,13 @@ public:
         add_corrections(g_, at, external);
     }
     void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
-        const Vec3& g = w_.structure.model().held_gravity();
-        for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g; });
-        add_corrections(g, at, external);
+        for_each_weight(w_.structure, w_.state,
+                        [&](int node, double mass) { external[node].head<3>() += mass * held_; });
+        add_corrections(held_, at, external);
     }
     bool follows_nodes() const override { return w_.structure.large() && !members_.joints().empty(); }
+    /// The members' moments are next to nothing beside their stiffness.
+    bool is_unsymmetric() const override { return follows_nodes() && !w_.state.offset_mass.empty(); }
     bool has_potential() const override { return true; }
 
     void broke(const Break& b) override {
@@ -126,10 +132,7 @@ private:
     }
 
     /// The gravity that acts at a load factor, 1 in dynamics, where nothing is held.
-    Vec3 g_at(double factor) const {
-        const Vec3 held = w_.structure.model().held_gravity();
-        return held + factor * (g_ - held);
-    }
+    Vec3 g_at(double factor) const { return held_ + factor * (g_ - held_); }
 
     double potential(const State& state) const {
         const Structure& s = w_.structure;
@@ -143,7 +146,7 @@ private:
         return -moment.dot(g_);  // eq 20b
     }
 
-    Vec3 g_;                 ///< m/s^2
+    Vec3 g_, held_;          ///< m/s^2; of it, what statics holds from the start on
     double at_start_;        ///< J
     MemberWeights members_;  ///< none with weight = "nodes"
     /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.
@@ -153,26 +156,50 @@ private:
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
-    const bool on = s.model().gravity().has_value();
+    const bool on = gravity_of(s.model()) != nullptr;
     const bool along = s.model().options().weight == Weight::members;
-    return {{"gravity", on,
+    return {{gravity_effect, on,
              !on     ? "not declared"
              : along ? "model:gravity, along members; weight = \"nodes\" leaves that out"
                      : "model:gravity, at nodes alone",
-             s.model().asked_at("gravity")}};
+             s.model().asked_at(gravity_effect)}};
 }
 
 }  // namespace
 
+void set_gravity(Model& model, const Vec3& acceleration, int load_case) {
+    must_be_finite(acceleration, "gravity", "m/s^2");
+    model.change_declared<DeclaredGravity>(gravity_effect) = {{acceleration, load_case}};
+}
+
+int DeclaredGravity::choose(std::vector<DeclaredGravity>& list, const std::vector<DeclaredGravity>* before,
+                            const ChosenLoads& chosen) {
+    if (list.empty() || chosen.held.empty()) return 0;  // none, or a model without load cases
+    DeclaredGravity& g = list.back();
+    if (before && !before->empty()) {
+        const DeclaredGravity& b = before->back();
+        g.held = b.held + chosen.choice.reached * (b.acceleration - b.held);
+    }
+    if (g.load_case < 0) return 0;
+    const double factor = chosen.choice.factor[g.load_case];
+    if (factor == 0 && g.held.isZero(0)) list.clear();
+    else if (factor != 1) g.acceleration *= factor;
+    return 0;
+}
+
 EffectKind gravity_kind() {
-    return {.name = "gravity",
+    return {.name = gravity_effect,
             .accounts = {{"gravity", 20, "potential energy, zero at the start of the run", {}, true, true}},
             .plan = plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!w.structure.model().gravity()) return nullptr;
+                if (!gravity_of(w.structure.model())) return nullptr;
                 return std::make_unique<Gravity>(w, host);
             },
-            .leave_out = [](Model& model) { model.remove_gravity(); }};
+            .leave_out = leave_out_declared<gravity_effect>,
+            .declarer = {.gravity = [](const Model& model) -> std::optional<Vec3> {
+                if (const DeclaredGravity* g = gravity_of(model)) return g->acceleration;
+                return {};
+            }}};
 }
 
 }  // namespace hinge

@@ -2,14 +2,19 @@
 
 #include <algorithm>
 
+#include "effects/fracture.h"
+
 namespace hinge {
 
 void name_idle_rules(const Structure& structure, const std::vector<long>& called, std::vector<RunWarning>& list) {
-    const auto& rules = structure.model().fracture();
+    const auto& rules = fracture_rules(structure.model());
     std::vector<int> members(rules.size(), 0);
     int last = -1;
     for (const Element& e : structure.elements())
-        if (e.fracture >= 0 && e.member != last) last = e.member, ++members[e.fracture];
+        if (e.member != last) {
+            last = e.member;
+            if (const int rule = fracture_rule_of(rules, structure.model().members()[last]); rule >= 0) ++members[rule];
+        }
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const FractureRule& rule = rules[i];
         const bool function = rule.hook || rule.batch;

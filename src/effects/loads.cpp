@@ -1,4 +1,6 @@
 // Loads on nodes: numbers with a history, or functions of time and the run.
+#include "effects/loads.h"
+
 #include <algorithm>
 #include <map>
 
@@ -11,9 +13,11 @@ namespace {
 
 class Loads : public Effect, public Load, public StepLimiter {
 public:
-    Loads(Workspace& w, Host& host) : Effect("loads", w, host, {.mean_forces = true}) {
+    Loads(Workspace& w, Host& host)
+        : Effect(loads_effect, w, host, {.mean_forces = true}),
+          declared_(w.structure.model().declared<NodalLoad>(loads_effect)) {
         std::vector<int> place(w.structure.position().size(), -1);
-        for (const NodalLoad& load : declared()) {
+        for (const NodalLoad& load : declared_) {
             if (place[load.node] < 0) {
                 place[load.node] = int(loaded_.size());
                 loaded_.push_back({load.node});
@@ -33,7 +37,7 @@ public:
     /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
     /// and takes them as they are at time 0, or in full where that is nothing.
     void add_static_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
-        for (const NodalLoad& l : declared()) {
+        for (const NodalLoad& l : declared_) {
             if (l.held) continue;
             const double factor = l.history ? l.history(0) : 1.0;
             external[l.node].head<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.force;
@@ -41,7 +45,7 @@ public:
         }
     }
     void add_held_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
-        for (const NodalLoad& l : declared())
+        for (const NodalLoad& l : declared_)
             if (l.held) external[l.node].head<3>() += l.force, external[l.node].tail<3>() += l.moment;
     }
 
@@ -104,7 +108,7 @@ public:
             for (const Loaded& l : loaded_) show(l.node, l.now);
             return;
         }
-        for (const NodalLoad& l : declared()) {
+        for (const NodalLoad& l : declared_) {
             Vec6 f;
             f << l.force, l.moment;
             show(l.node, (l.held ? 1 : w_.state.factor) * f);
@@ -112,12 +116,15 @@ public:
     }
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (const NodalLoad& l : declared())
+        for (const NodalLoad& l : declared_)
             if ((l.history || l.follows_state()) && bodies.of_node[l.node] >= 0) rests[bodies.of_node[l.node]] = 0;
     }
     bool allows_long_step() const override { return asked_.empty(); }
+    bool is_unsymmetric() const override {
+        return std::any_of(declared_.begin(), declared_.end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
+    }
     bool changes_within(double now, std::span<const double> after) const override {
-        for (const NodalLoad& load : declared()) {
+        for (const NodalLoad& load : declared_) {
             if (!load.history || w_.state.gone[load.node]) continue;
             if (load.history.bends_within(now, now + after.back())) return true;
             const double factor = load.history(now);
@@ -147,11 +154,10 @@ private:
         for (auto& [load, b] : s.jumping_) a(b.kept, b.begin, b.end);
         a(s.begun_);
     }
-    const std::vector<NodalLoad>& declared() const { return w_.structure.model().loads(); }
 
     void ask(double t) {
         for (auto& [i, asked] : asked_) {
-            const NodalLoad& load = declared()[i];
+            const NodalLoad& load = declared_[i];
             if (w_.state.gone[load.node]) continue;
             if (load.force_rule) asked.tried.head<3>() = load.force_rule(t);
             if (load.moment_rule) asked.tried.tail<3>() = load.moment_rule(t);
@@ -164,7 +170,7 @@ private:
     bool find_jumps(const Step& step) {
         bool jumped = false;
         for (auto& [i, b] : jumping_) {
-            const History::Over over = declared()[i].history.over(step.begin, step.end());
+            const History::Over over = declared_[i].history.over(step.begin, step.end());
             b.begin = over.begin, b.end = over.end;
             jumped = jumped || b.jumps();
         }
@@ -188,8 +194,8 @@ private:
     void act(double t, Vec6 Asked::*said, double StepFactor::*of_step) {
         for (Loaded& l : loaded_) l.now.setZero();
         auto jumping = jumping_.begin();
-        for (std::size_t i = 0; i < declared().size(); ++i) {
-            const NodalLoad& load = declared()[i];
+        for (std::size_t i = 0; i < declared_.size(); ++i) {
+            const NodalLoad& load = declared_[i];
             const bool may_jump = jumping != jumping_.end() && jumping->first == i;
             const double in_step = may_jump ? (jumping++)->second.*of_step : 0;
             if (w_.state.gone[load.node]) continue;
@@ -198,11 +204,12 @@ private:
             loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
         }
         for (const auto& [i, asked] : asked_)
-            if (!w_.state.gone[declared()[i].node]) loaded_[load_at_[i]].now += asked.*said;
+            if (!w_.state.gone[declared_[i].node]) loaded_[load_at_[i]].now += asked.*said;
         for (const Loaded& l : loaded_)
             if (!w_.rests(l.node)) w_.external[l.node] = w_.steady[l.node] + l.now;
     }
 
+    const std::vector<NodalLoad>& declared_;
     std::vector<Loaded> loaded_;
     std::map<std::size_t, Asked> asked_;         ///< of the loads that are functions of the state
     std::map<std::size_t, StepFactor> jumping_;  ///< of the loads whose history may jump within a step
@@ -215,36 +222,63 @@ private:
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
-    const std::size_t n = s.model().loads().size();
-    std::string text = n > 0                      ? std::to_string(n) + " on nodes"
-                       : s.model().asked("loads") ? "none acts"
-                                                  : "not declared";
+    const std::size_t n = s.model().declared<NodalLoad>(loads_effect).size();
+    std::string text = n > 0                           ? std::to_string(n) + " on nodes"
+                       : s.model().asked(loads_effect) ? "none acts"
+                                                       : "not declared";
     for (std::size_t i = 0; i < s.model().case_factors().size(); ++i)
         text += (i == 0 ? "; cases " : ", ") + s.model().cases()[i] + " " + number_text(s.model().case_factors()[i]);
     if (const int aside = s.model().set_aside())
         text += "; " + std::to_string(aside) + " with a history " + (aside == 1 ? "waits" : "wait") + " for dynamics";
-    return {{"loads", n > 0, text, s.model().asked_at("loads")}};
+    return {{loads_effect, n > 0, text, s.model().asked_at(loads_effect)}};
 }
 
 }  // namespace
 
+void NodalLoad::times(double factor) {
+    force *= factor, moment *= factor;
+    for (auto* rule : {&force_rule, &moment_rule})
+        if (*rule) *rule = [factor, rule = *rule](double t) { return Vec3(factor * rule(t)); };
+}
+
+int add_load(Model& model, NodalLoad load) {
+    must_be_finite(load.force, "force", "N");
+    must_be_finite(load.moment, "moment", "N m");
+    auto& loads = model.change_declared<NodalLoad>(loads_effect);
+    load.number = model.next_number();
+    loads.push_back(std::move(load));
+    return loads.back().number;
+}
+
+const NodalLoad* find_load(const Model& model, int number) {
+    const auto& loads = model.declared<NodalLoad>(loads_effect);
+    const auto at =
+        std::lower_bound(loads.begin(), loads.end(), number, [](const NodalLoad& l, int n) { return l.number < n; });
+    return at != loads.end() && at->number == number ? &*at : nullptr;
+}
+
+void remove_load(Model& model, int number) {
+    auto& loads = model.change_declared<NodalLoad>(loads_effect);
+    if (const NodalLoad* load = find_load(model, number)) loads.erase(loads.begin() + (load - loads.data()));
+}
+
 EffectKind loads_kind() {
-    return {.name = "loads",
+    return {.name = loads_effect,
             .accounts = {{"work", 100, "done by loads (not gravity) and by supports that move", {}, true}},
             .plan = plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().loads().empty()) return nullptr;
+                if (w.structure.model().declared<NodalLoad>(loads_effect).empty()) return nullptr;
                 return std::make_unique<Loads>(w, host);
             },
             .declarer = {.loads =
                              [](const Model& model) {
                                  std::vector<DeclaredLoad> list;
-                                 for (const NodalLoad& l : model.loads()) {
+                                 for (const NodalLoad& l : model.declared<NodalLoad>(loads_effect)) {
                                      DeclaredLoad load{"the load on node " + std::to_string(l.node + 1),
                                                        "load " + std::to_string(l.number), l.node};
                                      if (l.history) load.history = &l.history;
                                      load.constant = !l.history && !l.follows_state();
-                                     load.load_case = l.load_case, load.force = l.force;
+                                     load.load_case = l.load_case, load.force = l.force, load.moment = l.moment;
                                      list.push_back(std::move(load));
                                  }
                                  return list;
@@ -252,9 +286,10 @@ EffectKind loads_kind() {
                          .functions =
                              [](const Model& model) {
                                  const auto any = [&](auto has) {
-                                     return std::any_of(model.loads().begin(), model.loads().end(), has);
+                                     const auto& loads = model.declared<NodalLoad>(loads_effect);
+                                     return std::any_of(loads.begin(), loads.end(), has);
                                  };
-                                 const std::string asked_at = model.asked_at("loads");
+                                 const std::string asked_at = model.asked_at(loads_effect);
                                  std::vector<ScriptFunctions> list;
                                  if (any([](const NodalLoad& l) { return l.follows_state(); }))
                                      list.push_back({2, "a load that is a function", true, asked_at});

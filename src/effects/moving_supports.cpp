@@ -1,4 +1,6 @@
 // Supports that move along a path of the script's own, and the work that they do.
+#include "effects/moving_supports.h"
+
 #include <algorithm>
 
 #include "effects/kinds.h"
@@ -8,12 +10,12 @@ namespace {
 
 class MovingSupports : public Effect, public Prescriber, public MatrixWatcher, public StepLimiter {
 public:
-    MovingSupports(Workspace& w, Host& host) : Effect("moving supports", w, host) {
-        const auto& motions = w.structure.model().motions();
+    MovingSupports(Workspace& w, Host& host) : Effect(moving_supports_effect, w, host) {
+        const auto& motions = w.structure.model().declared<SupportMotion>(moving_supports_effect);
         traits_.calls_script = std::any_of(motions.begin(), motions.end(), [](const SupportMotion& m) {
             return m.displacement && !m.displacement.points();
         });
-        for (const SupportMotion& m : w.structure.model().motions()) {
+        for (const SupportMotion& m : motions) {
             const double begin = w.state.time, speed = w.state.velocity[m.node][m.component];
             Moved moved{m.node, m.component, [path = m.displacement, begin, speed](double t) {
                             return t < begin ? path(begin) + speed * (t - begin) : path(t);
@@ -188,24 +190,29 @@ private:
 };
 
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
-    const bool moves = !s.model().motions().empty();
-    return {{"moving supports", moves, moves ? "model:move" : "supports do not move",
+    const bool moves = !s.model().declared<SupportMotion>(moving_supports_effect).empty();
+    return {{moving_supports_effect, moves, moves ? "model:move" : "supports do not move",
              moves ? s.model().asked_at("ground") : ""}};
 }
 
 }  // namespace
 
+void add_motion(Model& model, SupportMotion motion) {
+    model.fix(motion.node, 1 << motion.component);
+    model.declare(moving_supports_effect, std::move(motion));
+}
+
 EffectKind moving_supports_kind() {
-    return {.name = "moving supports",
+    return {.name = moving_supports_effect,
             .plan = plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().motions().empty()) return nullptr;
+                if (w.structure.model().declared<SupportMotion>(moving_supports_effect).empty()) return nullptr;
                 return std::make_unique<MovingSupports>(w, host);
             },
             .dynamic_only = true,
             .declarer = {.loads = [](const Model& model) {
                 std::vector<DeclaredLoad> list;
-                for (const SupportMotion& m : model.motions()) {
+                for (const SupportMotion& m : model.declared<SupportMotion>(moving_supports_effect)) {
                     DeclaredLoad motion{
                         "the motion of node " + std::to_string(m.node + 1) + " along " + "xyz"[m.component],
                         "motion of node " + std::to_string(m.node), m.node};

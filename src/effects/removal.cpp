@@ -90,6 +90,8 @@ EffectKind removal_kind() {
             },
             .dynamic_only = true,
             .leave_out = leave_out_declared<removal_effect>,
+            .may_break =
+                [](const Model& model) { return built::fracture && !model.declared<Removal>(removal_effect).empty(); },
             .stages = {removal_effect}};
 }
 

@@ -27,6 +27,8 @@ public:
     virtual void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const = 0;
     /// Statics: whether add_static_loads depends on where the nodes are.
     virtual bool follows_nodes() const { return false; }
+    /// Statics: whether the derivative of its forces by the displacements is unsymmetric.
+    virtual bool is_unsymmetric() const { return follows_nodes(); }
     /// Statics: whether the load is a weight, whose potential energy has an account of its own: it does no work.
     virtual bool has_potential() const { return false; }
     /// Dynamics: sets F at a time for which functions of the script were asked before.
@@ -117,6 +119,8 @@ public:
     /// The name of the stage; the stage of several has the first one's.
     virtual const char* decides() const = 0;
     virtual void decide(Step& step) = 0;
+    /// Whether it breaks elements that are strained too much.
+    virtual bool by_strain() const { return false; }
 };
 
 /// Takes part when elements break, after the commit.

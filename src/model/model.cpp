@@ -7,41 +7,11 @@
 #include "core/text.h"
 
 namespace hinge {
-namespace {
 
 void must_be_finite(const Vec3& v, const char* what, const char* unit) {
     if (!v.allFinite())
         throw InputError(std::string(what) + " is " + vector_text(v) + " " + unit + "; all three must be finite");
 }
-
-bool is_function(const FractureRule& r) { return r.hook || r.batch; }
-
-/// Of two rules for the same members the later one holds. Refuses one that would so take the place of another without a
-/// word: limits that of a function, and a group's that of a group within it.
-void refuse_replacing(const Model& model, const FractureRule& rule) {
-    const auto at = [](const FractureRule& r) { return r.asked_at.empty() ? "" : " of " + r.asked_at; };
-    const auto name = [&](const FractureRule& r) { return "'" + model.groups()[r.group] + "'"; };
-    const std::vector<FractureRule>& rules = model.fracture();
-    const auto same =
-        std::find_if(rules.rbegin(), rules.rend(), [&](const FractureRule& r) { return r.group == rule.group; });
-    if (same != rules.rend() && is_function(*same) && !is_function(rule))
-        throw InputError(std::string("model:fracture: this would replace the function") + at(*same) + " for " +
-                         (rule.group < 0 ? "all members" : "the members of group " + name(rule)) +
-                         "; where both are meant to hold, give the limits and the function in one call");
-    if (rule.group < 0) return;  // those of groups hold beside it
-    std::vector<int> members(model.groups().size(), 0), shared = members;
-    for (const MemberData& m : model.members()) {
-        const bool meant = std::find(m.groups.begin(), m.groups.end(), rule.group) != m.groups.end();
-        for (int g : m.groups) ++members[g], shared[g] += meant;
-    }
-    for (const FractureRule& r : rules)
-        if (r.group >= 0 && r.group != rule.group && members[r.group] > 0 && shared[r.group] == members[r.group])
-            throw InputError("model:fracture: group " + name(rule) + " has all members of group " + name(r) +
-                             ", so this would replace the rule" + at(r) +
-                             " for all of them; declare the rule for group " + name(r) + " after this one");
-}
-
-}  // namespace
 
 Model::Model(ModelOptions options) : options_(options) {}
 
@@ -103,33 +73,6 @@ void Model::take_elements(const Model& decided) {
     }
 }
 
-int Model::add_load(NodalLoad load) {
-    check_open();
-    must_be_finite(load.force, "force", "N");
-    must_be_finite(load.moment, "moment", "N m");
-    load.number = next_load_++;
-    loads_.push_back(std::move(load));
-    return load.number;
-}
-
-const NodalLoad* Model::find_load(int number) const {
-    const auto at =
-        std::lower_bound(loads_.begin(), loads_.end(), number, [](const NodalLoad& l, int n) { return l.number < n; });
-    return at != loads_.end() && at->number == number ? &*at : nullptr;
-}
-
-void Model::remove_load(int number) {
-    check_open();
-    if (const NodalLoad* load = find_load(number)) loads_.erase(loads_.begin() + (load - loads_.data()));
-}
-
-void Model::set_gravity(const Vec3& g, int load_case) {
-    check_open();
-    must_be_finite(g, "gravity", "m/s^2");
-    gravity_ = g;
-    gravity_case_ = load_case;
-}
-
 void Model::set_velocity(int node, const Vec3& linear, const Vec3& angular) {
     set_velocities({{node}, linear, angular});
 }
@@ -168,12 +111,6 @@ const LoadCombination* Model::find_combination(const std::string& name) const {
     return at == combinations_.end() ? nullptr : &*at;
 }
 
-void NodalLoad::times(double factor) {
-    force *= factor, moment *= factor;
-    for (auto* rule : {&force_rule, &moment_rule})
-        if (*rule) *rule = [factor, rule = *rule](double t) { return Vec3(factor * rule(t)); };
-}
-
 void Model::choose(const LoadChoice& choice) {
     if (cases_.empty() && !choice.is_static) return;
     const Model* from = cases_.empty() ? nullptr : choice.from;
@@ -185,85 +122,24 @@ void Model::choose(const LoadChoice& choice) {
             chosen.held[i] = acted(from->holds_loads() ? from->held_factors_[i] : 0, from->case_factors_[i]);
         chosen.held_permanent = acted(from->held_permanent_, 1);
     }
-    set_aside_ = choose_loads(loads_, holds ? &from->loads_ : nullptr, chosen);
+    set_aside_ = 0;
     for (auto& [effect, what] : declared_) {
         const auto before = holds ? from->declared_.find(effect) : declared_.end();
         set_aside_ += what->choose(holds && before != from->declared_.end() ? before->second.get() : nullptr, chosen);
     }
     if (cases_.empty()) return;
     case_factors_ = choice.factor;
-    if (holds) {
-        held_factors_ = chosen.held;
-        held_permanent_ = chosen.held_permanent;
-        if (from->gravity_)
-            held_gravity_ = from->held_gravity_ + choice.reached * (*from->gravity_ - from->held_gravity_);
-    }
-    if (!gravity_ || gravity_case_ < 0) return;
-    const double factor = choice.factor[gravity_case_];
-    if (factor == 0 && held_gravity_.isZero(0)) gravity_.reset();
-    else if (factor != 1) *gravity_ *= factor;
-}
-
-void Model::add_fracture(FractureRule rule) {
-    check_open();
-    if (options_.mass == MassShape::cubic)
-        throw InputError(
-            "model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its "
-            "own; declare it with mass = 'linear'");
-    refuse_replacing(*this, rule);
-    fracture_.push_back(std::move(rule));
-}
-
-void Model::add_contact(ContactRule rule) { check_open(), contact_.push_back(std::move(rule)); }
-void Model::add_motion(SupportMotion motion) {
-    fix(motion.node, 1 << motion.component), motions_.push_back(std::move(motion));
+    if (holds) held_factors_ = chosen.held, held_permanent_ = chosen.held_permanent;
 }
 
 void Model::undeclare(const std::string& effect) { check_open(), declared_.erase(effect); }
 void Model::set_options(const ModelOptions& options) { check_open(), options_ = options; }
-void Model::remove_gravity() { check_open(), gravity_.reset(), held_gravity_.setZero(); }
-void Model::remove_fracture() { check_open(), fracture_.clear(); }
-void Model::set_contact(std::vector<ContactRule> rules) { check_open(), contact_ = std::move(rules); }
 
 void Model::check_open() const {
     if (locked_)
         throw InputError(
             "the model cannot be changed while a run of it is inside a step; change it between steps, or before the "
             "run is made");
-}
-
-namespace {
-
-bool in_any(const MemberData& member, const std::vector<int>& groups) {
-    return std::any_of(groups.begin(), groups.end(), [&](int g) {
-        return std::find(member.groups.begin(), member.groups.end(), g) != member.groups.end();
-    });
-}
-
-}  // namespace
-
-int Model::contact_rule(int a, int b) const {
-    const MemberData &first = members_[a], &second = members_[b];
-    int general = -1;
-    for (int i = int(contact_.size()) - 1; i >= 0; --i) {
-        const std::vector<int>& groups = contact_[i].groups;
-        if (groups.empty()) {
-            general = std::max(general, i);
-            continue;
-        }
-        const auto across = [&](const MemberData& p, const MemberData& q) {
-            return in_any(p, {groups[0]}) && in_any(q, {groups[1]});
-        };
-        if (contact_[i].between ? across(first, second) || across(second, first)
-                                : in_any(first, groups) && in_any(second, groups))
-            return i;
-    }
-    return general;
-}
-
-bool Model::can_collide(int member) const {
-    return std::any_of(contact_.begin(), contact_.end(),
-                       [&](const ContactRule& r) { return r.groups.empty() || in_any(members_[member], r.groups); });
 }
 
 int Model::group(const std::string& name) {

@@ -11,10 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "contact/member_contacts.h"
 #include "core/archive.h"
 #include "core/types.h"
-#include "model/fracture_rule.h"
 #include "model/history.h"
 #include "model/load_cases.h"
 
@@ -93,45 +91,11 @@ struct MemberData {
     bool elements_capped = false;  ///< more would have been needed
 };
 
-/// Force and moment at a node.
-struct NodalLoad {
-    int node;
-    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m, in space
-    History history;
-    int number = 0;  ///< unique in the model
-    /// Functions of time (s) that replace force or moment: the value at the end of a step for the state at its start;
-    /// dynamics only.
-    std::function<Vec3(double)> force_rule = {}, moment_rule = {};
-    bool follows_state() const { return force_rule || moment_rule; }
-    int load_case = -1;
-    bool held = false;  ///< statics: acts in full from the start (Model::choose)
-    void times(double factor);
-    void forget_history() { history = {}; }
-};
-
 /// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,
 /// rad/s.
 struct GivenVelocity {
     std::vector<int> nodes;
     Vec3 linear, angular;
-};
-
-/// Prescribed displacement of a support (m, along x, y or z) over time, relative to its position at the start of the
-/// run.
-struct SupportMotion {
-    int node, component;
-    History displacement;
-};
-
-/// Contact rule between members. Of several rules, the last one for the groups of both members applies, else the last
-/// one for all members.
-struct ContactRule {
-    contact::ContactSettings settings;
-    std::vector<int> groups;  ///< both members are in one of these; empty: all members
-    bool between = false;     ///< one member in the first of two groups, one in the second
-    std::function<std::optional<contact::ContactSettings>(int member_a, int member_b)>
-        pairs;  ///< called once for a pair of members: its settings, or none
-    std::function<void(const contact::ContactEvent&, int member_a, int member_b)> on_contact, on_release;
 };
 
 /// Options of a model.
@@ -161,7 +125,11 @@ public:
     virtual int choose(const Declaration* before, const ChosenLoads& chosen) { return (void)before, (void)chosen, 0; }
 };
 
-/// Declarations of an effect as a list of T. T lists its fields (core/archive.h), except those that hold functions.
+/// Raises InputError unless all three numbers are finite: "force is {..} N; ...".
+void must_be_finite(const Vec3& v, const char* what, const char* unit);
+
+/// Declarations of an effect as a list of T. T lists its fields (core/archive.h), of functions only their presence.
+/// T chooses the loads of a run by choose(list, before, chosen), or has what choose_loads needs.
 template <class T>
 class DeclaredList : public Declaration {
 public:
@@ -170,9 +138,10 @@ public:
     std::size_t count() const override { return list.size(); }
     void save(Writer& to) const override { to(list); }
     int choose(const Declaration* before, const ChosenLoads& chosen) override {
-        if constexpr (requires(T load) { load.times(1.0); })
-            return choose_loads(list, before ? &static_cast<const DeclaredList*>(before)->list : nullptr, chosen);
-        return 0;
+        [[maybe_unused]] const auto* list_before = before ? &static_cast<const DeclaredList*>(before)->list : nullptr;
+        if constexpr (requires { T::choose(list, list_before, chosen); }) return T::choose(list, list_before, chosen);
+        else if constexpr (requires(T load) { load.times(1.0); }) return choose_loads(list, list_before, chosen);
+        else return 0;
     }
 };
 
@@ -200,10 +169,6 @@ public:
     void set_elements(int member, int elements, ElementsBy by, double part, bool capped);
     /// Takes the numbers of elements that a copy of this model, or of a part of it, has chosen.
     void take_elements(const Model& decided);
-    int add_load(NodalLoad load);                  ///< returns its number
-    const NodalLoad* find_load(int number) const;  ///< nullptr once it is removed
-    void remove_load(int number);
-    void set_gravity(const Vec3& g, int load_case = -1);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
     void set_velocities(GivenVelocity given);
     /// Index in given_velocities of the last velocity of each node; -1: none.
@@ -226,21 +191,21 @@ public:
     /// Factors of the load cases in a run, and those of the previous run that a static run holds. Empty without cases.
     const std::vector<double>& case_factors() const { return case_factors_; }
     const std::vector<double>& held_factors() const { return held_factors_; }
-    /// The part of gravity that a static run holds from the start on, m/s^2.
-    const Vec3& held_gravity() const { return held_gravity_; }
     bool holds_loads() const { return !held_factors_.empty(); }
     int set_aside() const { return set_aside_; }  ///< number of loads with a history that a static run leaves out
-    void add_fracture(FractureRule rule);
-    void add_contact(ContactRule rule);
-    void add_motion(SupportMotion motion);
     /// Adds a declaration to the list of an effect; T is always the same for one name. `effect` is the name of an
     /// EffectKind. Raises InputError inside a step, as all functions that declare.
     template <class T>
     void declare(const std::string& effect, T what) {
+        change_declared<T>(effect).push_back(std::move(what));
+    }
+    /// Declarations of an effect, to be changed.
+    template <class T>
+    std::vector<T>& change_declared(const std::string& effect) {
         check_open();
         auto& kept = declared_[effect];
         if (!kept) kept = std::make_shared<DeclaredList<T>>();
-        static_cast<DeclaredList<T>&>(*kept).list.push_back(std::move(what));
+        return static_cast<DeclaredList<T>&>(*kept).list;
     }
     /// Declarations of an effect; empty if there are none.
     template <class T>
@@ -250,28 +215,20 @@ public:
         return at == declared_.end() ? none : static_cast<const DeclaredList<T>&>(*at->second).list;
     }
     const Declarations& declarations() const { return declared_; }
+    /// Removes the declarations of an effect.
+    void undeclare(const std::string& effect);
+    /// A number for a declaration that can be removed: it rises with each call.
+    int next_number() { return next_number_++; }
     /// Locks the model while a run of it is inside a step: every change then raises InputError.
     void lock(bool locked) { locked_ = locked; }
-    /// What effects that are left out of a run take from its copy of the model (EffectKind::leave_out).
-    void undeclare(const std::string& effect);
     void set_options(const ModelOptions& options);
-    void remove_gravity();
-    void remove_fracture();
-    void set_contact(std::vector<ContactRule> rules);
     int group(const std::string& name);             ///< finds or adds it
     int find_group(const std::string& name) const;  ///< -1 when there is none
 
     const ModelOptions& options() const { return options_; }
     const std::vector<NodeData>& nodes() const { return nodes_; }
     const std::vector<MemberData>& members() const { return members_; }
-    const std::vector<NodalLoad>& loads() const { return loads_; }
     const std::vector<std::string>& groups() const { return groups_; }
-    const std::vector<FractureRule>& fracture() const { return fracture_; }
-    const std::vector<ContactRule>& contact() const { return contact_; }
-    int contact_rule(int member_a, int member_b) const;  ///< index of the rule for two members; -1: none
-    bool can_collide(int member) const;
-    const std::vector<SupportMotion>& motions() const { return motions_; }
-    const std::optional<Vec3>& gravity() const { return gravity_; }
     /// Records the script line that requests an effect; the first one counts. asked_at returns it, or "".
     void ask(const std::string& effect, const std::string& line) { asked_.try_emplace(effect, line); }
     bool asked(const std::string& effect) const { return asked_.count(effect) > 0; }
@@ -283,17 +240,11 @@ private:
     ModelOptions options_;
     std::vector<NodeData> nodes_;
     std::vector<MemberData> members_;
-    std::vector<NodalLoad> loads_;  // their numbers rise
-    int next_load_ = 0;
     std::vector<std::string> groups_;
-    std::vector<FractureRule> fracture_;
-    std::vector<ContactRule> contact_;
-    std::vector<SupportMotion> motions_;
     Declarations declared_;
+    int next_number_ = 0;
     bool locked_ = false;
     void check_open() const;
-    std::optional<Vec3> gravity_;
-    int gravity_case_ = -1;
     std::map<std::string, std::string> asked_;
     std::vector<Vec6> velocities_;
     std::vector<int> velocity_given_;
@@ -301,7 +252,6 @@ private:
     std::vector<std::string> cases_;
     std::vector<LoadCombination> combinations_;
     std::vector<double> case_factors_, held_factors_;
-    Vec3 held_gravity_ = Vec3::Zero();
     double held_permanent_ = 0;  ///< of the loads without a case
     int set_aside_ = 0;
 };

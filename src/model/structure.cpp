@@ -65,15 +65,6 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         const Section& sec = *member.section;
         const Quat rotation = Quat(axes).normalized();
         const double length = span.norm() / member.elements;
-        int fracture = -1;  // the last rule for one of its groups, else the last one for all
-        for (std::size_t r = 0; r < m.fracture().size(); ++r) {
-            const int group = m.fracture()[r].group;
-            const bool fits = group < 0
-                                  ? fracture < 0 || m.fracture()[fracture].group < 0
-                                  : std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end();
-            if (fits) fracture = int(r);
-        }
-        const bool collides = m.can_collide(int(index));
         int left = member.node[0];
         for (int i = 0; i < member.elements; ++i) {
             int right = member.node[1];
@@ -117,9 +108,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                                  kind.stiffness,
                                  kind.yield,
                                  kind.law.get(),
-                                 radius,
-                                 fracture,
-                                 collides});
+                                 radius});
             left = right;
         }
     }

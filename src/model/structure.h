@@ -29,8 +29,6 @@ struct Element {
     const beam::YieldSurface& yield;   ///< fully plastic resultants
     const beam::SectionLaw* law;       ///< null: no section can yield
     double radius;                     ///< half the smaller side of the section, m
-    int fracture;                      ///< index of its rule, -1 for none
-    bool collides;                     ///< takes part in contact
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 

@@ -57,7 +57,7 @@ struct Finder {
     void sections();
     void never_yields();
     void spans();
-    void gravity();
+    void gravity(const Vec3& g);
     void lone_nodes();
     void tiny_members();
     void unjoined();
@@ -160,9 +160,7 @@ void Finder::spans() {
     }
 }
 
-void Finder::gravity() {
-    if (!model.gravity()) return;
-    const Vec3& g = *model.gravity();
+void Finder::gravity(const Vec3& g) {
     const std::string what = "gravity is " + vector_text(g) + " m/s^2";
     if (g.norm() > 100) tell("gravity", what, "in mm/s^2? the earth's is 9.80665 m/s^2", model.asked_at("gravity"));
     if (g.z() > 0 && g.z() >= g.cwiseAbs().maxCoeff())
@@ -294,7 +292,8 @@ void Finder::unjoined() {
 
 }  // namespace
 
-std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined) {
+std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined,
+                              const std::optional<Vec3>& gravity) {
     Finder finder{model, {}, {}, {}};
     finder.connected = joined;
     for (const auto& [a, b] : joined) finder.joined.insert(std::minmax(a, b));
@@ -303,7 +302,7 @@ std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<in
     finder.sections();
     finder.never_yields();
     finder.spans();
-    finder.gravity();
+    if (gravity) finder.gravity(*gravity);
     finder.lone_nodes();
     finder.tiny_members();
     finder.unjoined();

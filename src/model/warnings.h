@@ -24,8 +24,9 @@ struct Warning {
 /// SI; materials that yield with sections that cannot; gravity that pulls up; nodes that no member uses; nodes within a
 /// millionth of the model's size, or a thousandth of the shortest member there, of each other, and members that lie on
 /// each other or pass through a node, not joined; members shorter than a fiftieth of one that they are joined to.
-/// `joined`: pairs of nodes that something other than a member joins.
-std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined = {});
+/// `joined`: pairs of nodes that something other than a member joins. `gravity`: m/s^2.
+std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<int, int>>& joined = {},
+                              const std::optional<Vec3>& gravity = {});
 
 /// The first warning about units, if any: results from such numbers are meaningless.
 std::optional<Warning> of_units(const std::vector<Warning>& list);

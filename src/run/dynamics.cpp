@@ -190,6 +190,10 @@ void Dynamics::restart() {
 }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
+std::string Dynamics::failure_of_elements() const {
+    return assembly_.failure(!any_of(effects_->breakers, &Breaker::by_strain));
+}
+
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
     find_fixed_ends(w_, *effects_, 1);
@@ -200,7 +204,7 @@ void Dynamics::recover(double time) {
     if (any_of(effects_->forces, &Force::blocks_follow)) blocks_changed(w_.trial);
     if (constraints_) constraints_->balance([this](int n) { return w_.external[n]; });
     for (int e : assembly_.rotated()) stiffness_changed(e);
-    if (step_.iteration == 0 && assembly_.folded() >= 0) step_.failure = assembly_.failure();
+    if (step_.iteration == 0 && assembly_.folded() >= 0) step_.failure = failure_of_elements();
 }
 
 /// True: another iteration follows.
@@ -224,7 +228,7 @@ void Dynamics::settle() {
         recover(step_.end());
         integrator_->recovered_last();
     }
-    if (assembly_.unreturned() >= 0) step_.failure = assembly_.failure();
+    if (assembly_.unreturned() >= 0) step_.failure = failure_of_elements();
 }
 
 void Dynamics::end_contacts() {

@@ -68,6 +68,7 @@ private:
     void recover(double time);
     bool correct();
     void settle();
+    std::string failure_of_elements() const;
     void end_contacts();
     void decide();
     void control_step();

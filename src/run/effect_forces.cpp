@@ -13,7 +13,7 @@ Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, doub
 
 void find_fixed_ends(Workspace& w, const EffectList& effects, double factor) {
     std::vector<beam::FixedEnd>& all = w.assembly.fixed_ends();
-    const bool asked = w.structure.can_yield() || !w.structure.model().fracture().empty();
+    const bool asked = w.structure.can_yield() || any_of(effects.breakers, &Breaker::by_strain);
     if (!asked || !any_of(effects.section_forces, &SectionForceSource::has_fixed_ends)) return all.clear();
     all.resize(w.structure.elements().size());
     bool first = true;

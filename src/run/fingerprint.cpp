@@ -54,20 +54,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     }));
     parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
     parts.back().count = model.groups().size();
-    parts.push_back(part("loads", model.loads(), [](Sum& a, const NodalLoad& l) {
-        a(l.node, l.force, l.moment, bool(l.history), bool(l.force_rule), bool(l.moment_rule));
-    }));
-    parts.push_back(part("gravity", std::vector{model.gravity()}, [](Sum& a, const std::optional<Vec3>& g) { a(g); }));
     parts.push_back(part("velocities", model.velocities(), [](Sum& a, const Vec6& v) { a(v); }));
-    parts.push_back(
-        part("moved supports", model.motions(), [](Sum& a, const SupportMotion& m) { a(m.node, m.component); }));
-    parts.push_back(part("fracture rules", model.fracture(), [](Sum& a, const FractureRule& r) {
-        a(r.curvature_x, r.curvature_y, r.axial_strain, r.shear_strain, r.tension_only, r.strain_measure,
-          r.plastic_only, bool(r.hook), r.where, bool(r.batch), r.keep, r.group);
-    }));
-    parts.push_back(part("contact rules", model.contact(), [](Sum& a, const ContactRule& r) {
-        a(r.settings, r.groups, r.between, bool(r.pairs), bool(r.on_contact), bool(r.on_release));
-    }));
     parts.push_back(part("options of the model", std::vector{model.options()}, [](Sum& a, const ModelOptions& o) {
         a(o.formulation, o.displacement, o.shift, o.mass, o.p_delta, o.weight, o.plasticity, o.interaction,
           o.elements_per_member);
@@ -81,6 +68,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
           settings.solver.direct, settings.solver.tolerance, settings.solver.max_iterations);
     }));
     for (const auto& [effect, what] : model.declarations()) {
+        if (what->count() == 0) continue;  // all are removed, or none acts in this run
         std::string bytes;
         Writer write(bytes);
         what->save(write);

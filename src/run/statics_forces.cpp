@@ -42,14 +42,7 @@ void StaticForces::add_resistance_of_effects() {
 
 bool StaticForces::any_follows() const { return any_of(problem_.effects.loads, &Load::follows_nodes); }
 
-/// Weight along members turns with them, but its moments are next to nothing beside their stiffness.
-bool StaticForces::are_unsymmetric() const {
-    const auto& loads = w_.structure.model().loads();
-    const bool moments = std::any_of(loads.begin(), loads.end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
-    return moments || std::any_of(problem_.effects.loads.begin(), problem_.effects.loads.end(), [&](const auto& load) {
-               return load->follows_nodes() && (!load->has_potential() || !w_.state.offset_mass.empty());
-           });
-}
+bool StaticForces::are_unsymmetric() const { return any_of(problem_.effects.loads, &Load::is_unsymmetric); }
 
 // ---- loads ----------------------------------------------------------------------------------------------------------
 

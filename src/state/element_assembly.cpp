@@ -151,11 +151,10 @@ void ElementAssembly::share_out() {
     }
 }
 
-std::string ElementAssembly::failure() const {
+std::string ElementAssembly::failure(bool nothing_breaks) const {
     if (folded_ >= 0) {
         // a hinge that turns so far would have broken; what is elastic bends less in shorter elements
-        const bool unbroken =
-            inertia_ && !structure_.elements()[folded_].yield.elastic() && structure_.model().fracture().empty();
+        const bool unbroken = nothing_breaks && !structure_.elements()[folded_].yield.elastic();
         return "an end of " + structure_.element_name(folded_) +
                " has folded back against the element itself, by 177 degrees or more; " +
                (unbroken ? "a rule of fracture (model:fracture) may help" : "more elements a member may help");

@@ -62,8 +62,9 @@ public:
     /// An element whose return to its yield surface has not converged; -1 when there is none. Filled by run.
     int unreturned() const { return unreturned_; }
     /// Reason why a step cannot continue, "" if it can: an element has folded, or the return of one to its yield
-    /// surface has not converged. Filled by run.
-    std::string failure() const;
+    /// surface has not converged. Filled by run. `nothing_breaks`: in a run in which elements could break, no rule lets
+    /// them.
+    std::string failure(bool nothing_breaks = false) const;
     /// Records the frame of the element at `pose` as the one of its stiffness.
     void mark_built(int element, const State& state, const Configuration& pose);
 

@@ -67,7 +67,7 @@ Frame crash(contact::ContactRuleKind kind, bool clamped = true, double yield_str
     rule.settings.friction = 0.2;
     if (kind == contact::ContactRuleKind::gap)
         rule.pairs = [own = rule.settings](int, int) { return std::optional(own); };
-    frame.model->add_contact(rule);
+    add_contact(*frame.model, rule);
     frame.material = steel(yield_stress);
     const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08),
               b2 = frame.node(0.1, 0.5, 0.08);
@@ -83,8 +83,8 @@ Frame breaking_crash() {
     Frame frame = crash(contact::ContactRuleKind::surface);
     FractureRule limits;
     limits.curvature_x = limits.curvature_y = 0.3;
-    frame.model->add_fracture(limits);
-    frame.model->set_gravity({0, 0, -9.80665});
+    add_fracture(*frame.model, limits);
+    set_gravity(*frame.model, {0, 0, -9.80665});
     return frame;
 }
 
@@ -95,7 +95,7 @@ Frame fracturing_crash() {
     rule.keep = {"times"};
     rule.hook =
         FractureHook([](const SectionView& s) { return ++*s.kept > 30 && std::abs(s.strain.curvature_x) > 0.2; });
-    frame.model->add_fracture(rule);
+    add_fracture(*frame.model, rule);
     return frame;
 }
 
@@ -108,11 +108,11 @@ Frame shaken(ModelOptions options, double speed) {
     frame.member(foot, left);
     frame.member(left, right);
     frame.member(right, other);
-    frame.model->add_motion({foot, 0, [speed](double t) { return speed * (1 - std::cos(200 * t)) / 200; }});
+    add_motion(*frame.model, {foot, 0, [speed](double t) { return speed * (1 - std::cos(200 * t)) / 200; }});
     frame.load(left, {1e3, 0, 0}, Vec3::Zero(), [](double t) { return std::min(1.0, 100 * t); });
     NodalLoad rule{.node = right};
     rule.force_rule = [](double t) { return Vec3(0, 0, -1e5 * t); };
-    frame.model->add_load(rule);
+    add_load(*frame.model, rule);
     return frame;
 }
 

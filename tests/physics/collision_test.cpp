@@ -14,7 +14,7 @@ struct Pair {
     std::shared_ptr<const Structure> structure;
     Pair(ContactRule rule, bool clamped, double angle, double along_a, double along_b, double speed) {
         Frame frame;
-        frame.model->add_contact(rule);
+        add_contact(*frame.model, rule);
         const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0),
             middle = Vec3(along_a, 0, 0.25) - along_b * d;
         const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d),
@@ -146,8 +146,8 @@ TEST_CASE("collision, surface: friction makes heat of motion, which is in the en
 TEST_CASE("collision, surface: a bar that slides over two rails rolls in the end, at 3/5 of its speed", "[collision]") {
     // a square of side b has the inertia m b^2/6 about its axis; friction acts at b/2: v = v0 / (1 + (b^2/6) / (b/2)^2)
     Frame frame;
-    frame.model->add_contact(surface(0.3));
-    frame.model->set_gravity({0, 0, -9.80665});
+    add_contact(*frame.model, surface(0.3));
+    set_gravity(*frame.model, {0, 0, -9.80665});
     for (double y : {-0.3, 0.3}) {
         const int a = frame.foot(-0.1, y, 0), b = frame.foot(0.6, y, 0);
         frame.member(a, b);
@@ -168,10 +168,10 @@ TEST_CASE("collision, surface: a bar that slides over two rails rolls in the end
 
 TEST_CASE("collision, surface: a contact goes on with what is left of an element that breaks", "[collision]") {
     Frame frame;
-    frame.model->add_contact(surface());
+    add_contact(*frame.model, surface());
     FractureRule rule;
     rule.curvature_x = rule.curvature_y = 0.03;
-    frame.model->add_fracture(rule);
+    add_fracture(*frame.model, rule);
     const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.1),
               b2 = frame.node(0.1, 0.5, 0.1);
     frame.member(a1, a2);

@@ -2,6 +2,7 @@
 // the implicit ones give.
 #include <Eigen/Eigenvalues>
 
+#include "effects/all_effects.h"
 #include "helpers.h"
 #include "state/breaking.h"
 #include "algebra/stable_step.h"
@@ -104,7 +105,7 @@ ContactRule surface() {
 /// Beam a along x, clamped; beam b above it at `angle` degrees, `off` m from the middle of a, falling at 50 m/s.
 Frame falling_beam(ContactRule rule, double angle, double off) {
     Frame frame;
-    frame.model->add_contact(rule);
+    add_contact(*frame.model, rule);
     const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0), middle(off, 0, 0.25);
     const int a1 = frame.foot(-0.5, 0, 0), a2 = frame.foot(0.5, 0, 0), b1 = frame.node(middle - 0.5 * d),
               b2 = frame.node(middle + 0.5 * d);
@@ -292,7 +293,7 @@ TEST_CASE("explicit: a beam that breaks under the blow keeps the energy balance 
         Frame frame = falling_beam(rule, 90, 0.1);
         FractureRule breaks;
         breaks.curvature_x = breaks.curvature_y = 0.03;
-        frame.model->add_fracture(breaks);
+        add_fracture(*frame.model, breaks);
         const auto structure = lumped(frame);
         Dynamics run(structure, initial_state(*structure), explicit_steps(0.5 * stable_step(*structure).dt, 0.015));
         const double worst = worst_energy_error(run, 5);
@@ -364,7 +365,7 @@ TEST_CASE(
         const double c = in_explicit_steps ? 1.0 / 2 : 1.0 / 3;
         Frame frame;
         frame.section = square(0.02);
-        frame.model->set_gravity({0, 0, -g});
+        set_gravity(*frame.model, {0, 0, -g});
         const int pin = frame.foot(0, 0, 0, 0b000111);
         frame.member(pin, frame.node(2 * L, 0, 0));
         const auto structure = in_explicit_steps ? lumped(frame) : frame.build();

@@ -45,7 +45,7 @@ Frame pulled_bar(double yield, FractureRule rule) {
     Frame frame;
     frame.material = steel(yield);
     const int a = frame.foot(0, 0, 0), b = frame.node(1, 0, 0);
-    frame.model->add_fracture(std::move(rule));
+    add_fracture(*frame.model, std::move(rule));
     frame.member(a, b);
     frame.load(b, {1.2 * 612.5e3, 0, 0});
     return frame;
@@ -190,7 +190,7 @@ TEST_CASE("fracture: tension_only lets compression pass", "[fracture]") {
         rule.tension_only = tension_only;
         Frame frame;
         const int a = frame.foot(0, 0, 0), b = frame.node(1, 0, 0);
-        frame.model->add_fracture(rule);
+        add_fracture(*frame.model, rule);
         frame.member(a, b);
         frame.load(b, {-1.2 * 612.5e3, 0, 0});
         Dynamics run(frame.build(), initial_state(*frame.build()),

@@ -83,8 +83,8 @@ double limit_load(const Bench& bench, double beyond) {
     StaticSettings settings;
     settings.steps = 20;
     auto loaded = std::make_shared<Model>(*bench.model);
-    for (const NodalLoad& l : bench.model->loads())
-        loaded->add_load({l.node, (beyond - 1) * l.force, (beyond - 1) * l.moment, {}});
+    for (const NodalLoad& l : bench.model->declared<NodalLoad>(loads_effect))
+        add_load(*loaded, {l.node, (beyond - 1) * l.force, (beyond - 1) * l.moment, {}});
     const auto run = statics(std::make_shared<Structure>(loaded), settings);
     REQUIRE(run->verdict() == Verdict::failed);
     CHECK(run->reason().find("limit load") != std::string::npos);

@@ -33,20 +33,20 @@ struct Falling {
         frame.member(hub, tip);
         frame.member(hub, frame.node(0, 1.2, 0.1));
         frame.member(hub, frame.node(-0.2, 0, 0.9));
-        frame.model->set_gravity(gravity);
+        set_gravity(*frame.model, gravity);
         frame.load(hub, 0.25 * on_hub);
         frame.load(hub, 0.75 * on_hub, Vec3::Zero(), [](double) { return 1.0; });
         NodalLoad follows;
         follows.node = hub;
         follows.force_rule = [this](double) { return of_rule; };
-        frame.model->add_load(follows);
+        add_load(*frame.model, follows);
         frame.load(tip, on_tip);
         FractureRule rule;
         rule.where = FractureRule::Where::all;
         rule.hook = [element, end](const SectionView& s) {
             return s.element == element && s.end == end && s.step == breaks_in;
         };
-        frame.model->add_fracture(rule);
+        add_fracture(*frame.model, rule);
     }
     Falling(const Falling&) = delete;
     /// kg m/s after that many steps. `tip_lost`: from the break on the far end is no node.
@@ -157,7 +157,7 @@ TEST_CASE("loads: functions of the state act from where a run begins", "[loads]"
                 return Vec3(0.5 * (1 + 1e3 * t) * force);
             };
             load.moment_rule = [&](double t) { return Vec3(0.5 * (1 + 1e3 * t) * moment); };
-            frame.model->add_load(load);
+            add_load(*frame.model, load);
         }
         const auto structure = structure_of(frame, scheme == 2);
         DynamicSettings settings = steps_of(steps, scheme == 2);
@@ -197,7 +197,7 @@ TEST_CASE("loads: weight along a clamped member has the moments of w L^2/12 and 
             Frame frame(options);
             frame.elements = elements;
             frame.member(frame.foot(0, 0, 0), frame.foot(1, 0, 0));
-            frame.model->set_gravity({0, 0, -9.80665});
+            set_gravity(*frame.model, {0, 0, -9.80665});
             const auto run = statics(frame.build());
             const Element& e = run->structure().elements()[0];
             const double wL2 = e.rigidity.rhoA * 9.80665;
@@ -238,7 +238,7 @@ TEST_CASE("loads: in statics an elastic member takes half of force times way, an
         options.weight = Weight::nodes;
         Frame frame(options);
         frame.member(frame.foot(0, 0, 0), frame.node(1, 0, 0));
-        frame.model->set_gravity({0, 0, -9.80665});
+        set_gravity(*frame.model, {0, 0, -9.80665});
         const auto structure = frame.build();
         const auto run = statics(structure);
         double fall = 0;  // weight times way, of each element's halves

@@ -121,7 +121,7 @@ TEST_CASE("cubic mass: a body that bends and tumbles keeps its momenta and its e
 TEST_CASE("cubic mass: gravity bends nothing that falls (1e-10: rounding of positions)", "[mass]") {
     Frame frame(with_mass(MassShape::cubic));
     const auto nodes = straight(frame, {0, 0, 0}, {3, 0, 1}, 3);
-    frame.model->set_gravity({0, 0, -9.81});
+    set_gravity(*frame.model, {0, 0, -9.81});
     const auto structure = frame.build();
     DynamicSettings s;
     s.dt = 1e-4;
@@ -136,5 +136,5 @@ TEST_CASE("cubic mass: gravity bends nothing that falls (1e-10: rounding of posi
 
 TEST_CASE("cubic mass: a model with it refuses rules of fracture", "[mass]") {
     Model model(with_mass(MassShape::cubic));
-    CHECK_THROWS_WITH(model.add_fracture(FractureRule{}), Catch::Contains("mass = 'linear'"));
+    CHECK_THROWS_WITH(add_fracture(model, FractureRule{}), Catch::Contains("mass = 'linear'"));
 }

@@ -19,11 +19,11 @@ struct Crash {
         ContactRule rule;
         rule.settings.rule = contact::ContactRuleKind::surface;
         rule.settings.friction = 0.2;
-        frame.model->add_contact(rule);
+        add_contact(*frame.model, rule);
         FractureRule limits;
         limits.curvature_x = limits.curvature_y = 0.3;
-        frame.model->add_fracture(limits);
-        frame.model->set_gravity({0, 0, -9.80665});
+        add_fracture(*frame.model, limits);
+        set_gravity(*frame.model, {0, 0, -9.80665});
         frame.material = steel(245e6);
         const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08),
                   b2 = frame.node(0.1, 0.5, 0.08);

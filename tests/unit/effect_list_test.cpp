@@ -44,11 +44,11 @@ void with_effects(bool dynamic, bool breaks, Check check) {
     frame.material = steel(235e6);
     const int foot = frame.foot(0, 0, 0, 63), top = frame.foot(0, 0, 3, 0);
     frame.member(foot, top);
-    frame.model->set_gravity({0, 0, -9.80665});
+    set_gravity(*frame.model, {0, 0, -9.80665});
     NodalLoad load;
     load.node = top, load.force = {1, 0, 0};
-    frame.model->add_load(load);
-    if (breaks) frame.model->add_fracture({}), frame.model->add_contact({});
+    add_load(*frame.model, load);
+    if (breaks) add_fracture(*frame.model, {}), add_contact(*frame.model, {});
     const auto structure = frame.build();
     State state = initial_state(*structure);
     ThreadPool pool;
@@ -95,13 +95,13 @@ TEST_CASE("an effect that is left out takes itself out of a model", "[effects]")
     frame.material = steel(235e6);
     const int foot = frame.foot(0, 0, 0, 63);
     frame.member(foot, frame.foot(0, 0, 3, 0));
-    frame.model->set_gravity({0, 0, -9.80665});
+    set_gravity(*frame.model, {0, 0, -9.80665});
     FractureRule rule;
     rule.axial_strain = 0.1;
-    frame.model->add_fracture(rule);
+    add_fracture(*frame.model, rule);
     ContactRule rough;
     rough.settings.rule = contact::ContactRuleKind::surface, rough.settings.friction = 0.3;
-    frame.model->add_contact(rough);
+    add_contact(*frame.model, rough);
     const auto active = [&](const std::string& without) {
         auto copy = std::make_shared<Model>(*frame.model);
         leave_out(without, *copy);
@@ -135,7 +135,7 @@ TEST_CASE("statics has no effect that acts in dynamics only, and its plan says w
     });
     Frame frame;
     frame.member(frame.foot(0, 0, 0, 63), frame.foot(0, 0, 3, 0));
-    frame.model->add_contact({});
+    add_contact(*frame.model, {});
     for (const bool dynamic : {false, true}) {
         RunKind kind;
         kind.dynamic = dynamic;

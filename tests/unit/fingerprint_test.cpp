@@ -48,12 +48,12 @@ struct Declared {
             m.material = std::make_shared<Material>(material);
             model->add_member(m);
         }
-        model->add_load(load);
-        if (gravity) model->set_gravity(*gravity);
+        add_load(*model, load);
+        if (gravity) set_gravity(*model, *gravity);
         model->set_velocity(1, velocity, spin);
-        model->add_motion({moved_node, moved_component, [](double) { return 0.0; }});
-        if (options.mass == MassShape::linear) model->add_fracture(fracture);
-        model->add_contact(contact);
+        add_motion(*model, {moved_node, moved_component, [](double) { return 0.0; }});
+        if (options.mass == MassShape::linear) add_fracture(*model, fracture);
+        add_contact(*model, contact);
         return std::make_shared<const Structure>(model, settings.beta == 0 ? MassKind::lumped : MassKind::consistent);
     }
     Dynamics start() const {
@@ -126,47 +126,47 @@ const std::vector<Field> fields = {
         "loads", "force by a function", d.load.force_rule = [](double) -> Vec3 { return Vec3::Zero(); }),
     CHANGE(
         "loads", "moment by a function", d.load.moment_rule = [](double) -> Vec3 { return Vec3::Zero(); }),
-    CHANGE("gravity", "none", d.gravity.reset()),
+    CHANGE("gravity (1 there, 0 here)", "none", d.gravity.reset()),
     CHANGE("gravity", "its size", nudge(d.gravity->z())),
     CHANGE("velocities", "velocity", nudge(d.velocity.x())),
     CHANGE("velocities", "angular velocity", nudge(d.spin.z())),
-    CHANGE("moved supports", "node", d.moved_node = 0),
-    CHANGE("moved supports", "component", d.moved_component = 1),
-    NUMBER("fracture rules", fracture.curvature_x),
-    NUMBER("fracture rules", fracture.curvature_y),
-    NUMBER("fracture rules", fracture.axial_strain),
-    NUMBER("fracture rules", fracture.shear_strain),
-    CHANGE("fracture rules", "tension_only", d.fracture.tension_only = true),
-    CHANGE("fracture rules", "reading", d.fracture.strain_measure = FractureRule::StrainMeasure::section),
-    CHANGE("fracture rules", "plastic_only", d.fracture.plastic_only = true),
+    CHANGE("moving supports", "node", d.moved_node = 0),
+    CHANGE("moving supports", "component", d.moved_component = 1),
+    NUMBER("fracture", fracture.curvature_x),
+    NUMBER("fracture", fracture.curvature_y),
+    NUMBER("fracture", fracture.axial_strain),
+    NUMBER("fracture", fracture.shear_strain),
+    CHANGE("fracture", "tension_only", d.fracture.tension_only = true),
+    CHANGE("fracture", "reading", d.fracture.strain_measure = FractureRule::StrainMeasure::section),
+    CHANGE("fracture", "plastic_only", d.fracture.plastic_only = true),
     CHANGE(
-        "fracture rules", "a function", d.fracture.hook = [](const SectionView&) { return false; }),
-    CHANGE("fracture rules", "where", d.fracture.where = FractureRule::Where::all),
+        "fracture", "a function", d.fracture.hook = [](const SectionView&) { return false; }),
+    CHANGE("fracture", "where", d.fracture.where = FractureRule::Where::all),
     CHANGE(
-        "fracture rules", "a function of all", d.fracture.batch = [](const ElementList&, std::vector<int>&) {}),
-    CHANGE("fracture rules", "keep", d.fracture.keep = {"damage"}),
-    CHANGE("fracture rules", "group", d.fracture.group = 0),
-    CHANGE("contact rules", "rule", d.contact.settings.rule = contact::ContactRuleKind::gap),
-    CHANGE("contact rules", "sleep", d.contact.settings.sleep = false),
-    NUMBER("contact rules", contact.settings.stiffness),
-    NUMBER("contact rules", contact.settings.friction),
-    NUMBER("contact rules", contact.settings.contact_length),
-    NUMBER("contact rules", contact.settings.coplanarity_tolerance),
-    NUMBER("contact rules", contact.settings.binding_time),
-    CHANGE("contact rules", "as printed", d.contact.settings.as_printed = true),
-    CHANGE("contact rules", "signed f", d.contact.settings.signed_f = true),
-    CHANGE("contact rules", "hold_until_parting", d.contact.settings.hold_until_parting = false),
-    NUMBER("contact rules", contact.settings.parting_energy),
-    NUMBER("contact rules", contact.settings.longest_hold),
-    NUMBER("contact rules", contact.settings.shortest_gap),
-    CHANGE("contact rules", "groups", d.contact.groups = {0, 1}),
+        "fracture", "a function of all", d.fracture.batch = [](const ElementList&, std::vector<int>&) {}),
+    CHANGE("fracture", "keep", d.fracture.keep = {"damage"}),
+    CHANGE("fracture", "group", d.fracture.group = 0),
+    CHANGE("contact", "rule", d.contact.settings.rule = contact::ContactRuleKind::gap),
+    CHANGE("contact", "sleep", d.contact.settings.sleep = false),
+    NUMBER("contact", contact.settings.stiffness),
+    NUMBER("contact", contact.settings.friction),
+    NUMBER("contact", contact.settings.contact_length),
+    NUMBER("contact", contact.settings.coplanarity_tolerance),
+    NUMBER("contact", contact.settings.binding_time),
+    CHANGE("contact", "as printed", d.contact.settings.as_printed = true),
+    CHANGE("contact", "signed f", d.contact.settings.signed_f = true),
+    CHANGE("contact", "hold_until_parting", d.contact.settings.hold_until_parting = false),
+    NUMBER("contact", contact.settings.parting_energy),
+    NUMBER("contact", contact.settings.longest_hold),
+    NUMBER("contact", contact.settings.shortest_gap),
+    CHANGE("contact", "groups", d.contact.groups = {0, 1}),
     CHANGE(
-        "contact rules", "a function of pairs",
+        "contact", "a function of pairs",
         d.contact.pairs = [](int, int) { return std::optional<contact::ContactSettings>(); }),
     CHANGE(
-        "contact rules", "on_contact", d.contact.on_contact = [](const contact::ContactEvent&, int, int) {}),
+        "contact", "on_contact", d.contact.on_contact = [](const contact::ContactEvent&, int, int) {}),
     CHANGE(
-        "contact rules", "on_release", d.contact.on_release = [](const contact::ContactEvent&, int, int) {}),
+        "contact", "on_release", d.contact.on_release = [](const contact::ContactEvent&, int, int) {}),
     CHANGE("options of the model", "formulation", d.options.formulation = Formulation::asi),
     CHANGE("options of the model", "displacement", d.options.displacement = Displacement::small),
     CHANGE("options of the model", "shift", d.options.shift = Shift::elastic_and_plastic),
@@ -226,7 +226,7 @@ TEST_CASE("fingerprint: rules, mass and steps make another run; threads do not",
               },
               [](Declared& d) {
                   d.contact.groups = {0, 1}, d.contact.between = true;
-              }) == "contact rules");
+              }) == "contact");
     // the mass of a cubic shape goes with no fracture rule
     CHECK(between([](Declared&) {}, [](Declared& d) { d.options.mass = MassShape::cubic; }) ==
           "fracture rules (1 there, 0 here) and options of the model");

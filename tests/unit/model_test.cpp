@@ -69,7 +69,7 @@ std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* bound = 
     const int c = frame.node(0.1, -0.5, 0.055), d = frame.node(0.1, 0.5, 0.055);
     frame.member(c, d);
     for (const int n : {c, d}) frame.model->set_velocity(n, {5, 3, -20}, Vec3::Zero());
-    for (const ContactRule& rule : rules) frame.model->add_contact(rule);
+    for (const ContactRule& rule : rules) add_contact(*frame.model, rule);
     const auto structure = frame.build();
     DynamicSettings s;
     s.dt = 1e-5;
@@ -97,17 +97,19 @@ TEST_CASE("model: of contact rules that overlap the last one of the members' gro
         ContactRule rule;
         rule.groups = std::move(groups);
         rule.between = between;
-        frame.model->add_contact(rule);
+        add_contact(*frame.model, rule);
     };
     const auto both_ways = [&](int m, int n) {
-        CHECK(frame.model->contact_rule(m, n) == frame.model->contact_rule(n, m));
-        return frame.model->contact_rule(m, n);
+        const auto& rules = contact_rules(*frame.model);
+        const MemberData &one = frame.model->members()[m], &other = frame.model->members()[n];
+        CHECK(contact_rule(rules, one, other) == contact_rule(rules, other, one));
+        return contact_rule(rules, one, other);
     };
     add({0, 1}, false);  // 0: within a and b
     CHECK(both_ways(in_a, in_a) == 0);
     CHECK(both_ways(in_a, in_b) == 0);
     CHECK(both_ways(in_a, in_c) == -1);
-    CHECK_FALSE(frame.model->can_collide(in_c));
+    CHECK_FALSE(can_collide(contact_rules(*frame.model), frame.model->members()[in_c]));
     add({1}, false);  // 1: within b, part of the one before
     CHECK(both_ways(in_b, in_ab) == 1);
     CHECK(both_ways(in_a, in_b) == 0);
@@ -117,8 +119,8 @@ TEST_CASE("model: of contact rules that overlap the last one of the members' gro
     CHECK(both_ways(in_a, in_ab) == 0);
     CHECK(both_ways(in_b, in_b) == 1);
     CHECK(both_ways(in_b, in_c) == -1);
-    CHECK(frame.model->can_collide(in_c));
-    CHECK_FALSE(frame.model->can_collide(in_none));
+    CHECK(can_collide(contact_rules(*frame.model), frame.model->members()[in_c]));
+    CHECK_FALSE(can_collide(contact_rules(*frame.model), frame.model->members()[in_none]));
     const int members[] = {in_a, in_b, in_ab, in_c, in_none};
     std::vector<int> of_groups;
     for (const int m : members)

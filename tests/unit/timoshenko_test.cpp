@@ -72,7 +72,7 @@ struct Skew : Frame {
         for (int c = 0; c < 6; ++c) {
             auto loaded = std::make_shared<Model>(*model);
             const Vec6 force = 1000 * turn.col(c);
-            loaded->add_load({end[1 - held], force.head<3>(), force.tail<3>(), {}});
+            add_load(*loaded, {end[1 - held], force.head<3>(), force.tail<3>(), {}});
             StaticSettings one;
             one.steps = 1;
             const auto run = statics(std::make_shared<Structure>(loaded), one);

@@ -1,4 +1,5 @@
 // model:contact: members that may touch, contact rules, and callbacks of the script.
+#include "effects/contact.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -133,8 +134,8 @@ int contact_rule(lua_State* L) {
         rule.on_contact = telling(*f, "on_contact", m);
     if (const auto f = function_in(o, "on_release", "must be a function of an event", *m))
         rule.on_release = telling(*f, "on_release", m);
-    m->add_contact(std::move(rule));
-    m->ask("contact", where(L));
+    add_contact(*m, std::move(rule));
+    m->ask(contact_effect, where(L));
     return 0;
 }
 

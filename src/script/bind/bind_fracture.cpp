@@ -3,6 +3,7 @@
 #include <bitset>
 #include <cmath>
 
+#include "effects/fracture.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -413,8 +414,8 @@ int fracture_rule(lua_State* L) {
                 "model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
                 "or a function");
     }
-    m->add_fracture(std::move(rule));
-    m->ask("fracture", where(L));
+    add_fracture(*m, std::move(rule));
+    m->ask(fracture_effect, where(L));
     return 0;
 }
 

@@ -1,6 +1,8 @@
 // model:load and model:move: external loads and support motions, over time or as functions of the state.
 #include <cmath>
 
+#include "effects/loads.h"
+#include "effects/moving_supports.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -155,9 +157,9 @@ int add_load(lua_State* L) {
     if (load.history && !force && !moment)
         o.complain("history", "given", "is a factor of numbers; a force that is a function has its own");
     const bool has_points = load.history.points() != nullptr;
-    const int number = m->add_load(std::move(load));
+    const int number = hinge::add_load(*m, std::move(load));
     if (has_points) m->ask("load " + std::to_string(number), where(L));
-    if (!m->asked("loads")) m->ask("loads", where(L));
+    if (!m->asked(loads_effect)) m->ask(loads_effect, where(L));
     push_load(L, m, number);
     return 1;
 }
@@ -185,13 +187,13 @@ int move_support(lua_State* L) {
             "displacement}, ...}");
     for (const int n : nodes)
         for (int c = 0; c < 3; ++c)
-            for (const SupportMotion& other : m->motions())
+            for (const SupportMotion& other : m->declared<SupportMotion>(moving_supports_effect))
                 if (path[c] && other.node == n && other.component == c)
                     throw InputError("model:move: node " + std::to_string(n + 1) + " is moved along " + axes[c] +
                                      " already");
     for (const int n : nodes)
         for (int c = 0; c < 3; ++c)
-            if (path[c]) m->add_motion({n, c, path[c]});
+            if (path[c]) add_motion(*m, {n, c, path[c]});
     for (const int n : nodes) m->ask("motion of node " + std::to_string(n), where(L));
     m->ask("ground", where(L));
     return 0;

@@ -1,6 +1,7 @@
 // hinge.model, and how a script adds nodes, supports, members, loads and velocities to it.
 #include <algorithm>
 
+#include "effects/gravity.h"
 #include "script/lua/objects.h"
 #include "script/checks/size_notice.h"
 
@@ -284,9 +285,9 @@ int set_gravity(lua_State* L) {
     if (m->gravity_case && *m->gravity_case != load_case)
         throw InputError("model:gravity: gravity belongs to " + belongs(*m->gravity_case) + " already, not to " +
                          belongs(load_case) + "; a model has one gravity, so give what acts beside it as loads");
-    m->set_gravity(g, load_case);
+    hinge::set_gravity(*m, g, load_case);
     m->gravity_case = load_case;
-    m->ask("gravity", where(L));
+    m->ask(gravity_effect, where(L));
     return 0;
 }
 

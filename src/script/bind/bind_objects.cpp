@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/text.h"
+#include "effects/loads.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -28,7 +29,7 @@ void push_group(lua_State* L, const std::shared_ptr<ScriptModel>& model, int ind
     push_handle<GroupBox>(L, model, index, model->groups()[index]);
 }
 void push_load(lua_State* L, const std::shared_ptr<ScriptModel>& model, int number) {
-    push_handle<LoadBox>(L, model, number, model->find_load(number)->node);
+    push_handle<LoadBox>(L, model, number, find_load(*model, number)->node);
 }
 
 void note_change(lua_State* L, ScriptModel& model, const char* name) {
@@ -158,7 +159,8 @@ int model_groups(lua_State* L) {
 
 int model_loads(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:loads").value;
-    return push_list(L, m->loads().size(), [&](std::size_t i) { push_load(L, m, m->loads()[i].number); });
+    const auto& loads = m->declared<NodalLoad>(loads_effect);
+    return push_list(L, loads.size(), [&](std::size_t i) { push_load(L, m, loads[i].number); });
 }
 
 int group_members(lua_State* L) {
@@ -284,7 +286,7 @@ int load_fields(lua_State* L) {
     if (push_method(L)) return 1;
     const std::string key = key_argument(L);
     auto& l = self<LoadBox>(L, "load." + key);
-    const NodalLoad& data = *l.model->find_load(l.index);
+    const NodalLoad& data = *find_load(*l.model, l.index);
     if (key == "node") push_handle<NodeBox>(L, l.model, data.node);
     else if (key == "force") push_triple(L, data.force);
     else if (key == "moment") push_triple(L, data.moment);
@@ -296,7 +298,7 @@ int load_fields(lua_State* L) {
 int load_text(lua_State* L) {
     auto& l = self_or_gone<LoadBox>(L, "tostring");
     if (!gone(l).empty()) return push_text(L, name_of(l) + gone(l));
-    const NodalLoad& data = *l.model->find_load(l.index);
+    const NodalLoad& data = *find_load(*l.model, l.index);
     std::string text = "load on node " + std::to_string(l.node + 1) + ":";
     if (!data.force.isZero()) text += " force " + show(data.force) + " N";
     if (!data.moment.isZero())
@@ -307,7 +309,7 @@ int load_text(lua_State* L) {
 
 int remove_load(lua_State* L) {
     auto& l = self<LoadBox>(L, "load:remove");
-    l.model->remove_load(l.index);
+    hinge::remove_load(*l.model, l.index);
     l.removed_at = where(L);
     note_change(L, *l.model, "load:remove");
     return 0;

@@ -145,7 +145,7 @@ bool is_weightless(const Structure& structure) {
 void refuse_no_loads(const Model& m, int aside) {
     const std::vector<DeclaredLoad> list = declared_loads(m);
     const long all = std::count_if(list.begin(), list.end(), [](const DeclaredLoad& l) { return !l.motion; });
-    if (aside == 0 || aside < all || m.gravity()) return;
+    if (aside == 0 || aside < all || declared_gravity(m)) return;
     throw InputError(
         "model:static: nothing acts: all loads have a history, which is for dynamics; leave the history out, or put "
         "them into a load case and name it, loads = { name = 1 }, which takes them in full");
@@ -242,13 +242,13 @@ int static_run(lua_State* L) {
     if (structure->elements().empty())
         throw InputError("model:static: the model has no members; add at least one with model:member");
     refuse_lost_loads(structure->model(), *structure, start, "model:static");
-    for (const NodalLoad& l : structure->model().loads())
+    for (const DeclaredLoad& l : declared_loads(structure->model()))
         if (l.follows_state())
             throw InputError("model:static: a load on " + structure->node_name(l.node) +
                              " is a function of time and the run, which acts in dynamics only; make the static run "
                              "before it is declared, or put it into a load case that this run does not take");
     if (!before) refuse_no_loads(*m, structure->model().set_aside());
-    if (const auto& g = structure->model().gravity(); g && !g->isZero(0) && is_weightless(*structure))
+    if (const auto g = declared_gravity(structure->model()); g && !g->isZero(0) && is_weightless(*structure))
         throw InputError(
             "model:static: the model has gravity, and nothing in it has mass: all densities are 0 kg/m^3; give "
             "hinge.material a density, or leave gravity out");

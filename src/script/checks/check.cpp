@@ -232,7 +232,7 @@ std::string checked_model(const RunRecord& record) {
     const AddedToModes added = added_by_effects(*record.run);
     const std::vector<Piece> bodies = bodies_of(s, added);
     std::string text;
-    std::vector<Warning> list = warnings(s.model(), linked_nodes(s.model()));
+    std::vector<Warning> list = warnings(s.model(), linked_nodes(s.model()), declared_gravity(s.model()));
     for (std::size_t i = 0; i < bodies.size() && i < bodies_told; ++i) {
         const Piece& body = bodies[i];
         const std::string name = body.supports.empty() ? "free body of " + count(body.members, "member")

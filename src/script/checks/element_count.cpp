@@ -83,6 +83,7 @@ double largest_moment(const std::vector<Cut>& sections, const beam::YieldSurface
 void decide_elements(Model& model) {
     if (!model.has_undecided_elements()) return;
     Model linear = model;
+    const bool gravity = declared_gravity(model).has_value();
     std::set<int> loaded;
     for (const DeclaredLoad& load : declared_loads(model))
         if (load.member >= 0) loaded.insert(load.member);
@@ -90,7 +91,7 @@ void decide_elements(Model& model) {
         if (const MemberData& m = model.members()[i]; m.elements_by == ElementsBy::undecided)
             linear.set_elements(i,
                                 loaded.count(i) > 0 ? of_loaded_members
-                                : model.gravity()   ? of_heavy_members
+                                : gravity           ? of_heavy_members
                                                     : 2,
                                 m.elements_by, 0, false);
     const LinearSolution solution = solve_linearly(linear);

@@ -23,16 +23,17 @@ std::string digits(double v, int n = 4) { return number_text(v, n); }
 
 /// The size of what acts, as a script gives it: its largest load on a node, else gravity.
 std::string largest_load(const Model& model) {
-    const NodalLoad* largest = nullptr;
-    const auto size = [](const NodalLoad& l) { return std::max(l.force.norm(), l.moment.norm()); };
-    for (const NodalLoad& l : model.loads())
-        if (!largest || size(l) > size(*largest)) largest = &l;
-    if (largest && size(*largest) > 0) {
-        const bool force = largest->force.norm() >= largest->moment.norm();
-        return std::string("the largest of them is ") + digits(size(*largest), 3) + (force ? " N" : " N m") +
-               ", on node " + std::to_string(largest->node + 1);
+    DeclaredLoad largest;
+    const auto size = [](const DeclaredLoad& l) { return std::max(l.force.norm(), l.moment.norm()); };
+    for (const DeclaredLoad& l : declared_loads(model))
+        if (l.node >= 0 && size(l) > size(largest)) largest = l;
+    if (size(largest) > 0) {
+        const bool force = largest.force.norm() >= largest.moment.norm();
+        return std::string("the largest of them is ") + digits(size(largest), 3) + (force ? " N" : " N m") +
+               ", on node " + std::to_string(largest.node + 1);
     }
-    return model.gravity() ? "gravity is " + digits(model.gravity()->norm(), 3) + " m/s^2" : "they act on members";
+    const std::optional<Vec3> gravity = declared_gravity(model);
+    return gravity ? "gravity is " + digits(gravity->norm(), 3) + " m/s^2" : "they act on members";
 }
 
 /// Strains, by a linear solution, that no building material follows elastically, and that plastic hinges would not see

@@ -44,7 +44,7 @@ void look_over(Context& c, const Model& model) {
     c.messages.of_units.reset();
     if (!c.mode.looks_over || c.messages.looked_over >= most_models || model.members().size() > most_members) return;
     ++c.messages.looked_over;
-    const std::vector<Warning> list = warnings(model, linked_nodes(model));
+    const std::vector<Warning> list = warnings(model, linked_nodes(model), declared_gravity(model));
     c.messages.of_units = of_units(list);
     for (const Warning& w : list) tell(c, w);
 }

@@ -19,13 +19,14 @@ constexpr double rests =
 
 std::vector<Warning> overlapping_bars(const Structure& s, const State& start) {
     const Model& model = s.model();
-    if (model.contact().empty() || contact_of(start)) return {};
+    const std::vector<ContactRule>& rules = contact_rules(model);
+    if (rules.empty() || contact_of(start)) return {};
     std::vector<int> bars;
     std::vector<contact::Box> boxes;
     const auto at = [&](int node) { return Vec3(s.position()[node] + start.displacement[node]); };
     for (std::size_t i = 0; i < s.elements().size(); ++i) {
         const Element& e = s.elements()[i];
-        if (!e.collides || start.broken[i]) continue;
+        if (start.broken[i] || !can_collide(rules, model.members()[e.member])) continue;
         const Vec3 p = at(e.node[0]), q = at(e.node[1]);
         bars.push_back(int(i));
         boxes.push_back({p.cwiseMin(q).array() - e.radius, p.cwiseMax(q).array() + e.radius});
@@ -44,7 +45,8 @@ std::vector<Warning> overlapping_bars(const Structure& s, const State& start) {
         const contact::Closest closest =
             contact::closest_points(at(a.node[0]), at(a.node[1]), at(b.node[0]), at(b.node[1]));
         const double reach = a.radius + b.radius;
-        if (!(closest.distance < (1 - rests) * reach) || model.contact_rule(a.member, b.member) < 0) continue;
+        if (!(closest.distance < (1 - rests) * reach)) continue;
+        if (contact_rule(rules, model.members()[a.member], model.members()[b.member]) < 0) continue;
         members.push_back(std::minmax(a.member, b.member));
         if (reach - closest.distance <= depth) continue;
         depth = reach - closest.distance;

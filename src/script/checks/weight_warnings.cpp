@@ -30,9 +30,10 @@ struct Weights {
 /// None where the model has no gravity.
 std::optional<Weights> weights_of(const Structure& s) {
     const Model& model = s.model();
-    if (!model.gravity() || model.gravity()->isZero(0)) return {};
-    const double g = model.gravity()->norm();
-    const Vec3 down = *model.gravity() / g;
+    const std::optional<Vec3> gravity = declared_gravity(model);
+    if (!gravity || gravity->isZero(0)) return {};
+    const double g = gravity->norm();
+    const Vec3 down = *gravity / g;
     Weights w;
     for (const DeclaredLoad& l : declared_loads(model))
         if (l.constant) (l.member >= 0 ? w.on_members : w.on_nodes) += l.force.dot(down);
@@ -80,8 +81,8 @@ std::vector<Warning> floors_twice(const Structure& s) {
 }
 
 std::vector<Warning> late_gravity(const Structure& s, const RunRecord& before, const std::string& line) {
-    const auto& now = s.model().gravity();
-    const Vec3 then = before.run->structure().model().gravity().value_or(Vec3::Zero());
+    const std::optional<Vec3> now = declared_gravity(s.model());
+    const Vec3 then = declared_gravity(before.run->structure().model()).value_or(Vec3::Zero());
     if (!now || now->isZero(0) || now->isApprox(then)) return {};
     const std::string run = std::string(before.run->kind()) + " run made at " + before.asked_at;
     return {{"gravity " + vector_text(*now) + " m/s^2 acts at once in this run, and " +

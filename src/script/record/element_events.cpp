@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/files.h"
+#include "effects/fracture.h"
 #include "effects/removal.h"
 #include "script/record/recording.h"
 
@@ -106,8 +107,10 @@ std::vector<std::string> event_fields(const Run& run, const ElementEvent& h) {
     const Removal* removal = limit ? nullptr : removed_by(s, h);
     fields[6] = removal ? "removed" : beam::limit_names[h.limit];
     if (limit) fields[7] = number(h.strain), fields[8] = number(h.of);
+    const auto& rules = fracture_rules(s.model());
     if (removal) fields[9] = removal->asked_at;
-    else if (e.fracture >= 0) fields[9] = s.model().fracture()[e.fracture].asked_at;
+    else if (const int rule = fracture_rule_of(rules, s.model().members()[e.member]); rule >= 0)
+        fields[9] = rules[rule].asked_at;
     return fields;
 }
 

@@ -130,6 +130,11 @@ struct FractureRule : beam::FractureLimits {
     std::vector<std::string> keep;  ///< names of the numbers it keeps of each section
     int group = -1;                 ///< -1: all members
     std::string asked_at;           ///< line of the script
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.curvature_x, s.curvature_y, s.axial_strain, s.shear_strain, s.tension_only, s.strain_measure,
+          s.plastic_only, bool(s.hook), s.where, bool(s.batch), s.keep, s.group);
+    }
 };
 
 }  // namespace hinge

@@ -1,6 +1,63 @@
-#include "model/fracture_rule.h"
+#include "effects/fracture_rule.h"
+
+#include <algorithm>
+
+#include "core/errors.h"
+#include "effects/fracture.h"
 
 namespace hinge {
+namespace {
+
+bool is_function(const FractureRule& r) { return r.hook || r.batch; }
+
+/// Of two rules for the same members the later one holds. Refuses one that would so take the place of another without a
+/// word: limits that of a function, and a group's that of a group within it.
+void refuse_replacing(const Model& model, const FractureRule& rule) {
+    const auto at = [](const FractureRule& r) { return r.asked_at.empty() ? "" : " of " + r.asked_at; };
+    const auto name = [&](const FractureRule& r) { return "'" + model.groups()[r.group] + "'"; };
+    const std::vector<FractureRule>& rules = fracture_rules(model);
+    const auto same =
+        std::find_if(rules.rbegin(), rules.rend(), [&](const FractureRule& r) { return r.group == rule.group; });
+    if (same != rules.rend() && is_function(*same) && !is_function(rule))
+        throw InputError(std::string("model:fracture: this would replace the function") + at(*same) + " for " +
+                         (rule.group < 0 ? "all members" : "the members of group " + name(rule)) +
+                         "; where both are meant to hold, give the limits and the function in one call");
+    if (rule.group < 0) return;  // those of groups hold beside it
+    std::vector<int> members(model.groups().size(), 0), shared = members;
+    for (const MemberData& m : model.members()) {
+        const bool meant = std::find(m.groups.begin(), m.groups.end(), rule.group) != m.groups.end();
+        for (int g : m.groups) ++members[g], shared[g] += meant;
+    }
+    for (const FractureRule& r : rules)
+        if (r.group >= 0 && r.group != rule.group && members[r.group] > 0 && shared[r.group] == members[r.group])
+            throw InputError("model:fracture: group " + name(rule) + " has all members of group " + name(r) +
+                             ", so this would replace the rule" + at(r) +
+                             " for all of them; declare the rule for group " + name(r) + " after this one");
+}
+
+}  // namespace
+
+void add_fracture(Model& model, FractureRule rule) {
+    auto& rules = model.change_declared<FractureRule>(fracture_effect);
+    if (model.options().mass == MassShape::cubic)
+        throw InputError(
+            "model:fracture: a model with mass = 'cubic' cannot break, for half a pair of elements has no shape of its "
+            "own; declare it with mass = 'linear'");
+    refuse_replacing(model, rule);
+    rules.push_back(std::move(rule));
+}
+
+int fracture_rule_of(const std::vector<FractureRule>& rules, const MemberData& member) {
+    int found = -1;
+    for (std::size_t r = 0; r < rules.size(); ++r) {
+        const int group = rules[r].group;
+        const bool fits = group < 0
+                              ? found < 0 || rules[found].group < 0
+                              : std::find(member.groups.begin(), member.groups.end(), group) != member.groups.end();
+        if (fits) found = int(r);
+    }
+    return found;
+}
 
 const std::vector<std::string> section_field_names = {"curvature_x",
                                                       "curvature_y",

@@ -1,0 +1,25 @@
+// Motions of supports, as a script declares them.
+#pragma once
+
+#include "model/history.h"
+#include "model/model.h"
+
+namespace hinge {
+
+inline constexpr const char* moving_supports_effect = "moving supports";
+
+/// Prescribed displacement of a support (m, along x, y or z) over time, relative to its position at the start of the
+/// run.
+struct SupportMotion {
+    int node, component;
+    History displacement;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.node, s.component);
+    }
+};
+
+/// Declares the motion and fixes what it moves.
+void add_motion(Model& model, SupportMotion motion);
+
+}  // namespace hinge
