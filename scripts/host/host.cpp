@@ -8,6 +8,8 @@
 #include <lua.hpp>
 #include <memory>
 
+#include "effects/fracture.h"
+#include "effects/loads.h"
 #include "run/dynamics.h"
 
 namespace {
@@ -30,10 +32,10 @@ void engine_alone() {
     model->add_member({{foot, tip}, bar, steel, {0, 0, 1}, 2, {}});
     hinge::NodalLoad load{tip};
     load.force = {0, 0, -1e4};
-    model->add_load(load);
+    hinge::add_load(*model, load);
     hinge::FractureRule rule;
     rule.hook = [](const hinge::SectionView& s) { return breaks(s.strain.curvature_x, s.strain.curvature_y); };
-    model->add_fracture(rule);
+    hinge::add_fracture(*model, rule);
 
     const auto structure = std::make_shared<const hinge::Structure>(model);
     hinge::DynamicSettings settings;

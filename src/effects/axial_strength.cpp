@@ -35,7 +35,7 @@ void AxialStrength::look(const Workspace& w, const Step& step) {
     const auto look_at = [&](int i) {
         if (may_exceed(scales_[i], w.state.force[i], w.assembly.fixed_end(i))) compare_ends(w, step, i);
     };
-    if (w.kind.dynamic && w.state.step % every != 0)
+    if (!w.is_due_every(every))
         for (const PlasticIncrement& y : w.yielding) look_at(y.element);
     else
         for (int i = 0; i < int(scales_.size()); ++i) look_at(i);
@@ -85,8 +85,8 @@ void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
     list.push_back(
         {member_text(model, member) + ", section " + model.members()[member].section->kind + ", carries N / N0 = " +
              number_text(worst_.n, 2) + " and " + number_text(worst_.m, 2) + " of M" + axis + "0 " +
-             (w.kind.dynamic ? "at t = " + number_text(worst_.at, 4) + " s"
-                             : "at load factor " + number_text(worst_.at, 4)) +
+             (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
+                                      : "at t = " + number_text(worst_.at, 4) + " s") +
              ": " + excess_text(worst_.m / worst_.exact - 1) + " more than its exact plastic moment beside that N" +
              (others > 0
                   ? ", and so do " + count_text(others, "more member") + " by more than " + excess_text(unsafe_excess)

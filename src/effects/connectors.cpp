@@ -95,12 +95,13 @@ public:
                                      "use ground = true");
         if (!w.state.data.find<ConnectorsNow>(connectors_effect)) w.state.data.set(connectors_effect, ConnectorsNow{});
         list().resize(declared().size());
-        if (!w.kind.dynamic)
-            for (ConnectorNow& c : list()) c.of_dashpots.setZero();
         at_start_ = stored(w.state);
     }
 
     // ---- what acts ------------------------------------------------------------------------------------------------
+    void begin_statics() override {
+        for (ConnectorNow& c : list()) c.of_dashpots.setZero();
+    }
     void add_forces(double time, std::vector<Vec6>& resisting) override {
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
@@ -297,10 +298,9 @@ private:
     }
 
     Vec6 rate_of(std::size_t i, const Placed& p) const {
-        if (!w_.kind.dynamic) return Vec6::Zero();
         const Connector& c = declared()[i];
         Vec12 v;
-        v << (c.a < 0 ? Vec6(Vec6::Zero()) : w_.trial.velocity[c.a]), w_.trial.velocity[c.b];
+        v << (c.a < 0 ? Vec6(Vec6::Zero()) : w_.velocity(w_.trial, c.a)), w_.velocity(w_.trial, c.b);
         return p.B * v;
     }
 
@@ -341,7 +341,7 @@ private:
             LawState unused;
             const double by = std::copysign(slope_part * std::max(std::abs(d), slope_least), d);
             now.law_slope[k] = (ask(d + by, v, unused) - now.law[k]) / by;
-            if (!w_.kind.dynamic) continue;
+            if (!w_.kind.dynamic) continue;  // a law is asked of no rate but 0
             const double faster = std::copysign(slope_part * std::max(std::abs(v), slope_least), v);
             now.law_rate_slope[k] = (ask(d, v + faster, unused) - now.law[k]) / faster;
         }

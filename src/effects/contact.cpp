@@ -121,7 +121,7 @@ public:
     void decide(Step&) override {
         for (const contact::ContactEvent& event : now().events()) {
             const int a = member(event.element[0]), b = member(event.element[1]);
-            const int rule = rule_of(a, b);
+            const int rule = rule_for(a, b);
             if (rule < 0) continue;
             if (const auto& tell = event.bound ? rules_[rule].on_contact : rules_[rule].on_release) tell(event, a, b);
         }
@@ -195,7 +195,7 @@ public:
 private:
     Contact& now() const { return *w_.state.data.find<Contact>(contact_effect); }
     int member(int element) const { return w_.structure.elements()[element].member; }
-    int rule_of(int member_a, int member_b) const {
+    int rule_for(int member_a, int member_b) const {
         const auto& members = w_.structure.model().members();
         return contact_rule(rules_, members[member_a], members[member_b]);
     }
@@ -209,7 +209,7 @@ private:
     /// By which of contact's rules two elements meet; the script's own rule is asked once for each pair of members.
     int rule_between(int element_a, int element_b) {
         const int a = member(element_a), b = member(element_b);
-        const int place = rule_of(a, b);
+        const int place = rule_for(a, b);
         if (place < 0) return -1;
         const ContactRule& rule = rules_[place];
         if (!rule.pairs) return now().rule(rule.settings);

@@ -25,7 +25,7 @@ struct DeclaredLoad {
     Vec3 force = Vec3::Zero();   ///< N, of the whole load in space; zero where it is given in a member's axes
     Vec3 moment = Vec3::Zero();  ///< N m, of a load on a node
     bool motion = false;
-    bool follows_state() const { return !constant && !history; }  ///< a function of time and the run
+    bool follows_state = false;  ///< a function of time and the run
 };
 std::vector<DeclaredLoad> declared_loads(const Model& model);
 

@@ -25,7 +25,7 @@ struct EffectKind {
     std::unique_ptr<Effect> (*make)(Workspace& w, Host& host) = nullptr;
     /// It acts in dynamics only: statics does not make it, and its lines of the plan say so.
     bool dynamic_only = false;
-    bool acts_in(const RunKind& run) const { return run.dynamic || !dynamic_only; }
+    bool acts_in(const RunKind& run) const { return run.takes(dynamic_only); }
     /// Takes it out of a model, so that a run can do without it (leave_out in all_effects.h); null where none can.
     void (*leave_out)(Model& model) = nullptr;
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective

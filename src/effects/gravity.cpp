@@ -82,11 +82,12 @@ public:
             sums["gravity"] -= whole;
             if (const Vec3 g = g_at(w_.factor); g != g_) sums["work"] += on_flow(g) - whole;  // what is not there yet
         }
-        std::vector<Vec3> end;
-        if (!w_.kind.dynamic) members_.find_moments(w_.structure, g_, w_.trial, w_.force, false, end);
+        std::vector<Vec3> moments = now_;
+        if (w_.kind.dynamic)
+            for (std::size_t i = 0; i < joints.size(); ++i) moments[i] = 0.5 * (now_[i] + before_[i]);
+        else members_.find_moments(w_.structure, g_, w_.trial, w_.force, false, moments);
         double work = 0;
-        for (std::size_t i = 0; i < joints.size(); ++i)
-            work += (w_.kind.dynamic ? Vec3(0.5 * (now_[i] + before_[i])) : end[i]).dot(w_.rotation_step[joints[i]]);
+        for (std::size_t i = 0; i < joints.size(); ++i) work += moments[i].dot(w_.rotation_step[joints[i]]);
         sums["gravity"] -= work;
     }
     void before_commit(const Step&) override { before_ = now_; }

@@ -36,8 +36,6 @@ constexpr double buried = 0.01;
 /// Friction that differs by this part of the most that there can be from the one that a step was solved with asks for
 /// another solution.
 constexpr double same_friction = 0.01;
-/// Part of the half depth: a point that is no further from the ground carries when a static run begins.
-constexpr double just_touches = 1e-6;
 /// Restitution waits for other points of the body by this part of the time that a contact of the point alone takes.
 constexpr double most_wait = 1;
 
@@ -179,12 +177,11 @@ public:
         if (waits && find_due(step.dt)) restitute();
         take_from_friction();
     }
-    void accumulate_energy(const Step&, Accounts& sums) const override {
-        double lost = lost_;
-        if (!w_.kind.dynamic)
-            for (const Touch& t : touches_) lost += t.heat;
-        sums["ground_dissipated"] += lost;
+    void end_statics() override {
+        lost_ = 0;
+        for (const Touch& t : touches_) lost_ += t.heat;
     }
+    void accumulate_energy(const Step&, Accounts& sums) const override { sums["ground_dissipated"] += lost_; }
     void before_commit(const Step&) override {
         for (std::size_t i = 0; i < points().size(); ++i) {
             Point& p = points()[i];
@@ -277,10 +274,8 @@ private:
     }
     bool is_held(const Point& p) const { return (w_.state.held[p.node] & 7) == 7; }
     bool rests(const Point& p) const { return w_.rests(p.node); }
-    /// Whether it counts in the tangent. Statics begins where nothing presses yet: what just touches carries there.
-    bool carries(const Point& p, const Touch& t) const {
-        return t.overlap > (w_.kind.dynamic ? 0 : -just_touches * p.radius);
-    }
+    /// Whether it counts in the tangent.
+    bool carries(const Point& p, const Touch& t) const { return t.overlap > (-w_.touches_within(p.radius)); }
 
     template <class At>
     Vec3 place_of(const Point& p, const At& at, const Vec3& arm) const {

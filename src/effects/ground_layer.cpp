@@ -29,8 +29,6 @@ constexpr double tangential_part = 100;
 constexpr double buried = 0.01;
 /// Forces that differ by this part of themselves from what a step was solved with ask for another solution.
 constexpr double same_force = 0.01;
-/// Part of the half depth: an end that is no further from the ground carries when a static run begins.
-constexpr double just_touches = 1e-6;
 
 /// An end of a strip.
 struct End {
@@ -347,7 +345,7 @@ private:
         Touch t;
         if (s.gone) return t;
         const Vec3& n = plane(s).normal;
-        const double touching = w_.kind.dynamic ? 0 : just_touches * w_.structure.elements()[s.element].radius;
+        const double touching = w_.touches_within(w_.structure.elements()[s.element].radius);
         Vec3 place[2];
         for (int e : {0, 1}) {
             const End& end = s.end[e];
@@ -365,8 +363,7 @@ private:
         const Vec3 chord = place[1] - place[0];
         const double length = chord.norm(), rise = n.dot(chord) / length;
         t.place.lean[0] = rise, t.place.lean[1] = -rise;
-        for (int e : {0, 1})
-            if (w_.kind.dynamic) t.place.rate[e] = -row_of(n, t.arm[e]).dot(at.velocity[s.end[e].node]);
+        for (int e : {0, 1}) t.place.rate[e] = -row_of(n, t.arm[e]).dot(w_.velocity(at, s.end[e].node));
         t.press = contact::press(s.piece, t.place, touching);
         const Vec3 turned = (n - rise / length * chord) / length;  // derivative of `rise` by the second end
         for (int e : {0, 1}) {
@@ -396,6 +393,7 @@ private:
         for (int e : {0, 1}) {
             const End& end = s.end[e];
             Vec3 moved = place[e] - before[e];
+            // in statics its dashpots do no work
             if (w_.kind.dynamic) t.work += 0.5 * (end.loss + t.loss[e]).dot(moved);
             if (p.friction == 0) continue;
             if (w_.structure.large())

@@ -277,7 +277,8 @@ EffectKind loads_kind() {
                                      DeclaredLoad load{"the load on node " + std::to_string(l.node + 1),
                                                        "load " + std::to_string(l.number), l.node};
                                      if (l.history) load.history = &l.history;
-                                     load.constant = !l.history && !l.follows_state();
+                                     load.follows_state = l.follows_state();
+                                     load.constant = !l.history && !load.follows_state;
                                      load.load_case = l.load_case, load.force = l.force, load.moment = l.moment;
                                      list.push_back(std::move(load));
                                  }

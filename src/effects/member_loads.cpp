@@ -69,9 +69,15 @@ public:
     }
 
     /// Of those with a history as in Loads::add_static_loads.
+    void begin_statics() override {
+        for (Loaded& l : loads_) {
+            const double factor = l.history ? l.history(0) : 1;
+            l.factor = l.kept_factor = factor == 0 ? 1 : factor;
+        }
+    }
     void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
-            if (!l.held) act(l, at, static_factor(l), [&](int node, const Vec6& f) { external[node] += f; });
+            if (!l.held) act(l, at, l.factor, [&](int node, const Vec6& f) { external[node] += f; });
     }
     void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
@@ -128,7 +134,7 @@ public:
             }
             sums["work"] += work_on_flow(y, part);
         }
-        if (!w_.kind.dynamic) return;
+        if (!w_.kind.dynamic) return;  // statics counts the work of F itself
         const std::vector<Vec6> now = acting(w_.trial);
         double work = 0;
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
@@ -140,7 +146,6 @@ public:
         sums["work"] += work;
     }
     void before_commit(const Step&) override {
-        if (!w_.kind.dynamic) return;
         before_ = acting(w_.trial);
         for (Loaded& l : loads_) l.kept_factor = l.factor, l.over.kept = l.over.end;
     }
@@ -151,7 +156,7 @@ public:
         if (on == on_member_.end()) return;
         for (const int i : on->second) {
             const Loaded& l = loads_[i];
-            const double factor = w_.kind.dynamic ? l.kept_factor : factor_now(l, w_.state.factor);
+            const double factor = kept_factor(l);
             const int end = side < 0 ? 0 : 1;
             const Share& share = l.shares[element - l.ends.first];
             Vec3 force = share.force[end], moment = share.moment[end];
@@ -173,7 +178,7 @@ public:
         for (std::size_t i = 0; i < loads_.size(); ++i) {
             const Loaded& l = loads_[i];
             const MemberLoad& load = declared()[i];
-            const double factor = w_.kind.dynamic ? l.kept_factor : factor_now(l, w_.state.factor);
+            const double factor = kept_factor(l);
             if (factor == 0) continue;
             const int n = l.ends.count;
             for (int k = 0; k < n; ++k) {
@@ -249,7 +254,7 @@ private:
         Vec3 of_force[2][2], of_moment[2][2];
         Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero();  ///< N/m at the member's ends; N
         double at = -1;                                                       ///< of the point load
-        double factor = 1, kept_factor = 1;
+        double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
         StepFactor over = {};  ///< where its history may jump within a step
     };
@@ -292,18 +297,13 @@ private:
         return l;
     }
 
-    double static_factor(const Loaded& l) const {
-        const double factor = l.history ? l.history(0) : 1;
-        return factor == 0 ? 1 : factor;
-    }
     void factors_at(double time, double StepFactor::*of_step) {
         for (Loaded& l : loads_) l.factor = l.may_jump ? l.over.*of_step : l.history ? l.history(time) : 1;
     }
 
-    /// `of_statics`: the load factor.
-    double factor_now(const Loaded& l, double of_statics) const {
-        return w_.kind.dynamic ? l.factor : l.held ? 1 : of_statics * static_factor(l);
-    }
+    /// What acts of a load on the trial at this load factor, 1 in dynamics; and on the state.
+    static double factor_now(const Loaded& l, double load_factor) { return l.held ? 1 : load_factor * l.factor; }
+    double kept_factor(const Loaded& l) const { return l.held ? 1 : w_.acting_factor() * l.kept_factor; }
     /// The corrections at the member's ends, in its axes; none where it is not whole.
     void find_moments(const Loaded& l, double factor, const ConfigurationView& at, Vec3 m[2]) const {
         m[0].setZero(), m[1].setZero();

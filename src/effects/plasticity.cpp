@@ -26,7 +26,8 @@ public:
     }
 
     void after_commit(const Step& step) override {
-        if (!w_.yielding.empty()) record_flow(w_.structure, w_.yielding, w_.reached(step), !w_.kind.dynamic, records());
+        if (!w_.yielding.empty())
+            record_flow(w_.structure, w_.yielding, w_.reached(step), w_.goes_by_load_factor(), records());
         for (int e : commit_flow(w_.structure, w_.state, w_.yielding, flowing_)) {
             w_.points_moved = true;
             host_.stiffness_changed(e);

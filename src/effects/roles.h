@@ -20,6 +20,8 @@ public:
     virtual ~Load() = default;
     /// Adds the part of F that changes with neither time nor place (weights at nodes), in the state of the start.
     virtual void add_steady_loads(std::vector<Vec6>& external) const { (void)external; }
+    /// Statics begins.
+    virtual void begin_statics() {}
     /// Statics: adds F at load factor 1, beside the steady loads, where the nodes are.
     virtual void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const = 0;
     /// Statics: adds what is held in full from the start on, in a run that continues another one. That is not in
@@ -47,6 +49,8 @@ public:
     virtual ~Force() = default;
     /// Adds the forces in the trial configuration. `time`: that of the configuration, s.
     virtual void add_forces(double time, std::vector<Vec6>& resisting) = 0;
+    /// Statics begins: velocities, and forces that follow from them, do not act.
+    virtual void begin_statics() {}
     /// Adds the derivative of those forces, for the effective stiffness.
     virtual void add_blocks(const ConfigurationView& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add now.
@@ -107,6 +111,8 @@ public:
     virtual bool meet(const Step& step) = 0;
     /// Whether the solution agrees with the forces that it was found with; false: another iteration.
     virtual bool settled() = 0;
+    /// Statics: the trial is an equilibrium that is about to become the state.
+    virtual void end_statics() {}
     /// Ends the contacts that are over at the end of the step, and adds the impulses that the step missed.
     virtual void end(const Step& step) { (void)step; }
 };

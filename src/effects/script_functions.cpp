@@ -10,11 +10,10 @@ namespace {
 std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
     const std::vector<ScriptFunctions> list = script_functions(s.model());
     if (list.empty()) return {{"script functions", false, "not declared", ""}};
-    const bool called =
-        std::any_of(list.begin(), list.end(), [&](const auto& f) { return run.dynamic || !f.dynamic_only; });
+    const auto acts = [&](const ScriptFunctions& f) { return run.takes(f.dynamic_only); };
     const ScriptFunctions& first = list.front();
-    return {{"script functions", called, first.dynamic_only && !run.dynamic ? only_in_dynamics(first.call) : first.call,
-             first.asked_at}};
+    return {{"script functions", std::any_of(list.begin(), list.end(), acts),
+             acts(first) ? first.call : only_in_dynamics(first.call), first.asked_at}};
 }
 
 }  // namespace

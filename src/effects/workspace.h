@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "beam/fracture_limits.h"
 #include "core/thread_pool.h"
 #include "state/breaking.h"
 #include "state/element_assembly.h"
@@ -19,6 +20,8 @@ struct RunKind {
     bool rest = true;         ///< bodies at rest may be left alone
     bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
     double dt = 0;            ///< s, the script's own step; 0 in statics
+    /// Whether it has what acts in dynamics only, or in statics too.
+    bool takes(bool dynamic_only) const { return dynamic || !dynamic_only; }
 };
 
 /// How accelerations become motion over a step (eq 15): v' = v + dt ((1 - gamma) a + gamma a'), u' = u + dt v +
@@ -72,6 +75,9 @@ struct Step {
 
 class Constraints;
 
+/// Part of the half depth: what is no further from the ground carries when a static run begins.
+inline constexpr double just_touches = 1e-6;
+
 /// What the stages and effects of a run work on. Each array means one thing; six numbers a node are in space: force and
 /// moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
 struct Workspace {
@@ -108,6 +114,18 @@ struct Workspace {
     double acting_factor() const { return kind.dynamic ? 1 : state.factor; }
     /// Where a kept step has ended: its time, s; in statics the load factor.
     double reached(const Step& step) const { return kind.dynamic ? step.end() : state.factor; }
+    /// Whether `reached` is a load factor: in statics.
+    bool goes_by_load_factor() const { return !kind.dynamic; }
+    /// Whether what is done every so many steps of dynamics is due where the state is; in statics it always is.
+    bool is_due_every(long steps) const { return !kind.dynamic || state.step % steps == 0; }
+    /// The velocity of a node on which forces depend; none in statics, whatever velocities the state keeps.
+    template <class At>
+    Vec6 velocity(const At& at, int node) const {
+        return kind.dynamic ? at.velocity[node] : Vec6(Vec6::Zero());
+    }
+    /// Distance from the ground within which a bar of such a radius carries, m: none in dynamics. Statics begins where
+    /// nothing presses yet.
+    double touches_within(double radius) const { return kind.dynamic ? 0 : just_touches * radius; }
     /// p of the elements whose axial force counts in their fixed-end moments: where the step began, in statics those of
     /// the last iteration.
     const std::vector<Vec6>& force_of_fixed_ends() const { return kind.dynamic ? state.force : force; }

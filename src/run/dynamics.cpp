@@ -189,11 +189,11 @@ void Dynamics::restart() {
     begin_step();
 }
 
-/// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 std::string Dynamics::failure_of_elements() const {
     return assembly_.failure(!any_of(effects_->breakers, &Breaker::by_strain));
 }
 
+/// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
     find_fixed_ends(w_, *effects_, 1);

@@ -18,6 +18,8 @@ StaticForces::StaticForces(const StaticProblem& problem, Stages& stages)
       potential_(w_.external.size(), Vec6::Zero()),
       stages_(stages),
       recover_stage_(stages.add("recover stresses")) {
+    for (const auto& load : problem_.effects.loads) load->begin_statics();
+    for (const auto& force : problem_.effects.forces) force->begin_statics();
     find_loads();
 }
 

@@ -243,7 +243,7 @@ int static_run(lua_State* L) {
         throw InputError("model:static: the model has no members; add at least one with model:member");
     refuse_lost_loads(structure->model(), *structure, start, "model:static");
     for (const DeclaredLoad& l : declared_loads(structure->model()))
-        if (l.follows_state())
+        if (l.follows_state)
             throw InputError("model:static: a load on " + structure->node_name(l.node) +
                              " is a function of time and the run, which acts in dynamics only; make the static run "
                              "before it is declared, or put it into a load case that this run does not take");

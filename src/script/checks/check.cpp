@@ -9,6 +9,7 @@
 #include "script/checks/damping_check.h"
 #include "script/checks/load_warnings.h"
 #include "script/checks/plan.h"
+#include "effects/declared.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
 #include "state/bodies.h"
