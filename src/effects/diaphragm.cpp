@@ -33,17 +33,15 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind diaphragm_kind() {
-    return {diaphragm_effect,
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = diaphragm_effect,
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 std::vector<RigidGroup> groups = groups_of(w.structure.model());
                 if (groups.empty()) return nullptr;
                 return std::make_unique<RigidGroups>(diaphragm_effect, "model:diaphragm", std::move(groups), w, host);
             },
-            true,
-            nullptr,
-            {.links = [](const Model& model) {
+            .leave_out = leave_out_declared<diaphragm_effect>,
+            .declarer = {.links = [](const Model& model) {
                 std::vector<NodeLink> list;
                 for (const Diaphragm& d : diaphragms_of(model))
                     for (std::size_t i = 1; i < d.nodes.size(); ++i) list.push_back({d.nodes[0], d.nodes[i]});

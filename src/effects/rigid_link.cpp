@@ -32,17 +32,15 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 }  // namespace
 
 EffectKind rigid_link_kind() {
-    return {rigid_link_effect,
-            {},
-            plan,
-            [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+    return {.name = rigid_link_effect,
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 std::vector<RigidGroup> groups = groups_of(w.structure.model());
                 if (groups.empty()) return nullptr;
                 return std::make_unique<RigidGroups>(rigid_link_effect, "model:rigid_link", std::move(groups), w, host);
             },
-            true,
-            nullptr,
-            {.links = [](const Model& model) {
+            .leave_out = leave_out_declared<rigid_link_effect>,
+            .declarer = {.links = [](const Model& model) {
                 std::vector<NodeLink> list;
                 for (const RigidLink& link : links_of(model)) list.push_back({link.from, link.to});
                 return list;
