@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/blocks.h"
+#include "algebra/unfused.h"
 
 namespace hinge {
 

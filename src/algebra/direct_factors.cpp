@@ -4,6 +4,8 @@
 
 #include "core/doing.h"
 
+HINGE_TRIANGLES()
+
 namespace hinge {
 
 DirectFactors::DirectFactors(bool unsymmetric) : unsymmetric_(unsymmetric), factors_(std::make_unique<Factors>()) {}

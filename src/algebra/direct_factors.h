@@ -1,10 +1,8 @@
 // Sparse direct factors of a symmetric or unsymmetric matrix of six rows a node, by Eigen.
 //
 // Eigen's sparse solvers are templates that take seconds to compile, so no other file includes them: they are in
-// direct_factors_eigen.h. Where two files compile the same template with different options, the linker takes one of the
-// two, and the last bits of every static result would hang on the order in which files are linked. So the factors are
-// made in direct_factors.cpp, without fused products like nearly all of the engine; the solution is in
-// direct_solution.cpp, which is compiled with them (CMakeLists.txt).
+// direct_factors_eigen.h. The factors are made in direct_factors.cpp, without fused products like nearly all of the
+// engine; the solution is in direct_solution.cpp, which is compiled with them (fused_files in CMakeLists.txt).
 #pragma once
 
 #include <memory>

@@ -7,6 +7,14 @@
 
 #include "algebra/direct_factors.h"
 
+// The dense triangles of SparseLU, without fused products: direct_factors.cpp has them.
+#define HINGE_TRIANGLES(keyword)                                                                                     \
+    keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \
+                                                                     Eigen::Upper, false, Eigen::ColMajor>;          \
+    keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \
+                                                                     Eigen::UnitLower, false, Eigen::ColMajor>;
+HINGE_TRIANGLES(extern)
+
 namespace hinge {
 
 struct DirectFactors::Factors {

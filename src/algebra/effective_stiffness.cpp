@@ -8,6 +8,7 @@
 
 #include "beam/tangent.h"
 #include "algebra/blocks.h"
+#include "algebra/unfused.h"
 #include "state/hinges.h"
 
 namespace hinge {
@@ -49,7 +50,7 @@ Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const Elem
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     const double of_M = mass_factor_ + by_damping_ * c.of_mass;
     const Mat3 axes = axes_of(place);
-    Mat12 M = of_M * structure_.inertia(index).matrix(axes);
+    Mat12 M = of_M * inertia_matrix(structure_.inertia(index), axes);
     if (c.of_stiffness != 0) {  // in proportion to the elastic stiffness alone, also where an element yields
         const Mat6 k = stiffness_now(structure_, state, index).matrix();
         M += (by_damping_ * c.of_stiffness) *

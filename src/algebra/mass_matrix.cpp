@@ -9,6 +9,7 @@
 
 #include "algebra/blocks.h"
 #include "algebra/effective_stiffness.h"
+#include "algebra/unfused.h"
 #include "beam/element_mass.h"
 #include "state/node_mass.h"
 
@@ -31,7 +32,7 @@ bool has_offset_mass(const State& state, int node) {
 Mat6 inverse_of_free(Mat6 m, int held) {  // held components take no part: a mass on a pinned node rotates about the pin
     for (int c = 0; c < 6; ++c)
         if (held >> c & 1) m.row(c).setZero(), m.col(c).setZero(), m(c, c) = 1;
-    return blocks::inverse_by_halves(m);
+    return inverse_by_halves(m);
 }
 
 /// Of one element with the linear mass, in space: rho A L/6 (kg) and rho I L/6 (kg m^2); zero when it is broken.

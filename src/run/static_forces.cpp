@@ -1,5 +1,3 @@
-// The name keeps this file behind statics.cpp in the library. It compiles a template of Eigen that direct_factors.cpp
-// has too, and the linker takes that of the file that it comes to first (algebra/direct_factors.h).
 #include "run/static_forces.h"
 
 #include <algorithm>

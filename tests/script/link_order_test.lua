@@ -1,0 +1,29 @@
+-- The files that are compiled with fused products (fused_files in CMakeLists.txt) share no function with other files.
+-- Otherwise the linker would keep one of two copies, and the last bits would depend on the order of the files.
+--
+-- Run: lua5.4 tests/script/link_order_test.lua NM BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "link_order"
+local case, quote = checks.case, support.quote
+
+--- The names of functions that the linker merges between files, which `file` defines; how many other ones it defines.
+local function merged_functions(file)
+  local status, printed, complaint = support.run(("%s --defined-only --demangle %s"):format(quote(arg[1]), quote(file)))
+  checks.equal(status, 0, "nm: " .. complaint)
+  local merged, others = {}, 0
+  for kind, name in printed:gmatch "%x+ (%a) ([^\n]+)" do
+    if kind == "W" then merged[#merged + 1] = name elseif kind == "T" then others = others + 1 end
+  end
+  return merged, others
+end
+
+case("of the fused files, other files can reach only what is theirs alone", function()
+  local merged, others = merged_functions(arg[2] .. "/hinge_engine_fused.o")
+  checks.expect(others > 10, "only %d functions: is this the object of the fused files?", others)
+  for _, name in ipairs(merged) do
+    checks.expect(name:find "^hinge::Condensed<%a+>::", "%s can take the place of another file's copy", name)
+  end
+end)
+
+checks.done()
