@@ -34,11 +34,17 @@ double usual_step(const StableStep& limit, const Structure& structure) {
     return part * limit.dt;
 }
 
-bool may_break(const Model& model, const RunKind& run) {
+bool may_break(const Model& model, const RunKind& run, int member) {
     const auto& all = all_effects();
     return std::any_of(all.begin(), all.end(), [&](const EffectKind& kind) {
-        return kind.may_break && kind.acts_in(run) && kind.may_break(model);
+        return kind.may_break && kind.acts_in(run) && kind.may_break(model, member);
     });
+}
+
+bool may_break(const Model& model, const RunKind& run) {
+    for (int m = 0; m < int(model.members().size()); ++m)
+        if (may_break(model, run, m)) return true;
+    return false;
 }
 
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind) {

@@ -19,7 +19,8 @@ std::vector<ElementDamping> damping_of(const Structure& structure);
 /// explicit steps 10 were over 0.1 % at 0.9 and 0.7 of the limit, 2 at half of that.
 double usual_step(const StableStep& limit, const Structure& structure);
 
-/// Whether elements may break in such a run.
+/// Whether elements may break in such a run: of a member, of any.
+bool may_break(const Model& model, const RunKind& run, int member);
 bool may_break(const Model& model, const RunKind& run);
 
 /// What is simulated and what is not, and why.

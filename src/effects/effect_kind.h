@@ -33,8 +33,8 @@ struct EffectKind {
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
     /// What a model declares of it.
     Declarer declarer = {};
-    /// Whether what a model declares of it may break elements.
-    bool (*may_break)(const Model& model) = nullptr;
+    /// Whether what a model declares of it may break elements of a member.
+    bool (*may_break)(const Model& model, int member) = nullptr;
     /// Largest part of the elements' stable step that it allows a default step of explicit steps; 1: any.
     double (*part_of_stable_step)(const Model& model) = nullptr;
     /// Stages of a step whose time counts for its first line of the plan.

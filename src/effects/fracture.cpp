@@ -613,7 +613,10 @@ EffectKind fracture_kind() {
             if (!calls_functions(model)) return {};
             return {{0, "a function in model:fracture", true, model.asked_at(fracture_effect)}};
         }},
-        .may_break = [](const Model& model) { return built::fracture && !fracture_rules(model).empty(); },
+        .may_break =
+            [](const Model& model, int member) {
+                return built::fracture && fracture_rule_of(fracture_rules(model), model.members()[member]) >= 0;
+            },
         .stages = {"restart", fracture_effect}};
 }
 

@@ -66,6 +66,14 @@ private:
     std::vector<char> done_;  ///< of each removal
 };
 
+bool is_removed(const Model& model, int member) {
+    const auto& groups = model.members()[member].groups;
+    const auto& list = model.declared<Removal>(removal_effect);
+    return std::any_of(list.begin(), list.end(), [&](const Removal& r) {
+        return r.group < 0 ? r.member == member : std::find(groups.begin(), groups.end(), r.group) != groups.end();
+    });
+}
+
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& list = declared(s);
     std::string text = list.empty() ? "not declared" : "model:remove";
@@ -90,8 +98,7 @@ EffectKind removal_kind() {
             },
             .dynamic_only = true,
             .leave_out = leave_out_declared<removal_effect>,
-            .may_break =
-                [](const Model& model) { return built::fracture && !model.declared<Removal>(removal_effect).empty(); },
+            .may_break = [](const Model& model, int member) { return built::fracture && is_removed(model, member); },
             .stages = {removal_effect}};
 }
 

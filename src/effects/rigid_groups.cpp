@@ -4,23 +4,11 @@
 
 #include "core/errors.h"
 #include "core/rotation.h"
+#include "effects/all_effects.h"
 #include "effects/declared.h"
-#include "effects/removal.h"
 #include "state/node_mass.h"
 
 namespace hinge {
-
-namespace {
-
-bool can_break(const Structure& structure, int element) {
-    const Element& e = structure.elements()[element];
-    const auto& removals = structure.model().declared<Removal>(removal_effect);
-    return e.fracture >= 0 || std::any_of(removals.begin(), removals.end(), [&](const Removal& r) {
-               return r.group < 0 ? r.member == e.member : structure.in_group(element, r.group);
-           });
-}
-
-}  // namespace
 
 RigidGroups::RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host)
     : Effect(name, w, host), call_(call), declared_(std::move(groups)) {
@@ -46,7 +34,7 @@ void RigidGroups::refuse(const RigidGroup& group) const {
         std::count_if(group.followers.begin(), group.followers.end(), [](const auto& f) { return f.tied == 7; });
     if (!w_.kind.dynamic || balls == 0 || nodes.size() == 2) return;
     for (const int e : w_.structure.elements_at(group.first))
-        if (can_break(w_.structure, e))
+        if (may_break(w_.structure.model(), w_.kind, w_.structure.elements()[e].member))
             throw InputError(call_ + (": " + w_.structure.element_name(e)) + " can break at " +
                              w_.structure.node_name(group.first) +
                              ", from which links with dofs = 'xyz' and others begin; that does not go together yet: "
