@@ -1,6 +1,8 @@
 // The lists of effects that the stages of a run walk: who is in which role, in the order of effects/list.inc.
 #include "effects/effect_list.h"
 
+#include <set>
+
 #include "effects/all_effects.h"
 
 #include "helpers.h"
