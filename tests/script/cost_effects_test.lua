@@ -234,7 +234,7 @@ return hinge.scenario {
   equal(status, 0, "status: " .. complaint)
   for _, part in ipairs { "gravity", "100 %", "nothing: 0 (same bits)",
     "own error: difference from a setting twice as fine (dt 0.0005)",
-    "not in this scenario: plasticity, fracture, friction",
+    "plasticity, fracture, removal, friction, connectors, rigid links", "not in this scenario: point masses",
     "changes no more than 1 %, each by itself: large displacement, contact", "written to " .. folder .. "/p" } do
     expect(support.has(printed, part), "hinge cost --effects does not say '%s':\n%s", part, printed)
   end
