@@ -2,10 +2,45 @@
 -- console blocks print (but for blocks with "…"), and the pictures. What the pages say around it is left alone.
 --
 -- Run: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...]        all pages where no name is given
+--      lua5.4 lua/guide/make.lua figures [NAME ...]             runs nothing: lists the numbers with a unit in the text
+--                                                               of pages that none of their blocks has
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local pages = require "pages"
-local build = assert(arg[1], "usage: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...]")
+local build = assert(arg[1], "usage: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...], or figures [NAME ...]")
 if not build:find "^/" then build = os.getenv "PWD" .. "/" .. build end
+
+-- Prints the numbers with a unit in a page's text that no block has, in this unit or a larger or smaller one: 20 kN, 20e3.
+local units = {}
+for unit in ("m mm cm s ms µs N kN J kJ kg t Pa MPa Hz rad % degrees times"):gmatch "%S+" do units[unit] = true end
+local function list_figures(name)
+  local text = assert(pages.read(pages.folder .. name .. ".md"), "there is no " .. name .. ".md")
+  local held, line_of, at = {}, 1, 1
+  for _, block in ipairs(pages.blocks(text)) do
+    for number in block.text:gsub("(%d),(%d%d%d)", "%1%2"):gmatch "%d+%.?%d*e?%-?%d*" do
+      held[#held + 1] = tonumber(number) or tonumber(number:match "%d+")
+    end
+  end
+  local function is_held(value)
+    for _, number in ipairs(held) do
+      for _, power in ipairs { -6, -3, -2, 0, 2, 3, 6, 9 } do
+        if math.abs(number * 10.0 ^ power - value) <= 1e-9 * math.abs(value) then return true end
+      end
+    end
+  end
+  for _, block in ipairs(pages.blocks(text .. "\n```text\n```\n")) do
+    local prose = text:sub(at, block.from - 1)
+    for line in prose:gmatch "([^\n]*)\n" do
+      for number, unit in line:gsub("(%d),(%d%d%d)", "%1%2"):gmatch "%f[%w.](%d+%.?%d*) ([%a%%µ]+)" do
+        if units[unit] and not is_held(tonumber(number)) then
+          print(("%s.md:%d: %s %s"):format(name, line_of, number, unit))
+        end
+      end
+      line_of = line_of + 1
+    end
+    line_of = line_of + select(2, block.text:gsub("\n", ""))
+    at = block.to + 1
+  end
+end
 
 local function make(name)
   local path = pages.folder .. name .. ".md"
@@ -38,9 +73,10 @@ local function make(name)
   clean()
 end
 
+local one = arg[1] == "figures" and list_figures or make
 for _, name in ipairs(#arg > 1 and table.move(arg, 2, #arg, 1, {}) or pages.names()) do
-  if #arg > 1 or pages.read(pages.folder .. name .. ".lua") then -- some pages have no script
-    print(name)
-    make(name)
+  if #arg > 1 or one == list_figures or pages.read(pages.folder .. name .. ".lua") then -- some pages have no script
+    if one == make then print(name) end
+    one(name)
   end
 end

@@ -6,6 +6,8 @@
 --   page's scripts; "…" stands for anything within a line, and a line "…" for any number of lines;
 -- * every other block marked lua runs too: by itself where it requires hinge, else after the script, whose local
 --   variables it sees;
+-- * a block marked lua in an HTML comment is not shown to readers. It goes on where the block of Lua above it ends, and
+--   compares numbers of the page with computed ones (claim.lua);
 -- * all other blocks (sh, text) are only shown.
 -- A picture pictures/FILE.png is one that the page's commands leave in a folder under out/.
 local pages = { folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" }
@@ -22,14 +24,17 @@ function pages.names()
   return names
 end
 
---- The fenced blocks of a text: { language =, text =, from =, to = }, with the places of the text between the fences.
+--- The fenced blocks of a text: { language =, text =, from =, to =, hidden = }, with the places of the text between the
+--- fences, and whether it is in an HTML comment.
 function pages.blocks(text)
   local blocks, at = {}, 1
   while true do
     local _, fence, language = text:find("%f[^\n%z]```(%w+)\n", at)
     if not fence then return blocks end
     local stop = assert(text:find("%f[^\n%z]```\n", fence + 1), "a block without an end: " .. language)
-    blocks[#blocks + 1] = { language = language, text = text:sub(fence + 1, stop - 1), from = fence + 1, to = stop - 1 }
+    local hidden = text:sub(fence - #language - 8, fence - #language - 4) == "<!--\n"
+    blocks[#blocks + 1] = { language = language, text = text:sub(fence + 1, stop - 1), from = fence + 1, to = stop - 1,
+      hidden = hidden }
     at = stop + 4
   end
 end
@@ -63,23 +68,32 @@ function pages.workplace(build)
   return folder, run, function() os.execute("rm -rf " .. quote(folder)) end
 end
 
---- The Lua blocks after the first as one program or several: { { text =, what = }, ... }.
+--- The Lua blocks after the first as one program or several.
 function pages.snippets(text)
-  local script, alone, after = nil, {}, {}
+  local script, alone, after, last = nil, {}, {}, nil
+  local printed = {}
   for _, block in ipairs(pages.blocks(text)) do
-    if block.language == "lua" then
+    if block.language == "console" then
+      printed[#printed + 1] = block.text
+    elseif block.language == "lua" then
       if not script then
         script = ("\n" .. block.text):gsub("\nreturn .*$", "\n"):sub(2)
-      elseif block.text:find 'require "hinge"' then
-        alone[#alone + 1] = block.text
+      elseif block.hidden and last then
+        last[#last] = last[#last] .. block.text
       else
-        after[#after + 1] = "do\n" .. block.text .. "end\n"
+        last = block.text:find 'require "hinge"' and alone or after
+        last[#last + 1] = block.text
       end
     end
   end
-  if #after > 0 then table.insert(alone, 1, script .. table.concat(after)) end
+  if #after > 0 then table.insert(alone, 1, script .. "do\n" .. table.concat(after, "end\ndo\n") .. "end\n") end
+  local preamble = ("local claim, shown = require 'claim' (%q, %q)\n"):format(pages.seen(text), table.concat(printed))
+  for i, program in ipairs(alone) do alone[i] = preamble .. program end
   return alone
 end
+
+--- A page without its HTML comments: what readers see.
+function pages.seen(text) return (text:gsub("<!%-%-.-%-%->\n?", "")) end
 
 --- The PNG pictures that a page shows, by file name.
 function pages.pictures(text)

@@ -1,5 +1,6 @@
 -- A page of the guide: its script is the one beside it, every command prints what the page shows, every other block of
--- Lua runs, every picture is drawn by its commands, and every link leads somewhere. See lua/guide/pages.lua.
+-- Lua runs, also those in HTML comments that compare the page's figures with computed ones, its commands draw every
+-- picture, and every link leads somewhere. See lua/guide/pages.lua.
 --
 -- Run: lua5.4 tests/script/guide_test.lua BUILD_FOLDER [NAME]        without a name: the list of pages, and links
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -45,7 +46,7 @@ local function check_page(text)
     case(("program %d of its blocks of Lua runs"):format(i), function()
       support.write(folder .. "/snippet.lua", text_of)
       local status, _, complaint = run "lua5.4 snippet.lua"
-      equal(status, 0, complaint)
+      equal(status, 0, (complaint:gsub("^lua5.4: snippet.lua:%d+: ", "")))
     end)
   end
   case("the page's commands draw its pictures", function()
@@ -85,6 +86,35 @@ else
     for page in support.output("ls " .. pages.folder):gmatch "([%w_]+)%.md\n" do
       expect(listed[page] or page == "README", "README.md of the guide does not list %s.md", page)
     end
+  end)
+  case("claim compares the numbers of a page with values, to the digits that it has", function()
+    local claim, shown = require "claim"("It is −1.97 mm and\n165 mm in 25,000 steps of eq14, 2-4 times.",
+      "sway 3.5 mm, then -0.2 mm\n")
+    claim("is −1.97 mm and 165 mm in 25,000 steps of eq14, 2-4 times", -1.9749, 165.4999, 25000.4, 2, 4)
+    for what, call in pairs {
+      ["half a unit of the last digit"] = function() claim("165 mm", 165.51) end,
+      ["a digit after the point"] = function() claim("−1.97 mm", -1.976) end,
+      ["the sign"] = function() claim("−1.97 mm", 1.97) end,
+      ["no number"] = function() claim("165 mm", 0 / 0) end,
+      ["words that are not on the page"] = function() claim("165 cm", 165) end,
+      ["a number without a value"] = function() claim("−1.97 mm and 165 mm", -1.97) end,
+      ["a value without a number"] = function() claim("165 mm", 165, 1) end,
+      ["a pattern that nothing printed fits"] = function() shown "sag (%S+)" end,
+      ["a word in the place of a number"] = function() shown "(%a+) 3.5" end,
+    } do
+      expect(not pcall(call), "claim passes over %s", what)
+    end
+    local first, second = shown "sway (%S+) mm, then (%S+) mm"
+    equal(first, 3.5, "shown")
+    equal(second, -0.2, "shown, second capture")
+  end)
+  case("a block in an HTML comment goes on where the block above it ends, and is not seen", function()
+    local text = "```lua\nlocal a = 1\n```\n\n```lua\nlocal b = a\n```\nb is 1\n\n"
+      .. "<!--\n```lua\nclaim(\"b is 1\", b)\n```\n-->\n"
+    local programs = pages.snippets(text)
+    equal(#programs, 1, "programs")
+    expect(programs[1]:find("do\nlocal b = a\nclaim(", 1, true), "the program is\n%s", programs[1])
+    expect(not pages.seen(text):find "claim", "what readers see is\n%s", pages.seen(text))
   end)
 end
 checks.done()

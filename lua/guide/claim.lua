@@ -1,0 +1,50 @@
+-- Compares numbers on a page of the guide with computed ones. Blocks of Lua on a page have `claim` and `shown`.
+--
+-- claim("1.221 mm of bending and 0.035 mm of shear", 1e3 * bending, 1e3 * shear)
+--   This piece is on the page, outside HTML comments; line breaks count as blanks. Its numbers are the values after it,
+--   in their order, to half a unit of the last digit that each has on the page.
+-- local sway = shown "largest sway (%S+) mm"
+--   The numbers that a pattern captures in what the page's console blocks print.
+
+-- The numbers of a piece of text: { value =, unit = of the last digit }. Digits in a word or after one are no number.
+local function numbers(piece)
+  local list = {}
+  piece = piece:gsub("−", "-"):gsub("%f[%d](%d+),(%d%d%d)%f[%D]", "%1%2")
+  for at, sign, whole, part in piece:gmatch "()(%-?)(%d+)(%.?%d*)" do
+    local before = at == 1 and "" or piece:sub(at - 1, at - 1)
+    if sign == "-" and before:find "[%w)]" then sign, before = "", "" end -- from 2-4
+    if not before:find "[%w_.]" then
+      local digits = #part:gsub("%.", "")
+      list[#list + 1] = { value = tonumber(sign .. whole .. (digits > 0 and part or "")), unit = 10.0 ^ -digits }
+    end
+  end
+  return list
+end
+
+local function one_line(text) return (text:gsub("%s+", " ")) end
+
+--- For a page's text without HTML comments, and what its console blocks hold: returns claim and shown.
+return function(page, printed)
+  page = one_line(page)
+  local function claim(piece, ...)
+    if not page:find(one_line(piece), 1, true) then error(("the page does not have '%s'"):format(piece), 2) end
+    local found = numbers(piece)
+    if #found ~= select("#", ...) then
+      error(("'%s' has %d numbers, and %d values are given"):format(piece, #found, select("#", ...)), 2)
+    end
+    for i, number in ipairs(found) do
+      local value = select(i, ...)
+      local allowed = number.unit / 2 + 1e-6 * math.abs(number.value) -- 1e-6: the iterations of a run end at 1e-8
+      if not (math.abs(value - number.value) <= allowed) then
+        error(("'%s': number %d is %.10g"):format(piece, i, value), 2)
+      end
+    end
+  end
+  local function shown(pattern)
+    local captured = { printed:match(pattern) }
+    if #captured == 0 then error(("nothing printed on the page fits '%s'"):format(pattern), 2) end
+    for i, text in ipairs(captured) do captured[i] = tonumber(text) or error(("'%s' is no number"):format(text), 2) end
+    return table.unpack(captured)
+  end
+  return claim, shown
+end
