@@ -8,17 +8,21 @@
 
 -- The numbers of a piece of text: { value =, unit = of the last digit }. Digits in a word or after one are no number.
 local function numbers(piece)
-  local list = {}
-  piece = piece:gsub("−", "-"):gsub("%f[%d](%d+),(%d%d%d)%f[%D]", "%1%2")
-  for at, sign, whole, part in piece:gmatch "()(%-?)(%d+)(%.?%d*)" do
-    local before = at == 1 and "" or piece:sub(at - 1, at - 1)
-    if sign == "-" and before:find "[%w)]" then sign, before = "", "" end -- from 2-4
-    if not before:find "[%w_.]" then
-      local digits = #part:gsub("%.", "")
-      list[#list + 1] = { value = tonumber(sign .. whole .. (digits > 0 and part or "")), unit = 10.0 ^ -digits }
+  local list, at = {}, 1
+  piece = piece:gsub("−", "-"):gsub("(%d),(%d%d%d)", "%1%2"):gsub("(%d),(%d%d%d)", "%1%2") -- 1,240,000
+  while true do
+    local from, to = piece:find("%d+%.?%d*", at)
+    if not from then return list end
+    local digits, before = piece:sub(from, to):gsub("%.$", ""), piece:sub(1, from - 1)
+    local exponent = piece:match("^e[+-]?%d+", to + 1) or ""
+    at = to + #exponent + 1
+    local negative = before:find "^%-$" or before:find "[^%w)]%-$" -- and not 2-4
+    if not before:find "[%w_.]$" then
+      local value = tonumber((negative and "-" or "") .. digits .. exponent)
+      local places = #(digits:match "%.(%d+)" or "") - (tonumber(exponent:sub(2)) or 0)
+      list[#list + 1] = { value = value, unit = 10.0 ^ -places }
     end
   end
-  return list
 end
 
 local function one_line(text) return (text:gsub("%s+", " ")) end

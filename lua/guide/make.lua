@@ -9,7 +9,7 @@ local pages = require "pages"
 local build = assert(arg[1], "usage: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...], or figures [NAME ...]")
 if not build:find "^/" then build = os.getenv "PWD" .. "/" .. build end
 
--- Prints the numbers with a unit in a page's text that no block has, in this unit or a larger or smaller one: 20 kN, 20e3.
+-- Prints the numbers with a unit in a page's text that no block has, in this unit or another decade of it: 20 kN, 20e3.
 local units = {}
 for unit in ("m mm cm s ms µs N kN J kJ kg t Pa MPa Hz rad % degrees times"):gmatch "%S+" do units[unit] = true end
 local function list_figures(name)

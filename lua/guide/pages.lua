@@ -57,8 +57,8 @@ function pages.workplace(build)
   local folder = pipe:read "l"
   pipe:close()
   os.execute(("cp %s*.lua %s; rm -f %s/make.lua %s/pages.lua"):format(quote(pages.folder), folder, folder, folder))
-  local start = ("cd %s; export LUA_CPATH=%s NO_COLOR=1; hinge() { %s \"$@\"; }; "):format(folder,
-    quote(build .. "/?.so"), quote(build .. "/hinge"))
+  local start = ("cd %s; export LUA_CPATH=%s PATH=%s:\"$PATH\" NO_COLOR=1; "):format(folder, quote(build .. "/?.so"),
+    quote(build))
   local function run(command)
     local _, kind, status = os.execute(("( %s%s\n) >%s/.stdout 2>%s/.stderr </dev/null"):format(start, command, folder,
       folder))

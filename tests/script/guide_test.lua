@@ -88,12 +88,14 @@ else
     end
   end)
   case("claim compares the numbers of a page with values, to the digits that it has", function()
-    local claim, shown = require "claim"("It is −1.97 mm and\n165 mm in 25,000 steps of eq14, 2-4 times.",
+    local claim, shown = require "claim"("It is −1.97 mm and\n165 mm in 1,025,000 steps of eq14, 2-4 times 3.5e-05.",
       "sway 3.5 mm, then -0.2 mm\n")
-    claim("is −1.97 mm and 165 mm in 25,000 steps of eq14, 2-4 times", -1.9749, 165.4999, 25000.4, 2, 4)
+    claim("−1.97 mm and 165 mm in 1,025,000 steps of eq14, 2-4 times 3.5e-05.", -1.9749, 165.4999, 1025000.4, 2, 4,
+      3.549e-5)
     for what, call in pairs {
       ["half a unit of the last digit"] = function() claim("165 mm", 165.51) end,
       ["a digit after the point"] = function() claim("−1.97 mm", -1.976) end,
+      ["a digit after the point, with an exponent"] = function() claim("3.5e-05", 3.551e-5) end,
       ["the sign"] = function() claim("−1.97 mm", 1.97) end,
       ["no number"] = function() claim("165 mm", 0 / 0) end,
       ["words that are not on the page"] = function() claim("165 cm", 165) end,
