@@ -66,11 +66,11 @@ void Statics::refuse_mechanism() {
                                                    "good as rigid")));
     }
     if (const std::string body = loosely_held_body(loose / 6); !body.empty())
-        throw InputError(body + " without resistance; fix what it may not do with model:fix, or hold = a group");
+        throw InputError(body + " without resistance; fix what it may not do with model:fix, or fixed_group = a group");
     throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] + " without resistance: " +
                      (supported ? "the structure, or a part of it, is a mechanism or not supported against it"
                                 : "the model has no supports, so it can move as a rigid body") +
-                     "; statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)");
+                     "; statics needs supports that stop every rigid-body mode (model:fix, or fixed_group = a group)");
 }
 
 /// Displacement and arc length find the load factor that keeps the structure where they drive it.

@@ -273,7 +273,7 @@ local function free_to_roll(s)
 end
 case("wrong statics is refused, and a model that can move freely", function()
   wrong("model:static: ... can ... without resistance: the model has no supports, so it can move as a rigid body; "
-    .. "statics needs supports that stop every rigid-body mode (model:fix, or hold = a group)",
+    .. "statics needs supports that stop every rigid-body mode (model:fix, or fixed_group = a group)",
     function(s) s.model:static {} end, without_supports)
   wrong("model:static: ... m can ... without resistance: the structure, or a part of it, "
     .. "is a mechanism or not supported against it; ...",
