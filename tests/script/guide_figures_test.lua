@@ -19,12 +19,13 @@ local function rows_of(page, beginning)
   return rows
 end
 
--- impact.lua with another piece of text in the place of one that it has. Returns its steps, the energy error, %, and
--- the plastic work of frame and body, kJ, as printed.
+-- impact.lua with another piece of text in the place of one that it has, and with options of the model. Returns its
+-- steps, the energy error, %, and the plastic work of frame and body, kJ, as printed.
 local script = support.read(guide .. "impact.lua")
-local function impact(piece, other)
+local function impact(piece, other, options)
   local from, to = script:find(piece, 1, true)
   local text = script:sub(1, from - 1) .. other .. script:sub(to + 1)
+  if options then text = text:gsub("hinge%.model {}", "hinge.model { " .. options .. " }") end
   text = text:gsub("\nhinge%.strip[^\n]*\n", "\n"):gsub("energy error %%%.2f", "energy error %%.3f")
   local status, printed, complaint = hinge_on("run -q", text .. "\nprint('steps', run.index)\n")
   equal(status, 0, other .. ": " .. complaint)
@@ -39,20 +40,32 @@ local function as_written(value, written, what)
     what, value, written)
 end
 
-case("impact.md: steps, energy error and plastic work for the longer steps", function()
-  local rows = 0
-  for _, cells in ipairs(rows_of("impact.md", "^%d+ µs$")) do
+case("impact.md: steps, energy error and plastic work by time step", function()
+  local rows = rows_of("impact.md", "^%d+ µs$")
+  table.insert(rows, rows_of("impact.md", '^`"auto"`$')[1])
+  for _, cells in ipairs(rows) do
     local dt, steps = cells[1]:match "%d+", tonumber(cells[2])
-    if steps <= 2500 then
-      rows = rows + 1
-      local n, percent, frame, body = impact("dt = 2e-5", "dt = " .. dt .. "e-6")
-      expect(math.abs(tonumber(n) / steps - 1) < 0.02, "%s: %s steps, the page has %d", cells[1], n, steps)
-      as_written(percent, cells[3]:match "[%d.]+", cells[1] .. ": energy error, %")
-      as_written(frame, cells[4]:match "[%d.]+", cells[1] .. ": plastic work of the frame, kJ")
-      as_written(body, cells[5]:match "[%d.]+", cells[1] .. ": plastic work of the body, kJ")
+    local n, percent, frame, body = impact("dt = 2e-5", dt and "dt = " .. dt .. "e-6" or 'dt = "auto"')
+    expect(math.abs(tonumber(n) / steps - 1) < 0.02, "%s: %s steps, the page has %d", cells[1], n, steps)
+    as_written(percent, cells[3]:match "[%d.]+", cells[1] .. ": energy error, %")
+    as_written(frame, cells[4]:match "[%d.]+", cells[1] .. ": plastic work of the frame, kJ")
+    as_written(body, cells[5]:match "[%d.]+", cells[1] .. ": plastic work of the body, kJ")
+  end
+  equal(#rows, 7, "rows of the table")
+end)
+
+case("impact.md: plastic work by the number of elements", function()
+  local rows = rows_of("impact.md", "^[248]$")
+  for _, cells in ipairs(rows) do
+    for i, integrator in ipairs { "newmark", "explicit" } do
+      local _, _, frame, body = impact("dt = 2e-5", ('dt = "auto", integrator = "%s"'):format(integrator),
+        ("elements_per_member = %s"):format(cells[1]))
+      local name = ("%s elements, %s: plastic work of the "):format(cells[1], integrator)
+      as_written(frame, cells[2 * i]:match "[%d.]+", name .. "frame, kJ")
+      as_written(body, cells[2 * i + 1]:match "[%d.]+", name .. "body, kJ")
     end
   end
-  equal(rows, 2, "rows of the table that are short enough")
+  equal(#rows, 3, "rows of the table")
 end)
 
 case("impact.md: plastic work of the frame by gap elements", function()
