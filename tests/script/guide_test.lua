@@ -92,7 +92,10 @@ else
       "sway 3.5 mm, then -0.2 mm\n")
     claim("−1.97 mm and 165 mm in 1,025,000 steps of eq14, 2-4 times 3.5e-05.", -1.9749, 165.4999, 1025000.4, 2, 4,
       3.549e-5)
+    claim("−1.97 mm and 165", "-1.98", "165")
     for what, call in pairs {
+      ["two units of a printed number"] = function() claim("−1.97 mm", "-1.99") end,
+      ["another printed count"] = function() claim("165 mm", "166") end,
       ["half a unit of the last digit"] = function() claim("165 mm", 165.51) end,
       ["a digit after the point"] = function() claim("−1.97 mm", -1.976) end,
       ["a digit after the point, with an exponent"] = function() claim("3.5e-05", 3.551e-5) end,
