@@ -5,6 +5,8 @@
 
 #include "effects/all_effects.h"
 
+#include <set>
+
 #include "helpers.h"
 
 using namespace hinge;
