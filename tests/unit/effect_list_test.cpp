@@ -5,8 +5,6 @@
 
 #include "effects/all_effects.h"
 
-#include <set>
-
 #include "helpers.h"
 
 using namespace hinge;
