@@ -93,11 +93,16 @@ PlasticDomain::PlasticDomain(const Outline& outline) {
     }
     for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
     area_ = outline.area();
+    bool halved[2];  // by the axis through the centroid
     for (int axis : {0, 1}) {
         Sums sums(axis == 0 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
         add_parts(sums);
         modulus_[axis] = 2 * sums.positive[axis];
+        halved[axis] = std::abs(2 * sums.positive[2] - area_) <= 1e-9 * area_;
     }
+    scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
+    const Eigen::Vector2d share(halved[0] ? 1 : contour(0, 0)[0], halved[1] ? 1 : contour(0, full_turn / 4)[1]);
+    modulus_ = modulus_.cwiseProduct(share);
     scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
     make_polyhedron();
     make_ellipsoid();

@@ -10,8 +10,8 @@
 // convex. It has one corner, at N alone, and no other where the outline has no thin parts of no area.
 //
 // Forces are normalised: N/N0, Mx/Mx0, My/My0, with N0 = fy A, Mx0 = fy Zx, My0 = fy Zy; strains are what does work on
-// them. Zx and Zy are those of a neutral axis through the centroid; where the section has no symmetry, a neutral axis
-// there does not mean that the other moment is zero.
+// them. Zx and Zy are those of the neutral axis along x and along y that halves the area: moments at N = 0. Where the
+// section has no symmetry, the other moment is not zero there.
 #pragma once
 
 #include <memory>

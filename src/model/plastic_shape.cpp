@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "beam/plastic_domain.h"
 #include "model/model.h"
 
 namespace hinge {
 namespace {
 
-constexpr double same = 1e-6;  ///< of area and moduli: a shape is known where the section has those of the shape
+constexpr double mirrored = 1e-6;  ///< of the largest coordinate: corners at one place
+constexpr double same = 1e-6;      ///< of area and moduli: a shape is known where the section has those of the shape
 
 bool agree(double a, double b) { return std::abs(a - b) <= same * std::abs(b); }
 
@@ -21,6 +23,68 @@ double strip_of_circle(double radius, double e) {
 double moment_beyond(double radius, double e) {
     const double rest = radius * radius - e * e;
     return rest > 0 ? 4.0 / 3 * rest * std::sqrt(rest) : 0;
+}
+
+/// The part of a section beyond a distance from an axis through its centroid: m^2, m^3.
+struct Beyond {
+    double area = 0, moment = 0;
+};
+
+/// What lies beyond `e` along x (k = 0) or y (k = 1), by Green's theorem along the edges beyond it.
+Beyond beyond(const beam::Outline::Polygon& part, int k, double e) {
+    Beyond sum;
+    double whole = 0;
+    const std::size_t count = part.corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector2d &p = part.corners[i], &q = part.corners[(i + 1) % count];
+        whole += p.x() * q.y() - q.x() * p.y();
+        double a = p[k] - e, b = q[k] - e, from = p[1 - k], to = q[1 - k];
+        if (!(a > 0 || b > 0)) continue;
+        const double crossing = from + (to - from) * a / (a - b);
+        if (!(a > 0)) a = 0, from = crossing;
+        else if (!(b > 0)) b = 0, to = crossing;
+        sum.area += (to - from) * (a + b) / 2;
+        sum.moment += (to - from) * (a * a + a * b + b * b) / 6;
+    }
+    sum.moment += e * sum.area;
+    const double sign = ((whole > 0) == (k == 0) ? 1 : -1) * (part.hole ? -1 : 1);
+    return {sign * sum.area, sign * sum.moment};
+}
+
+Beyond beyond(const beam::Outline& outline, int k, double e) {
+    Beyond sum;
+    for (const beam::Outline::Polygon& p : outline.polygons) {
+        const Beyond of = beyond(p, k, e);
+        sum.area += of.area, sum.moment += of.moment;
+    }
+    for (const beam::Outline::Circle& c : outline.circles) {
+        const double sign = c.hole ? -1 : 1, half = std::numbers::pi * c.radius * c.radius / 2;
+        sum.area += sign * (half - strip_of_circle(c.radius, e) / 2);
+        sum.moment += sign * moment_beyond(c.radius, e) / 2;
+    }
+    return sum;
+}
+
+double reach(const beam::Outline& outline) {
+    double most = 0;
+    for (const beam::Outline::Polygon& p : outline.polygons)
+        for (const Eigen::Vector2d& c : p.corners) most = std::max(most, c.cwiseAbs().maxCoeff());
+    for (const beam::Outline::Circle& c : outline.circles) most = std::max(most, c.radius);
+    return most;
+}
+
+/// Each corner has its mirror images about x and about y among the corners of its polygon.
+bool doubly_symmetric(const beam::Outline& outline) {
+    const double near = mirrored * reach(outline);
+    for (const beam::Outline::Circle& c : outline.circles)
+        if (!(c.centre.norm() <= near)) return false;
+    for (const beam::Outline::Polygon& p : outline.polygons)
+        for (const Eigen::Vector2d& c : p.corners)
+            for (const Eigen::Vector2d& image : {Eigen::Vector2d(-c.x(), c.y()), Eigen::Vector2d(c.x(), -c.y())})
+                if (std::none_of(p.corners.begin(), p.corners.end(),
+                                 [&](const Eigen::Vector2d& q) { return (q - image).norm() <= near; }))
+                    return false;
+    return true;
 }
 
 }  // namespace
@@ -48,13 +112,36 @@ double PlasticShape::moment_of_ring(double outer, double inner, double n) {
     return (moment_beyond(outer, e) - moment_beyond(inner, e)) / (moment_beyond(outer, 0) - moment_beyond(inner, 0));
 }
 
+/// The strip's edge is found by halving, as for a ring.
+double PlasticShape::moment_of_outline(int axis, double n) const {
+    const beam::Outline& of = outline_->outline();
+    const int k = 1 - axis;
+    const double rest = (1 - n) * of.area() / 2;
+    double low = 0, high = reach(of);
+    for (int i = 0; i < 60; ++i) {
+        const double e = 0.5 * (low + high);
+        (beyond(of, k, e).area > rest ? low : high) = e;
+    }
+    return beyond(of, k, 0.5 * (low + high)).moment / beyond(of, k, 0).moment;
+}
+
 double PlasticShape::moment(int axis, double n) const {
     n = std::abs(n);
     if (n >= 1) return 0;
+    if (outline_) return n > 0 ? moment_of_outline(axis, n) : 1;
     return radius_ > 0 ? moment_of_ring(radius_, bore_, n) : bands_[axis].moment(n);
 }
 
 std::optional<PlasticShape> PlasticShape::of(const Section& s) {
+    if (const auto shape = by_sizes(s)) return shape;
+    if (!s.outline || !(s.plastic_area > 0 && s.Zx > 0 && s.Zy > 0) || !doubly_symmetric(s.outline->outline()))
+        return {};
+    PlasticShape shape;
+    shape.outline_ = s.outline;
+    return shape;
+}
+
+std::optional<PlasticShape> PlasticShape::by_sizes(const Section& s) {
     PlasticShape shape;
     const double b = s.width, d = s.depth, A = s.plastic_area;
     if (!(b > 0 && d > 0 && A > 0 && s.Zx > 0 && s.Zy > 0)) return {};

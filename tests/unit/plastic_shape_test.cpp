@@ -4,6 +4,7 @@
 #include <functional>
 #include <numbers>
 
+#include "beam/plastic_domain.h"
 #include "helpers.h"
 #include "model/model.h"
 
@@ -86,6 +87,53 @@ TEST_CASE("a rectangle has 1 - n^2, about both axes") {
     REQUIRE(shape);
     for (int axis : {0, 1})
         for (double n : {0.0, 0.3, 0.6, 0.9}) REQUIRE(std::abs(shape->moment(axis, n) - (1 - n * n)) < 1e-12);
+}
+
+namespace {
+
+Section with_outline(beam::Outline outline) {
+    Section s;
+    s.plastic_area = 0.01, s.Zx = s.Zy = 1e-4;
+    s.outline = std::make_shared<const beam::SectionOutline>(std::move(outline));
+    return s;
+}
+
+beam::Outline::Polygon rectangle(double b, double d, bool hole) {
+    return {{{-b / 2, -d / 2}, {b / 2, -d / 2}, {b / 2, d / 2}, {-b / 2, d / 2}}, hole};
+}
+
+}  // namespace
+
+TEST_CASE("an outline with two axes of symmetry has the plastic moments of its strips") {
+    const double d = 0.3, b = 0.2, t = 0.02, r = 0.05;
+    beam::Outline tube, bored;
+    tube.polygons = {rectangle(b, d, false), rectangle(b - 2 * t, d - 2 * t, true)};
+    bored.polygons = {rectangle(b, d, false)};
+    bored.circles = {{Eigen::Vector2d::Zero(), r, true}};
+    std::reverse(tube.polygons[0].corners.begin(), tube.polygons[0].corners.end());  // in either direction of rotation
+    const auto of_tube = PlasticShape::of(with_outline(tube)), of_bored = PlasticShape::of(with_outline(bored)),
+               of_box = PlasticShape::of(box(d, b, t, t));
+    REQUIRE(of_tube);
+    REQUIRE(of_bored);
+    REQUIRE(of_box);
+    const auto chord = [&](double y) { return y < r ? 2 * std::sqrt(r * r - y * y) : 0.0; };
+    for (double n : {0.05, 0.3, 0.6, 0.9}) {
+        for (int axis : {0, 1}) REQUIRE(std::abs(of_tube->moment(axis, n) - of_box->moment(axis, n)) < 1e-12);
+        const auto near = [&](double value, double wanted) { REQUIRE(std::abs(value - wanted) < 3e-5); };  // as above
+        near(of_bored->moment(0, n), by_strips([&](double y) { return b - chord(y); }, d / 2, n));
+        near(of_bored->moment(1, n), by_strips([&](double x) { return d - chord(x); }, b / 2, n));
+    }
+    REQUIRE(of_tube->moment(0, 0) == 1);
+    REQUIRE(of_tube->moment(0, 1) == 0);
+}
+
+TEST_CASE("an outline without two axes of symmetry has no known shape") {
+    beam::Outline tee, off;
+    tee.polygons = {{{{-0.1, 0}, {0.1, 0}, {0, 0.2}}}};
+    off.polygons = {rectangle(0.2, 0.3, false)};
+    off.circles = {{{0.01, 0}, 0.05, true}};
+    REQUIRE(!PlasticShape::of(with_outline(tee)));
+    REQUIRE(!PlasticShape::of(with_outline(off)));
 }
 
 TEST_CASE("a section that has not the moduli of its shape has no known one") {

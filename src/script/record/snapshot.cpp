@@ -5,6 +5,7 @@
 #include <map>
 
 #include "beam/fracture_limits.h"
+#include "beam/plastic_domain.h"
 #include "beam/yield.h"
 #include "effects/declared.h"
 #include "run/statics.h"
@@ -43,9 +44,10 @@ Vec3 direction_up(const Run& run, int element) {
 /// As pictures show it. A section without a size is a square of its area.
 output::Shape shape_of(const Section& s) {
     output::Shape shape;
-    shape.kind = s.kind == "pipe" || s.kind == "round" ? output::Shape::round
-                 : s.web > 0 && s.flange > 0           ? output::Shape::h
-                                                       : output::Shape::rectangle;
+    const bool circles = s.outline && s.outline->outline().polygons.empty();
+    shape.kind = circles || s.kind == "pipe" || s.kind == "round" ? output::Shape::round
+                 : s.web > 0 && s.flange > 0                      ? output::Shape::h
+                                                                  : output::Shape::rectangle;
     shape.width = s.width > 0 ? s.width : std::sqrt(s.area);
     shape.depth = s.depth > 0 ? s.depth : std::sqrt(s.area);
     shape.web = s.web, shape.flange = s.flange;
