@@ -4,7 +4,7 @@ local hinge = require "hinge"
 local L, fy = 3, 235e6
 local steel = hinge.material { E = 210e9, density = 7850, yield_stress = fy }
 local function heb300(interaction)
-  return hinge.section.h { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019, interaction = interaction }
+  return hinge.section.h { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019, r = 0.027, interaction = interaction }
 end
 
 -- The moment at the foot of a column that cannot carry more, over Mx0; its head carries n N0.

@@ -127,26 +127,66 @@ function hinge.material(options) end
 ---@class hinge.sections
 local section = {}
 
----A closed box. J and Mz0 are from Bredt's theory: 4 Am^2 / sum(length / t), and 2 Am t with the thinnest wall.
+---A closed box. J and Mz0 are from Bredt's theory: 4 Am^2 / sum(length / t), and 2 Am t with the thinnest wall. With
+---rounded corners J also has the walls' own sum(length t^3) / 3, as in annex B of EN 10210-2.
 ---```lua
 ---local column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 }
+---local cold_formed = hinge.section.box { width = 0.1, depth = 0.2, thickness = 0.006, r = 0.012 }
 ---```
 ---@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number,
----  interaction?: string }
+---  r?: number, r_inner?: number, interaction?: string }
 ---  outer sizes and wall thicknesses, m. thickness is for all walls. In its place, web is for the walls along y, and
----  flange for the others. interaction: as for hinge.section.general, here and below
+---  flange for the others. r: outer radius of the corners, default 0. r_inner: their inner radius, default r less the
+---  thicker wall, at least 0; hot finished sections of EN 10210 have r = 1.5 and r_inner = 1.0 times the thickness.
+---  interaction: as for hinge.section.general, here and below
 ---@return hinge.section
 function section.box(options) end
 
----An H section (I, wide flange) with its web along y, so Ix is of the strong axis. J = sum b t^3 / 3. Mz0 is from the
----sand-heap analogy for each plate.
+---An H section (I, wide flange) with its web along y, so Ix is of the strong axis. J = sum b t^3 / 3; with fillets it
+---is that of El Darwish and Johnston (1965), which published tables have. Mz0 is from the sand-heap analogy for each
+---plate. Mz0 and the shear areas leave the fillets out.
 ---```lua
 ---local girder = hinge.section.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }
+---local heb300 = hinge.section.h { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019, r = 0.027 }
 ---```
----@param options { depth: number, width: number, web: number, flange: number, interaction?: string }
----  outer sizes and thicknesses, m; without fillets
+---@param options { depth: number, width: number, web: number, flange: number, r?: number, interaction?: string }
+---  outer sizes and thicknesses, m. r: root radius of a rolled section, between web and flanges, default 0
 ---@return hinge.section
 function section.h(options) end
+
+---A channel: the web along y, both flanges towards +x. Zy is that of the neutral axis that halves the area, as tables
+---have it. J is that of El Darwish and Johnston. Shear areas are those of the walls' middle lines. Forces act at the
+---centroid. A channel's shear centre is behind its web: the twist that forces through the centroid cause is not modelled.
+---```lua
+---local pfc = hinge.section.channel { depth = 0.2, width = 0.09, web = 0.007, flange = 0.014, r = 0.012 }
+---```
+---@param options hinge.channel_options
+---@return hinge.section
+function section.channel(options) end
+
+---@class hinge.channel_options
+---@field depth number m, along the web, outside to outside
+---@field width number m, of the flanges, from the back
+---@field web number thickness, m
+---@field flange number thickness, m
+---@field r? number root radius, m; default 0
+---@field r_toe? number radius of the inner edge at the toes, m; default 0
+---@field slope? number of the inner faces of tapered flanges: 0.08 is 8 %; default 0
+---@field flange_at? number m from the back, where tapered flanges have the thickness `flange`; default half the width
+---@field interaction? "paper"|"exact"
+
+---An angle of two legs. x and y are its principal axes: Ix is I about u-u of tables, and Iy that about v-v. The legs meet
+---on the side of -x. Legs of equal length make 45 degrees with x, so that `up` halves the angle between them or is square
+---to that. J is that of El Darwish and Johnston. Shear areas are those of the legs' middle lines. Forces act at the
+---centroid. The shear centre is where the legs meet: the twist that follows is not modelled. Pictures show the rectangle
+---around it.
+---```lua
+---local brace = hinge.section.angle { depth = 0.1, width = 0.1, thickness = 0.01, r = 0.012, r_toe = 0.006 }
+---```
+---@param options { depth: number, width: number, thickness: number, r?: number, r_toe?: number, interaction?: string }
+---  lengths of the legs, m. r, r_toe: radii where the legs meet and at the toes, default 0
+---@return hinge.section
+function section.angle(options) end
 
 ---A round tube. All values are exact.
 ---```lua
@@ -240,8 +280,8 @@ local any_section = {}
 ---print(about_x, about_y) -- 0.791 and 0.976
 ---```
 ---@param n number N / N0, from -1 to 1
----@return number? about_x, number? about_y 1 at n = 0, 0 at n = 1; nil for a section by its properties, whose shape is
----  not known
+---@return number? about_x, number? about_y 1 at n = 0, 0 at n = 1; nil for a section whose shape is not known, or has
+---  no two axes of symmetry
 function any_section:reduced_moments(n) end
 
 -- Models -------------------------------------------------------------------------------------------------------------

@@ -25,9 +25,9 @@ double moment_beyond(double radius, double e) {
     return rest > 0 ? 4.0 / 3 * rest * std::sqrt(rest) : 0;
 }
 
-/// The part of a section beyond a distance from an axis through its centroid: m^2, m^3.
+/// The part of a section beyond a distance from an axis through its centroid, m^2 and m^3, and its breadth there, m.
 struct Beyond {
-    double area = 0, moment = 0;
+    double area = 0, moment = 0, breadth = 0;
 };
 
 /// What lies beyond `e` along x (k = 0) or y (k = 1), by Green's theorem along the edges beyond it.
@@ -41,26 +41,27 @@ Beyond beyond(const beam::Outline::Polygon& part, int k, double e) {
         double a = p[k] - e, b = q[k] - e, from = p[1 - k], to = q[1 - k];
         if (!(a > 0 || b > 0)) continue;
         const double crossing = from + (to - from) * a / (a - b);
-        if (!(a > 0)) a = 0, from = crossing;
-        else if (!(b > 0)) b = 0, to = crossing;
+        if (!(a > 0)) a = 0, from = crossing, sum.breadth -= crossing;
+        else if (!(b > 0)) b = 0, to = crossing, sum.breadth += crossing;
         sum.area += (to - from) * (a + b) / 2;
         sum.moment += (to - from) * (a * a + a * b + b * b) / 6;
     }
     sum.moment += e * sum.area;
     const double sign = ((whole > 0) == (k == 0) ? 1 : -1) * (part.hole ? -1 : 1);
-    return {sign * sum.area, sign * sum.moment};
+    return {sign * sum.area, sign * sum.moment, sign * sum.breadth};
 }
 
 Beyond beyond(const beam::Outline& outline, int k, double e) {
     Beyond sum;
     for (const beam::Outline::Polygon& p : outline.polygons) {
         const Beyond of = beyond(p, k, e);
-        sum.area += of.area, sum.moment += of.moment;
+        sum.area += of.area, sum.moment += of.moment, sum.breadth += of.breadth;
     }
     for (const beam::Outline::Circle& c : outline.circles) {
         const double sign = c.hole ? -1 : 1, half = std::numbers::pi * c.radius * c.radius / 2;
         sum.area += sign * (half - strip_of_circle(c.radius, e) / 2);
         sum.moment += sign * moment_beyond(c.radius, e) / 2;
+        if (e < c.radius) sum.breadth += sign * 2 * std::sqrt((c.radius - e) * (c.radius + e));
     }
     return sum;
 }
@@ -112,17 +113,21 @@ double PlasticShape::moment_of_ring(double outer, double inner, double n) {
     return (moment_beyond(outer, e) - moment_beyond(inner, e)) / (moment_beyond(outer, 0) - moment_beyond(inner, 0));
 }
 
-/// The strip's edge is found by halving, as for a ring.
+/// The strip's edge: Newton's method within what is known to hold it, for the area falls by the breadth.
 double PlasticShape::moment_of_outline(int axis, double n) const {
     const beam::Outline& of = outline_->outline();
     const int k = 1 - axis;
-    const double rest = (1 - n) * of.area() / 2;
-    double low = 0, high = reach(of);
+    const double area = of.area(), rest = (1 - n) * area / 2;
+    double low = 0, high = reach(of), e = n * high;
+    Beyond there;
     for (int i = 0; i < 60; ++i) {
-        const double e = 0.5 * (low + high);
-        (beyond(of, k, e).area > rest ? low : high) = e;
+        there = beyond(of, k, e);
+        if (std::abs(there.area - rest) <= 1e-14 * area) break;
+        (there.area > rest ? low : high) = e;
+        const double next = e + (there.area - rest) / there.breadth;
+        e = next > low && next < high ? next : 0.5 * (low + high);
     }
-    return beyond(of, k, 0.5 * (low + high)).moment / beyond(of, k, 0).moment;
+    return there.moment / beyond(of, k, 0).moment;
 }
 
 double PlasticShape::moment(int axis, double n) const {

@@ -182,6 +182,8 @@ local calls = {
   ["hinge.material"] = function(x) hinge.material(with({ E = 1 }, x)) end,
   ["hinge.section.box"] = function(x) hinge.section.box(with({ thickness = 0.01 }, with(x, square))) end,
   ["hinge.section.h"] = function(x) hinge.section.h(x) end,
+  ["hinge.section.channel"] = function(x) hinge.section.channel(x) end,
+  ["hinge.section.angle"] = function(x) hinge.section.angle(x) end,
   ["hinge.section.pipe"] = function(x) hinge.section.pipe(x) end,
   ["hinge.section.solid"] = function(x) hinge.section.solid(x) end,
   ["hinge.section.round"] = function(x) hinge.section.round(x) end,

@@ -12,6 +12,7 @@ local fy, L = 235e6, 3
 local steel = hinge.material { E = 210e9, density = 7850, yield_stress = fy }
 local shapes = {
   HEB = { hinge.section.h, { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019 } },
+  ["rolled HEB"] = { hinge.section.h, { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019, r = 0.027 } },
   RHS = { hinge.section.box, { depth = 0.2, width = 0.1, thickness = 0.008 } },
   pipe = { hinge.section.pipe, { diameter = 0.2, thickness = 0.005 } },
   solid = { hinge.section.solid, { width = 0.1, depth = 0.15 } },
@@ -99,6 +100,15 @@ case("an outline of one's own: an angle about its centroid", function()
     outline = { { corners = corners } }, plastic = { A = 0.0019, Zx = 3.2e-5, Zy = 3.2e-5 }, interaction = "exact" }
   local factor = limit(cantilever(of, 0, { 0, 1.5 * fy * of.Zx / L }))
   expect(factor > 0.3 and factor < 1.01 / 1.5, "carries %g of Mx0", 1.5 * factor)
+end)
+
+-- Its neutral axis halves the area, and is not the one through the centroid.
+case("a channel carries Zy fy about its weak axis, either way", function()
+  local of = hinge.section.channel { depth = 0.2, width = 0.075, web = 0.0085, flange = 0.0115, interaction = "exact" }
+  for _, side in ipairs { 1, -1 } do
+    local factor = limit(cantilever(of, 0, { side * 1.2 * fy * of.Zy / L, 0 }))
+    near(1.2 * factor, 1, 2e-5, ("side %d"):format(side))
+  end
 end)
 
 -- A portal with a blow at its corner that makes hinges, in each integrator.
