@@ -10,6 +10,7 @@ help.overview = [[
 The calls used most. help "damping" or help(model.damping) tells about one; help "buckling" finds a word in all texts.
 
   materials, sections   hinge.material  hinge.section.box  .h  .pipe  .solid  .round  .general
+  by their names        hinge.material.steel  .timber  .names  hinge.section.named  .names
   a structure           hinge.model  model:node  model:fix  model:member  model:mass  model:connector
   loads                 model:gravity  model:load  model:case  model:combination
   motion                model:velocity  model:move  hinge.ground
@@ -22,6 +23,7 @@ The calls used most. help "damping" or help(model.damping) tells about one; help
   a whole script        hinge.scenario  hinge.note  hinge.cost
 
 Fields of a run, such as verdict, energy, instability: help "hinge.run". What examples start from: help "examples".
+Units as numbers, so that 4 * kN / m is 4000: help "hinge.units".
 Ready structures: help "ten_storey.add", "aircraft.add", "space_frame.add". All of it: hinge reference | less
 ]]
 
@@ -190,6 +192,7 @@ local function name_of(value)
     if e.kind == "heading" then module = e.module or module end
     if e.kind == "function" and type(value) == "function" then
       local owner = e.object == "hinge" and require "hinge" or e.object == "hinge.sections" and require "hinge".section
+        or e.object == "hinge.materials" and require "hinge".material
         or e.object == "hinge.job" and getmetatable(require "hinge.job".new(""))
         or e.separator == "." and module and package.loaded[module]
         or (debug.getregistry()[e.object] or {}).methods
@@ -211,7 +214,8 @@ local function tell(_, ...)
   end
   local what = ...
   local name = type(what) == "string" and what or name_of(what)
-  local text = name and help.text(name, type(what) ~= "string" and type(what) ~= "function")
+  local call = type(what) == "string" or type(what) == "function" or rawequal(what, require "hinge".material)
+  local text = name and help.text(name, not call)
   if text then
     io.write(text)
     return

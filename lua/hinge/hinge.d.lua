@@ -14,6 +14,9 @@
 ---@class hinge
 ---@field version string
 ---@field section hinge.sections ready shapes, and any other section by its properties
+---units as numbers of SI: 4 * hinge.units.kN / hinge.units.m is 4000. m, mm, cm, km, inch, ft; kg, t, lb; s, ms, min,
+---h, Hz, kmh; N, kN, MN, lbf, kip; Pa, kPa, MPa, GPa, psi, ksi, psf; J, kJ, MJ; rad, mrad, deg; gravity
+---@field units table<string, number>
 local hinge = {}
 
 ---@alias vec3 number[] three numbers { x, y, z }
@@ -118,6 +121,81 @@ function hinge.material(options) end
 ---@field density number kg/m^3
 ---@field yield_stress number Pa; infinite: never yields
 
+-- Materials by their names in standards -------------------------------------------------------------------------------
+
+---Materials by their names in standards. Upper and lower case, blanks and hyphens do not count. Yield stresses are
+---characteristic or nominal values, without partial factors. lua/hinge/grades.lua names the source of each table, and
+---what was not confirmed. An unknown name is an error that names the nearest.
+---@class hinge.materials
+local material = {}
+
+---A structural steel: S235 to S460M (EN 10025, EN 1993-1-1), A36, A572-50, A992, A500-B, A500-C (ASTM), SN400B, SN490B,
+---BCR295, BCP325 (Japan), and others of hinge.material.names "steel". E is 210 GPa in EN, 200 GPa in ASTM and 205 GPa
+---in Japan. The yield stress is ideal: hardening is not modelled.
+---```lua
+---local column = hinge.material.steel("S355", { thickness = 0.025 }) -- 345 MPa
+---local beam = hinge.material.steel("A992", { expected = true }) -- 1.1 times 345 MPa
+---```
+---@param name string
+---@param options? hinge.steel_options
+---@return hinge.material
+function material.steel(name, options) end
+
+---@class hinge.steel_options
+---thickness of the part, m: the yield stress falls with it; default: that of the thinnest parts
+---@field thickness? number
+---table of the yield stress: "EN 10025", "EN 1993-1-1", "ASTM" or "JIS"; default: the first of these that has the name.
+---S355 has 355 MPa up to 16 mm in EN 10025, and up to 40 mm in EN 1993-1-1
+---@field standard? string
+---@field expected? boolean default false; true: the expected yield stress of AISC 341, Ry fy; ASTM grades alone
+---@field density? number kg/m^3; default 7850
+
+---An aluminium alloy with its temper, by EN 1999-1-1: 6082-T6, 6061-T6 and others. yield_stress is the 0.2 % proof
+---stress of extruded profiles, away from welds.
+---```lua
+---local alloy = hinge.material.aluminium("6082-T6", { thickness = 0.004 })
+---```
+---@param name string
+---@param options? { thickness?: number, density?: number } m, kg/m^3; default: the thinnest parts, 2700
+---@return hinge.material
+function material.aluminium(name, options) end
+
+---A strength class of timber: C16 to C40, D30, D40 (EN 338), GL24h to GL32h (EN 14080). E is the mean one along the
+---grain. yield_stress is the bending strength. Timber breaks in tension without yielding: give it a fracture limit.
+---```lua
+---local timber = hinge.material.timber "GL24h"
+---```
+---@param name string
+---@param options? { density?: number } kg/m^3; default: the mean density of the class
+---@return hinge.material
+function material.timber(name, options) end
+
+---A concrete class, C12/15 to C90/105: E by EN 1992-1-1, nu 0.2. It is elastic: cracks and crushing are not modelled.
+---```lua
+---local concrete = hinge.material.concrete "C30/37"
+---```
+---@param name string
+---@param options? { density?: number } kg/m^3; default 2500
+---@return hinge.material
+function material.concrete(name, options) end
+
+---Steel of reinforcing bars: B500B, Grade 60, SD345 and others.
+---```lua
+---local bar = hinge.material.bars "B500B"
+---```
+---@param name string
+---@param options? { density?: number } kg/m^3; default 7850
+---@return hinge.material
+function material.bars(name, options) end
+
+---The names of all grades of a kind.
+---```lua
+---print(table.concat(hinge.material.names "timber", ", "))
+---```
+---@param kind "steel"|"aluminium"|"timber"|"concrete"|"bars"
+---@return string[]
+function material.names(kind) end
+
 -- Sections -----------------------------------------------------------------------------------------------------------
 
 ---Cross-sections. The local z axis runs along the member. The local y axis is the direction of the member's `up`. The
@@ -133,14 +211,21 @@ local section = {}
 ---local column = hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.022 }
 ---local cold_formed = hinge.section.box { width = 0.1, depth = 0.2, thickness = 0.006, r = 0.012 }
 ---```
----@param options { width: number, depth: number, thickness?: number, web?: number, flange?: number,
----  r?: number, r_inner?: number, interaction?: string }
----  outer sizes and wall thicknesses, m. thickness is for all walls. In its place, web is for the walls along y, and
----  flange for the others. r: outer radius of the corners, default 0. r_inner: their inner radius, default r less the
----  thicker wall, at least 0; hot finished sections of EN 10210 have r = 1.5 and r_inner = 1.0 times the thickness.
----  interaction: as for hinge.section.general, here and below
+---@param options hinge.box_options
 ---@return hinge.section
 function section.box(options) end
+
+---@class hinge.box_options
+---@field width number m, along x, outside to outside
+---@field depth number m, along y
+---@field thickness? number of all walls, m; or, in its place, web and flange
+---@field web? number of the walls along y, m
+---@field flange? number of the walls along x, m
+---@field r? number outer radius of the corners, m; default 0
+---inner radius of the corners, m; default: r less the thicker wall, at least 0. Hot finished sections of EN 10210 have
+---r = 1.5 and r_inner = 1.0 times the thickness
+---@field r_inner? number
+---@field interaction? "paper"|"exact" as for hinge.section.general, here and below
 
 ---An H section (I, wide flange) with its web along y, so Ix is of the strong axis. J = sum b t^3 / 3; with fillets it
 ---is that of El Darwish and Johnston (1965), which published tables have. Mz0 is from the sand-heap analogy for each
@@ -156,7 +241,7 @@ function section.h(options) end
 
 ---A channel: the web along y, both flanges towards +x. Zy is that of the neutral axis that halves the area, as tables
 ---have it. J is that of El Darwish and Johnston. Shear areas are those of the walls' middle lines. Forces act at the
----centroid. A channel's shear centre is behind its web: the twist that forces through the centroid cause is not modelled.
+---centroid. A channel's shear centre is behind its web: the twist by forces through the centroid is not modelled.
 ---```lua
 ---local pfc = hinge.section.channel { depth = 0.2, width = 0.09, web = 0.007, flange = 0.014, r = 0.012 }
 ---```
@@ -175,11 +260,11 @@ function section.channel(options) end
 ---@field flange_at? number m from the back, where tapered flanges have the thickness `flange`; default half the width
 ---@field interaction? "paper"|"exact"
 
----An angle of two legs. x and y are its principal axes: Ix is I about u-u of tables, and Iy that about v-v. The legs meet
----on the side of -x. Legs of equal length make 45 degrees with x, so that `up` halves the angle between them or is square
----to that. J is that of El Darwish and Johnston. Shear areas are those of the legs' middle lines. Forces act at the
----centroid. The shear centre is where the legs meet: the twist that follows is not modelled. Pictures show the rectangle
----around it.
+---An angle of two legs. x and y are its principal axes: Ix is I about u-u of tables, and Iy that about v-v. The legs
+---meet on the side of -x. Legs of equal length make 45 degrees with x; `up` is square to the line that halves the angle
+---between them. J is that of El Darwish and Johnston. Shear areas are those of the legs' middle lines. Forces act at
+---the centroid. The shear centre is where the legs meet: the twist that follows is not modelled. Pictures show the
+---rectangle around it.
 ---```lua
 ---local brace = hinge.section.angle { depth = 0.1, width = 0.1, thickness = 0.01, r = 0.012, r_toe = 0.006 }
 ---```
@@ -212,6 +297,30 @@ function section.solid(options) end
 ---@param options { diameter: number, interaction?: string } m
 ---@return hinge.section
 function section.round(options) end
+
+---A section by its name in tables: HEB 300, IPE 300, HEA, HEM, UPN; UB, UC; L; W14X90, HSS; SHS, RHS, CFSHS, CFRHS,
+---CHS; H, BCR and BCP of Japan. Properties and outline are computed from the published dimensions, with fillets and
+---rounded corners; `kind` is the name. Case, blanks and zeros at the end do not count: "HE 300 B" is HEB 300, "SHS
+---100x5" is SHS 100x100x5. SHS and RHS are hot finished, CFSHS and CFRHS cold formed. HSS have the design thickness,
+---0.93 of the nominal one. An unknown name is an error that names the nearest. hinge.section.channel and
+---hinge.section.angle say how UPN and L lie, and what of them is not modelled.
+---```lua
+---local column = hinge.section.named "HEB 300"
+---local brace = hinge.section.named("CHS 168.3x8", { interaction = "exact" })
+---```
+---@param name string
+---@param options? { interaction?: string }
+---@return hinge.section
+function section.named(name, options) end
+
+---The names of the sections of a family, such as "HEB"; without a family, those of the families. BCR and BCP have no
+---list: they are made for any size, "BCR 400x16".
+---```lua
+---print(table.concat(hinge.section.names "HEM", ", "))
+---```
+---@param family? string
+---@return string[]
+function section.names(family) end
 
 ---Makes any section from its properties.
 ---```lua

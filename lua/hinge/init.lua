@@ -7,8 +7,9 @@ require "hinge.hinges" -- the method of runs
 return check.strict({
   version = core.version,
   model = core.model,
-  material = core.material,
+  material = require "hinge.material",
   section = require "hinge.section",
+  units = require "hinge.units",
   resume = core.resume,
   ground = require "hinge.ground",
   frame = free.frame,

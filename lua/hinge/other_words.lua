@@ -19,7 +19,8 @@ local shaken = there({ "hinge.ground", "model:move" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
 local used = missing({ "run:read", "member:state" }, "f_y of a section, eq 14, is 1 where it is fully plastic")
 local utilised = there({ "run:read", "member:state" }, used.how)
-local named = missing({ "section.h", "section.box", "section.general" }, "sections are given by their dimensions")
+local named = there({ "section.named", "section.names" }, "a section by its name in tables, such as HEB 300 or W14X90")
+local grade = there({ "material.steel", "material.names" }, "a material by its name in standards, such as S355 or A992")
 
 return {
   ["acceleration record"] = shaken, accelerogram = shaken, ["ground motion"] = shaken, earthquake = shaken,
@@ -33,7 +34,7 @@ return {
   ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),
   pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
   mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
-  hardening = no_law, softening = no_law, fibre = no_law, fiber = no_law, concrete = no_law,
+  hardening = no_law, softening = no_law, fibre = no_law, fiber = no_law,
   temperature = temperature, fire = temperature, creep = temperature,
   support = support, restraint = support, ["boundary condition"] = support,
   ["moment release"] = released, pin = released, pinned = released,
@@ -47,7 +48,10 @@ return {
   isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),
   link = there({ "model:connector" }, "springs, dashpots, curves and functions between two nodes"),
   restart = there({ "run:checkpoint", "run:resume", "hinge.resume" }, "a run goes on from its checkpoint, bit by bit"),
-  ipe = named, heb = named, ["section library"] = named,
+  ipe = named, hea = named, heb = named, hem = named, upn = named, hss = named, chs = named, rhs = named, shs = named,
+  ub = named, uc = named, ["section library"] = named, profile = named, catalogue = named, ["rolled section"] = named,
+  ["steel grade"] = grade, grade = grade, s235 = grade, s355 = grade, a992 = grade,
+  unit = there({ "hinge.units" }, "4 * hinge.units.kN / hinge.units.m is 4000 N/m"),
   convergence = there({ "hinge.cost", "hinge.static_options" }, "hinge cost SCRIPT compares settings"),
   soil = missing({ "model:ground", "model:connector" }, "the ground presses on what falls; springs hold a foundation"),
 }

@@ -1,4 +1,4 @@
--- Cross-sections for members: ready shapes by their dimensions, or any section by its properties.
+-- Cross-sections for members: ready shapes by their dimensions, by their names, or any section by its properties.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local shapes = require "hinge.shapes"
@@ -9,6 +9,16 @@ for name, properties in pairs(shapes) do
     check.no_more("hinge.section." .. name, ...)
     return core.section(properties(options))
   end
+end
+
+function section.named(name, options, ...)
+  check.no_more("hinge.section.named", ...)
+  return core.section(require "hinge.named".properties(name, options))
+end
+
+function section.names(family, ...)
+  check.no_more("hinge.section.names", ...)
+  return require "hinge.named".names(family)
 end
 
 return check.strict(section, "hinge.section")

@@ -149,7 +149,8 @@ case("wrong materials and sections are refused", function()
     function() hinge.section.general { area_ = 1, Ix = 1, Iy = 1, J = 1 } end)
   wrong("hinge.section.box: field 'width' is -1 m; must be a number above 0 m",
     function() hinge.section.box { width = -1, depth = 1, thickness = 0.1 } end)
-  wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?); there are box, general, h, pipe, round, solid",
+  wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?); there are angle, box, channel, "
+    .. "general, h, named, names, pipe, round, solid",
     function() hinge.section.bxo {} end)
 end)
 
