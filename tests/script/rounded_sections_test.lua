@@ -36,7 +36,7 @@ local function bends(shape, axis, half, breadth, what)
 end
 
 -- The distance of an arc from the side that it touches.
-local function arc(r, from_centre) return r - math.sqrt(math.max(r ^ 2 - from_centre ^ 2, 0)) end
+local function arc(r, from_centre) return r - math.sqrt(support.largest_of(r ^ 2 - from_centre ^ 2, 0)) end
 
 case("an H with fillets has the properties of its strips", function()
   local b, d, tw, tf, r = 0.3, 0.3, 0.011, 0.019, 0.027
@@ -59,7 +59,7 @@ case("a box with rounded corners has the properties of its strips", function()
   } do
     local of = shapes.box(o)
     local tw, tf = o.web or o.thickness, o.flange or o.thickness
-    local ri = o.r_inner or math.max(o.r - math.max(tw, tf), 0)
+    local ri = o.r_inner or support.largest_of(o.r - support.largest_of(tw, tf), 0)
     local function side(v, along, across, r) -- breadth at v of a rectangle with rounded corners
       local from = v - (along / 2 - r)
       return v > along / 2 and 0 or across - (from > 0 and 2 * arc(r, from) or 0)
