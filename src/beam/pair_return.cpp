@@ -27,8 +27,8 @@ double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0
 class PairReturn {
 public:
     PairReturn(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
-               const FixedEnd* fixed, double tolerance)
-        : k_(k), of_(of), d_(d), law_(law), fixed_(fixed), tolerance_(tolerance) {}
+               const SectionConditions* conditions, double tolerance)
+        : k_(k), of_(of), d_(d), law_(law), conditions_(conditions), tolerance_(tolerance) {}
 
     bool find(ReturnMapResult (&flow)[2]) {
         At now = at(no_flow_, no_flow_);
@@ -51,7 +51,8 @@ public:
             for (int j : {0, 1}) f.section[j] = end.of[i].section[j];
             f.converged = converged;
             for (int j : {0, 1}) f.lambda[j] = end.of[i].lambda[j];
-            f.dissipation = f.p.dot(f.plastic) + fixed_work(i, end.of[i]);
+            f.path_work = end.of[i].path_work;
+            f.dissipation = f.p.dot(f.plastic) + fixed_work(i, end.of[i]) + f.path_work;
         }
         const int flows = flow[0].flows() ? 0 : 1;
         if (flow[flows].flows()) flow[flows].dissipation += snapped;
@@ -78,7 +79,9 @@ private:
                0.5 * elastic[1].dot(of_[1].times(elastic[1]));
     }
     /// D(x), less what the fixed-end parts do.
-    static double dissipation(const At& a) { return a.of[0].p.dot(a.of[0].plastic) + a.of[1].p.dot(a.of[1].plastic); }
+    static double dissipation(const At& a) {
+        return a.of[0].p.dot(a.of[0].plastic) + a.of[1].p.dot(a.of[1].plastic) + a.of[0].potential + a.of[1].potential;
+    }
     static double work(const At& a) { return a.p[0].dot(a.of[0].plastic) + a.p[1].dot(a.of[1].plastic); }
     /// What U loses beyond the work of the flow, J: 0 where the forces fall to the surface along a straight line, as
     /// they do in short steps. There the steps' own rule counts that work rightly.
@@ -90,7 +93,7 @@ private:
         return lost > by_line + straight * std::abs(by_line) ? lost : 0;
     }
     double fixed_work(int i, const ElementFlow& h) const {
-        return h.flows() ? law_.work_of(fixed_[i], h, ends, 2, fixed_[i]) : 0;
+        return h.flows() ? law_.work_of(*conditions_[i].fixed_end, h, ends, 2, conditions_[i]) : 0;
     }
 
     /// What a pair's element has of the pair's bending stiffness, without its partner's part in it.
@@ -122,7 +125,7 @@ private:
     At round(const At& from, const Stiffness (&k)[2]) const {
         ElementFlow next[2];
         for (int i : {0, 1})
-            next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], fixed_[i], from.of[i]);
+            next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], conditions_[i], from.of[i]);
         return at(next[0], next[1]);
     }
 
@@ -230,7 +233,7 @@ private:
         for (int i : {0, 1}) {
             off.segment<6>(6 * i) = next.of[i].plastic - now.of[i].plastic;
             if (!next.of[i].flows()) continue;
-            const Mat6 F = k[i].flexibility(), D = law_.tangent(next.of[i], k[i], ends, 2, fixed_[i]);
+            const Mat6 F = k[i].flexibility(), D = law_.tangent(next.of[i], k[i], ends, 2, conditions_[i]);
             J.block<6, 12>(6 * i, 0) += (F - F * D * F) * H.block<6, 12>(6 * i, 0);
         }
         const Vec12 step = J.partialPivLu().solve(off);
@@ -244,7 +247,7 @@ private:
     const Stiffness (&of_)[2];
     const Vec6 (&d_)[2];
     const SectionLaw& law_;
-    const FixedEnd* fixed_;
+    const SectionConditions* conditions_;
     double tolerance_;
     inline static const ElementFlow no_flow_{};
 };
@@ -252,16 +255,16 @@ private:
 }  // namespace
 
 bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
-                       ReturnMapResult (&flow)[2], double tolerance, const FixedEnd* fixed_end) {
-    return PairReturn(k, of, d, law, fixed_end, tolerance).find(flow);
+                       ReturnMapResult (&flow)[2], double tolerance, const SectionConditions* at) {
+    return PairReturn(k, of, d, law, at, tolerance).find(flow);
 }
 
 PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const SectionLaw& law, const ElementFlow* const (&flow)[2], const FixedEnd* fixed_end) {
+                        const SectionLaw& law, const ElementFlow* const (&flow)[2], const SectionConditions* at) {
     PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
     for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
     if (!flow[0] && !flow[1]) return H;
-    return law.pair_tangent(H, flow, fixed_end);
+    return law.pair_tangent(H, flow, at);
 }
 
 }  // namespace hinge::beam

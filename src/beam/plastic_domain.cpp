@@ -171,25 +171,26 @@ double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature) const
     return point.dot(v);
 }
 
-double PlasticDomain::gauge(const Vec3& q, Vec3* normal, bool* converged) const {
+double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error) const {
     const double size = q.norm();
-    if (converged) *converged = true;
+    if (error) *error = 0;
     if (!(size > 0)) {
         if (normal) normal->setZero();
         return size;
     }
     Vec3 v;
     surely_inside(q, &v);
-    double h = find_gauge(q / size, v);
-    if (h < 0) h = find_gauge(q / size, v = q / size);
-    if (converged) *converged = h > 0;
-    if (normal) *normal = v / std::abs(h);
-    return size * std::abs(h);
+    double missed = 0;
+    double h = find_gauge(q / size, v, missed);
+    if (missed > 1e-9) h = find_gauge(q / size, v = q / size, missed);
+    if (error) *error = size * missed;
+    if (normal) *normal = v / h;
+    return size * h;
 }
 
 /// The gauge of the unit vector `to` is h(v) where h^2 / 2 - to . v is least; `v`: where the search starts, and ends.
-/// Negative if it was not found to 1e-9.
-double PlasticDomain::find_gauge(const Vec3& to, Vec3& v) const {
+/// `missed`: the gauge of what is left of `to`, 0 where nearly nothing is.
+double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed) const {
     Vec3 point;
     v.normalize();
     if (!(v.dot(to) > 0.01)) v = to;
@@ -197,13 +198,10 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v) const {
     double h = support(v, point, &curvature);
     v *= to.dot(v) / (h * h), h = point.dot(v), curvature /= v.norm();
     double F = h * h / 2 - to.dot(v), damping = 0;
-    bool found = false;
-    for (int i = 0; i < 200 && !found; ++i) {
+    missed = 0;
+    for (int i = 0; i < 200; ++i) {
         const Vec3 off = to - h * point;
-        if (off.norm() <= 1e-12 * h) {
-            found = true;
-            break;
-        }
+        if (off.norm() <= 1e-12 * h) return h;
         const Mat3 H = point * point.transpose() + h * curvature;
         bool fell = false;
         for (int tries = 0; tries < 60 && !fell; ++tries) {
@@ -228,7 +226,8 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v) const {
         }
         if (!fell) break;
     }
-    return found || (to - h * point).norm() <= 1e-9 ? h : -h;
+    missed = (to - h * point).cwiseQuotient(ellipsoid_).norm();
+    return h;
 }
 
 double PlasticDomain::farthest() const {

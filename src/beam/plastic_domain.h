@@ -52,8 +52,10 @@ public:
     double support(const Vec3& v, Vec3& point, Mat3* curvature = nullptr) const;
 
     /// The gauge of the forces q = (Mx, My, N): 1 on the surface, proportional to q. `normal`, unless null: the strain
-    /// whose point is q / gauge, with h = 1. `converged`, unless null: whether it was found to 1e-11.
-    double gauge(const Vec3& q, Vec3* normal = nullptr, bool* converged = nullptr) const;
+    /// whose point is q / gauge, with h = 1. `error`, unless null: what the gauge is at most above the number returned,
+    /// which it is never below, but for rounding; 0 where the point was found to 1e-12. Beside the corner at N alone
+    /// the direction of a force may have too few digits for that.
+    double gauge(const Vec3& q, Vec3* normal = nullptr, double* error = nullptr) const;
 
     /// The point of the contour at axial force n = N/N0, -1 < n < 1, for a curvature in the direction `angle` (0: about
     /// x; pi/2: about y).
@@ -85,7 +87,7 @@ private:
     static void add(const Polygon& part, Sums& sums);
     static void add(const Circle& part, Sums& sums);
     void add_parts(Sums& sums) const;
-    double find_gauge(const Vec3& to, Vec3& v) const;
+    double find_gauge(const Vec3& to, Vec3& v, double& missed) const;
     void make_polyhedron();
     void make_ellipsoid();
     double farthest() const;  ///< of the outline from the centroid, m

@@ -9,7 +9,9 @@ namespace {
 
 constexpr double enough = 1e-12;       ///< of the trial forces: what a section's equilibrium may be off
 constexpr double still_enough = 1e-9;  ///< where rounding leaves no more
-constexpr int most_steps = 100, most_sweeps = 200;
+constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
+constexpr double falls = 0.95;         ///< then what is missed must fall to this part
+constexpr int most_steps = 100, most_sweeps = 200, most_rounds = 100;
 constexpr double least_damping = 1e-13;  ///< of the elastic stiffness: N may flow at either end
 constexpr double at_the_start = 1e-9;    ///< lambda over that of the flow found: a flow that begins (flowing_on)
 constexpr double stiff = 1e6;            ///< over the elastic stiffness: the second derivatives of D where flow begins
@@ -20,24 +22,43 @@ using Rows = Eigen::Matrix<double, 4, 6>;
 
 /// A section that can flow, and how far it has.
 struct PotentialLaw::End {
-    double n1, n2;  ///< of the section's moments, from those at the element's ends
-    Vec4 per;       ///< 1 over the strength
-    Vec4 fixed;     ///< normalised fixed-end part
-    Vec4 k;         ///< stiffness against its own flow
+    double n1, n2;                ///< of the section's moments, from those at the element's ends
+    Vec4 per;                     ///< 1 over the strength
+    Vec4 fixed;                   ///< normalised fixed-end part, less the back resultants at the start
+    Vec4 k;                       ///< stiffness against its own flow
+    Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
+    const double* history = nullptr;
+    double dt = 0;
     Vec4 e = Vec4::Zero();
 
     End() = default;
-    End(double r, const Vec4& per_strength, const Stiffness& of, const FixedEnd& fixed_end)
-        : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength) {
-        fixed = per.cwiseProduct(resultants(fixed_end.at(r), r));
+    End(double r, const Vec4& per_strength, const Stiffness& of)
+        : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength), fixed(Vec4::Zero()) {
         k << n1 * n1 * of.x11 + 2 * n1 * n2 * of.x12 + n2 * n2 * of.x22,
             n1 * n1 * of.y11 + 2 * n1 * n2 * of.y12 + n2 * n2 * of.y22, of.axial, of.twist;
         k = k.cwiseProduct(per.cwiseProduct(per));
         for (int c = 0; c < 4; ++c)
             if (per[c] == 0) k[c] = 1;
     }
+    /// `strain`: growth of the mean plastic strain in the step.
+    End(double r, const Vec4& per_strength, const Stiffness& of, const SectionConditions& at, int section,
+        const PotentialLaw& law, double strain)
+        : End(r, per_strength, of) {
+        fixed = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
+        set_history(at, section, law, strain);
+    }
+    void set_history(const SectionConditions& at, int section, const PotentialLaw& law, double strain) {
+        dt = at.dt, history = at.history_of(section, law.history_size_);
+        Vec4 back = Vec4::Zero();
+        const double* own = history;
+        for (const auto& m : law.material_.laws) {
+            m->add_back(law.material_.zone, own, strain, back, hardens);
+            if (own) own += m->history_size();
+        }
+        fixed -= back;
+    }
     bool flows() const { return !e.isZero(0); }
-    /// Normalised resultants, with the fixed-end part, of the element forces p.
+    /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
     Vec4 carries(const Vec6& p) const {
         return per.cwiseProduct(Vec4(n1 * p[0] + n2 * p[1], n1 * p[2] + n2 * p[3], p[4], p[5])) + fixed;
     }
@@ -53,54 +74,150 @@ struct PotentialLaw::End {
     }
 };
 
-PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength)
-    : SectionLaw(screen), per_strength_(strength.cwiseInverse()) {}
+/// Work of a plastic deformation e and its derivatives: D alone, or with what hardening and rate make of it.
+struct PotentialLaw::Work {
+    double value = 0, initial = 0;  ///< J; initial: D(e)
+    Vec4 q = Vec4::Zero();
+    Mat4 curvature = Mat4::Zero();
+    void scale(double t) { value *= t, initial *= t, curvature /= t; }
+};
 
-/// The least of e.k e / 2 - trial.e + D(e); `e`: where the search starts, 0 if nothing is known. False: not found.
-bool PotentialLaw::one_end(const Vec4& k, const Vec4& trial, Vec4& e) const {
-    if (!e.isZero(0) && descend(k, trial, e) == Search::found) return true;
+PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material)
+    : SectionLaw(screen), per_strength_(strength.cwiseInverse()), material_(std::move(material)) {
+    for (const auto& m : material_.laws) {
+        history_size_ += m->history_size();
+        moves_surface_ |= m->moves_surface();
+        back_follows_strain_ |= m->back_follows_strain();
+    }
+}
+
+std::string PotentialLaw::words() const {
+    std::string text = name();
+    for (const auto& m : material_.laws) text += ", " + m->words();
+    return text;
+}
+
+/// The product of the factors of all material laws. `history`: null for a section that has not flowed.
+MaterialLaw::Factor PotentialLaw::factor_at(const double* history, double strain, double dt) const {
+    MaterialLaw::Factor f;
+    for (const auto& m : material_.laws) {
+        const MaterialLaw::Factor own = m->factor(history, strain, dt);
+        f = {f.value * own.value, f.slope * own.value + f.value * own.slope};
+        if (history) history += m->history_size();
+    }
+    return f;
+}
+
+/// D(e): all the work, without hardening.
+PotentialLaw::Work PotentialLaw::work_at(const Vec4& e) const {
+    Work w;
+    w.value = w.initial = potential(e, w.q, w.curvature);
+    return w;
+}
+
+/// The mean of the factor while the mean plastic strain grows by `strain`: that of the work (`of_work`), for which the
+/// rate is that of the whole step, or that of Phi.
+double PotentialLaw::mean_factor(const double* history, double strain, double dt, bool of_work) const {
+    double start = 1, end = 1, rate = 1;  // the factors of hardening are linear in the strain of a step
+    MaterialLaw::Integrals more;
+    for (const auto& m : material_.laws) {
+        if (m->follows_rate()) {
+            rate *= m->factor(history, strain, dt).value;
+            more = m->integrals(strain, dt);
+        } else {
+            start *= m->factor(history, 0, dt).value, end *= m->factor(history, strain, dt).value;
+        }
+        if (history) history += m->history_size();
+    }
+    const double mean = 0.5 * (start + end);
+    if (of_work || !(strain > 0)) return rate * mean;
+    return mean + (start * more.zeroth + (end - start) / strain * more.first) / strain;
+}
+
+/// Phi(D) + e.C e / 2 in the place of D.
+void PotentialLaw::harden(const End& end, const Vec4& e, Work& w) const {
+    if (material_.laws.empty()) return;
+    const double energy = material_.zone.energy, D = w.initial;
+    const MaterialLaw::Factor f = factor_at(end.history, D / energy, end.dt);
+    const Vec4 Ce = end.hardens.cwiseProduct(e);
+    w.curvature = f.value * w.curvature + f.slope / energy * w.q * w.q.transpose();
+    w.curvature.diagonal() += end.hardens;
+    w.q = f.value * w.q + Ce;
+    w.value = D * mean_factor(end.history, D / energy, end.dt, false) + 0.5 * e.dot(Ce);
+}
+
+/// The least along the ray of e: trial.e = t e.(k + C) e + (factor at t D) D. False: it is at t = 0.
+bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w) const {
+    const double stiffness = e.dot((end.k + end.hardens).cwiseProduct(e)), force = trial.dot(e), D = w.initial;
+    double t = (force - D) / stiffness;
+    if (!material_.laws.empty()) {
+        const auto left = [&](double x, double* slope = nullptr) {
+            const MaterialLaw::Factor f = factor_at(end.history, x * D / material_.zone.energy, end.dt);
+            if (slope) *slope = -stiffness - f.slope * D * D / material_.zone.energy;
+            return force - x * stiffness - f.value * D;
+        };
+        if (!(left(0) > 0)) return false;
+        double low = 0, high = force / stiffness;  // it is above 0 at low, and not above at high
+        t = t > 0 && t < high ? t : 0.5 * high;
+        for (int i = 0; i < most_steps && high - low > 1e-15 * high; ++i) {
+            double slope;
+            const double off = left(t, &slope);
+            (off > 0 ? low : high) = t;
+            const double next = t - off / slope;
+            if (std::abs(off) <= 1e-14 * force) break;
+            t = next > low && next < high ? next : 0.5 * (low + high);
+        }
+    }
+    if (!(t > 0)) return false;
+    e *= t, w.scale(t);
+    return true;
+}
+
+/// Whether q, less the back resultants, is outside of the yield surface at the start of the step (outside).
+bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const {
+    if (material_.laws.empty()) return outside(q, direction);
+    return outside(q / factor_at(end.history, 0, end.dt).value, direction);
+}
+
+/// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
+bool PotentialLaw::one_end(const End& end, const Vec4& trial, Vec4& e) const {
+    if (!e.isZero(0) && descend(end, trial, e) == Search::found) return true;
     e = direction(trial);
-    if (descend(k, trial, e) == Search::found) return true;
-    if (!outside(trial, e)) return e.setZero(), true;
+    if (descend(end, trial, e) == Search::found) return true;
+    if (!beyond(end, trial, e)) return e.setZero(), true;
     if (!e.allFinite()) return e.setZero(), false;
-    const Search search = descend(k, trial, e);
+    const Search search = descend(end, trial, e);
     if (search == Search::not_below) e.setZero();  // on the surface, but for rounding
     if (search != Search::lost) return true;
     e = trial;
-    return descend(k, trial, e) == Search::found;
+    return descend(end, trial, e) == Search::found;
 }
 
 /// Down from e. not_below: no flow along e has less than none.
-PotentialLaw::Search PotentialLaw::descend(const Vec4& k, const Vec4& trial, Vec4& e) const {
-    Vec4 q;
-    Mat4 bend;
-    // along a ray the least is known: t = (trial.e - D(e)) / (e.k e)
-    const auto along_ray = [&](Vec4& v, double D, Mat4& curvature) {
-        const double stiffness = v.dot(k.cwiseProduct(v)), t = (trial.dot(v) - D) / stiffness;
-        if (!(t > 0)) return false;
-        v *= t, curvature /= t;
-        return true;
-    };
-    if (!along_ray(e, potential(e, q, bend), bend)) return Search::not_below;
+PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Vec4& e) const {
+    const Vec4& k = end.k;
+    Work at = work_at(e);
+    if (!along_ray(end, trial, e, at)) return Search::not_below;
+    harden(end, e, at);
     const double size = 1 + trial.norm();
-    double G = 0.5 * e.dot(k.cwiseProduct(e)) - trial.dot(e) + q.dot(e), damping = 0;
+    double G = 0.5 * e.dot(k.cwiseProduct(e)) - trial.dot(e) + at.value, damping = 0;
     for (int i = 0; i < most_steps; ++i) {
-        const Vec4 off = trial - k.cwiseProduct(e) - q;
+        const Vec4 off = trial - k.cwiseProduct(e) - at.q;
         const double missed = off.norm();
         if (missed <= enough * size) return Search::found;
         bool fell = false;
         for (int tries = 0; tries < 40 && !fell; ++tries) {
-            Mat4 H = bend;
+            Mat4 H = at.curvature;
             H.diagonal() += (1 + damping) * k;
-            Vec4 next = e + H.llt().solve(off), there;
-            Mat4 bent;
+            Vec4 next = e + H.llt().solve(off);
             if (!next.allFinite() || next.isZero(0)) break;
-            const double D = potential(next, there, bent);
-            along_ray(next, D, bent);
-            const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.dot(next),
-                         left = (trial - k.cwiseProduct(next) - there).norm();
-            if (G_next < G || (missed < 1e-4 * size && left < 0.95 * missed)) {
-                fell = true, e = next, q = there, bend = bent, G = G_next;
+            Work there = work_at(next);
+            along_ray(end, trial, next, there);
+            harden(end, next, there);
+            const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.value,
+                         left = (trial - k.cwiseProduct(next) - there.q).norm();
+            if (G_next < G || (missed < g_rounds * size && left < falls * missed)) {
+                fell = true, e = next, at = there, G = G_next;
                 damping = damping < 1e-3 ? 0 : 0.1 * damping;
             } else {
                 damping = damping == 0 ? 1e-2 : 8 * damping;
@@ -115,6 +232,10 @@ PotentialLaw::Search PotentialLaw::descend(const Vec4& k, const Vec4& trial, Vec
 bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const {
     const Mat6 stiffness = k.matrix();
     const auto forces = [&] { return Vec6(trial - k.times(ends[0].plastic() + ends[1].plastic())); };
+    const auto work_of_end = [&](int i) {
+        Work w = work_at(ends[i].e);
+        return harden(ends[i], ends[i].e, w), w;
+    };
     const double size = 1 + ends[0].carries(trial).norm() + ends[1].carries(trial).norm();
     Eigen::Matrix<double, 8, 8> K;
     for (int i : {0, 1})
@@ -122,11 +243,10 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         for (int i : {1, 0}) {
             End& end = ends[i];
-            if (!one_end(end.k, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
+            if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
         }
         // of the other end, for that of the first has changed since
         Vec6 p = forces();
-        Vec4 q[2];
         Mat4 bend[2];
         double G = 0, missed = 0;
         Eigen::Matrix<double, 8, 1> off;
@@ -135,9 +255,10 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
             p = trial - k.times(plastic);
             G = 0.5 * plastic.dot(k.times(plastic)) - trial.dot(plastic);
             for (int i : {0, 1}) {
-                const double D = potential(ends[i].e, q[i], bend[i]);
-                G += D - ends[i].fixed.dot(ends[i].e);
-                off.segment<4>(4 * i) = ends[i].carries(p) - q[i];
+                const Work w = work_of_end(i);
+                bend[i] = w.curvature;
+                G += w.value - ends[i].fixed.dot(ends[i].e);
+                off.segment<4>(4 * i) = ends[i].carries(p) - w.q;
             }
             missed = off.norm();
         };
@@ -145,8 +266,8 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
             const int i = ends[0].flows() ? 0 : 1;
             Vec4 direction;
             if (!ends[i].flows()) return true;
-            potential(ends[i].e, q[i], bend[i]);
-            if ((ends[i].carries(p) - q[i]).norm() <= enough * size && !outside(ends[1 - i].carries(p), direction))
+            if ((ends[i].carries(p) - work_of_end(i).q).norm() <= enough * size &&
+                !beyond(ends[1 - i], ends[1 - i].carries(p), direction))
                 return true;
             continue;
         }
@@ -166,7 +287,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
                 for (int i : {0, 1}) ends[i].e = before[i] + way.segment<4>(4 * i);
                 if (way.allFinite() && ends[0].flows() && ends[1].flows()) {
                     look();
-                    fell = G < G_before || (missed_before < 1e-4 * size && missed < 0.95 * missed_before);
+                    fell = G < G_before || (missed_before < g_rounds * size && missed < falls * missed_before);
                 }
                 damping = fell ? std::max(least_damping, 0.01 * damping) : 30 * damping;
             }
@@ -181,76 +302,159 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     return false;
 }
 
-ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
-                               const FixedEnd& fixed_end, const ElementFlow* before) const {
-    ElementFlow out;
-    out.p = trial;
-    End ends[2];
+/// The flow of the n ends together, from that of `before`. False: not found.
+bool PotentialLaw::find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n,
+                             const ElementFlow* before) const {
     Vec4 trials[2];
     for (int i = 0; i < n; ++i) {
-        ends[i] = End(sections[i], per_strength_, k, fixed_end);
         trials[i] = ends[i].carries(trial);
+        if (!trials[i].allFinite()) return false;
     }
-    if (!trials[0].allFinite() || (n == 2 && !trials[1].allFinite())) return out.converged = false, out;
-    const int first = n == 2 && trials[1].norm() > trials[0].norm() ? 1 : 0;
     const auto start = [&](int i) {
-        if (before && before->lambda[i] > 0) ends[i].e = before->section[i].cwiseQuotient(per_strength_);
-        for (int c = 0; c < 4; ++c)
-            if (per_strength_[c] == 0) ends[i].e[c] = 0;
+        if (before && before->lambda[i] > 0) ends[i].e = normalised_flow(*before, i);
     };
+    const int first = n == 2 && trials[1].norm() > trials[0].norm() ? 1 : 0;
     start(first);
-    out.converged = one_end(ends[first].k, trials[first], ends[first].e);
-    if (out.converged && n == 2) {
-        End& other = ends[1 - first];
-        Vec4 direction;
-        if (outside(other.carries(trial - k.times(ends[first].plastic())), direction)) {
-            start(1 - first);
-            out.converged = both_ends(trial, k, ends);
-        }
-    }
-    for (int i = 0; i < n; ++i) {
-        if (!ends[i].flows()) continue;
-        Vec4 q;
-        Mat4 bend;
-        out.plastic += ends[i].plastic();
-        out.lambda[i] = 0.5 * potential(ends[i].e, q, bend);
-        out.section[i] = per_strength_.cwiseProduct(ends[i].e);
-    }
-    if (out.flows()) out.p = trial - k.times(out.plastic);
-    return out;
+    if (!one_end(ends[first], trials[first], ends[first].e)) return false;
+    if (n < 2) return true;
+    const End& other = ends[1 - first];
+    Vec4 direction;
+    if (!beyond(other, other.carries(trial - k.times(ends[first].plastic())), direction)) return true;
+    start(1 - first);
+    return both_ends(trial, k, ends);
 }
 
-ElementFlow PotentialLaw::return_alone(const Vec6& trial, const Stiffness& k, const FixedEnd& fixed_end,
+Vec4 PotentialLaw::normalised_flow(const ElementFlow& flow, int section) const {
+    Vec4 e = flow.section[section].cwiseQuotient(per_strength_);
+    for (int c = 0; c < 4; ++c)
+        if (per_strength_[c] == 0) e[c] = 0;
+    return e;
+}
+
+/// Growth of the mean plastic strain of a section in the step.
+double PotentialLaw::mean_strain(const ElementFlow& flow, int section) const {
+    if (material_.laws.empty() || !(flow.lambda[section] > 0)) return 0;
+    Vec4 q;
+    Mat4 curvature;
+    return potential(normalised_flow(flow, section), q, curvature) / material_.zone.energy;
+}
+
+/// Where back resultants follow the mean plastic strain, that of the round before is taken, until it changes no more: a
+/// round leaves about H / E of the change before.
+ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
+                               const SectionConditions& at, const ElementFlow* before) const {
+    double strain[2] = {0, 0};
+    ElementFlow last;
+    for (int round = 0; round < most_rounds; ++round) {
+        ElementFlow out;
+        out.p = trial;
+        End ends[2];
+        for (int i = 0; i < n; ++i) ends[i] = End(sections[i], per_strength_, k, at, i, *this, strain[i]);
+        out.converged = find_ends(trial, k, ends, n, round == 0 ? before : &last);
+        for (int i = 0; i < n; ++i) {
+            if (!ends[i].flows()) continue;
+            Work w = work_at(ends[i].e);
+            harden(ends[i], ends[i].e, w);
+            out.plastic += ends[i].plastic();
+            out.lambda[i] = 0.5 * w.initial;
+            out.section[i] = per_strength_.cwiseProduct(ends[i].e);
+            if (material_.laws.empty()) continue;
+            const double D = w.initial, strain = D / material_.zone.energy, beyond = w.value - w.q.dot(ends[i].e);
+            out.potential += beyond;
+            out.path_work += beyond + D * (mean_factor(ends[i].history, strain, at.dt, true) -
+                                           mean_factor(ends[i].history, strain, at.dt, false));
+        }
+        if (out.flows()) out.p = trial - k.times(out.plastic);
+        bool same = true;
+        for (int i = 0; i < n && back_follows_strain_; ++i) {
+            const double now = mean_strain(out, i),
+                         elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy);
+            same = same && std::abs(now - strain[i]) <= 10 * enough * elastic;
+            strain[i] = now;
+        }
+        if (!out.converged || same) return out;
+        last = out;
+    }
+    last.converged = false;
+    return last;
+}
+
+ElementFlow PotentialLaw::return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                                        const ElementFlow& before) const {
     constexpr double ends[2] = {-1, 1};
-    return find(trial, k, ends, 2, fixed_end, &before);
+    return find(trial, k, ends, 2, at, &before);
 }
 
 ReturnMapResult PotentialLaw::return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
-                                                const FixedEnd& fixed_end) const {
+                                                const SectionConditions& at) const {
     ReturnMapResult out;
-    static_cast<ElementFlow&>(out) = find(trial, k, sections, n, fixed_end, nullptr);
-    out.dissipation = out.p.dot(out.plastic) + work_of(fixed_end, out, sections, n, fixed_end);
+    static_cast<ElementFlow&>(out) = find(trial, k, sections, n, at, nullptr);
+    out.dissipation = out.p.dot(out.plastic) + work_of(*at.fixed_end, out, sections, n, at) + out.path_work;
     return out;
 }
 
 double PotentialLaw::work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
-                             const FixedEnd&) const {
+                             const SectionConditions&) const {
     double work = 0;
     for (int i = 0; i < n; ++i)
         if (flow.lambda[i] > 0) work += resultants(part.at(sections[i]), sections[i]).dot(flow.section[i]);
     return work;
 }
 
-/// The second derivatives of D at the flow of a section; `stiffest`: the largest stiffness against it. False: none
-/// flow.
-bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, double stiffest, Mat4& out) const {
+void PotentialLaw::commit(const ElementFlow& flow, int section, double dt, double* history) const {
+    if (!(flow.lambda[section] > 0)) return;
+    const Vec4 e = normalised_flow(flow, section);
+    const double strain = mean_strain(flow, section);
+    for (const auto& m : material_.laws) {
+        m->commit(material_.zone, e, strain, dt, history);
+        history += m->history_size();
+    }
+}
+
+double PotentialLaw::stored(const double* history) const {
+    double sum = 0;
+    for (const auto& m : material_.laws) {
+        sum += m->stored(material_.zone, history);
+        history += m->history_size();
+    }
+    return sum;
+}
+
+/// Normalised resultants against a yield surface that neither moves nor grows.
+Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) const {
+    Vec4 of = q.cwiseProduct(per_strength_);
+    if (material_.laws.empty()) return of;
+    Vec4 back = Vec4::Zero(), hardens = Vec4::Zero();
+    const double* own = history;
+    for (const auto& m : material_.laws) {
+        m->add_back(material_.zone, own, 0, back, hardens);
+        if (own) own += m->history_size();
+    }
+    return (of - back) / factor_at(history, 0, dt).value;
+}
+
+double PotentialLaw::yield_function(const Vec4& q, const double* history) const {
+    return shape_function(relative(q, history, 0));
+}
+
+bool PotentialLaw::surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const {
+    for (int i = 0; i < n; ++i) {
+        const Vec4 q = resultants(p + at.fixed_end->at(sections[i]), sections[i]);
+        if (!surely_inside(relative(q, at.history_of(i, history_size_), at.dt))) return false;
+    }
+    return true;
+}
+
+/// The second derivatives of the work at the flow of a section, an end without its e. False: it does not flow.
+bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const {
     if (!(flow.lambda[section] > 0)) return false;
-    Vec4 e = flow.section[section].cwiseQuotient(per_strength_), q;
-    for (int c = 0; c < 4; ++c)
-        if (per_strength_[c] == 0) e[c] = 0;
-    const double found = 0.5 * potential(e, q, out), largest = out.cwiseAbs().maxCoeff();
-    if (flow.lambda[section] < at_the_start * found && largest > 0) out *= std::max(1.0, stiff * stiffest / largest);
+    const Vec4 e = normalised_flow(flow, section);
+    Work w = work_at(e);
+    const double largest = w.curvature.cwiseAbs().maxCoeff();
+    if (flow.lambda[section] < at_the_start * 0.5 * w.initial && largest > 0)
+        w.curvature *= std::max(1.0, stiff * end.k.maxCoeff() / largest);
+    harden(end, e, w);
+    out = w.curvature;
     return true;
 }
 
@@ -287,28 +491,33 @@ Eigen::Matrix<double, size, size> reduced(int n, const Eigen::Matrix<double, siz
 }  // namespace
 
 Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
-                           const FixedEnd&) const {
+                           const SectionConditions& at) const {
     const Mat6 K = k.matrix();
     Eigen::Matrix<double, 16, 6> B;
     Mat4 bend[4];
     int count = 0;
     for (int i = 0; i < n; ++i) {
-        const End end(sections[i], per_strength_, k, no_fixed_end);
-        if (!curvature_of(flow, i, end.k.maxCoeff(), bend[count])) continue;
+        End end(sections[i], per_strength_, k);
+        end.set_history(at, i, *this, mean_strain(flow, i));
+        if (!curvature_of(flow, i, end, bend[count])) continue;
         B.middleRows<4>(4 * count++) = end.rows();
     }
     return reduced<6>(count, K, B, bend);
 }
 
-Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2], const FixedEnd*) const {
+Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
+                                 const SectionConditions* at) const {
     Eigen::Matrix<double, 16, 12> B;
     Mat4 bend[4];
     int count = 0;
     for (int i : {0, 1})
         for (int s = 0; flow[i] && s < 2; ++s) {
-            const Rows own = End(s == 0 ? -1 : 1, per_strength_, {}, no_fixed_end).rows();
+            End end(s == 0 ? -1 : 1, per_strength_, {});
+            const Rows own = end.rows();
             const Mat6 K = elastic.block<6, 6>(6 * i, 6 * i);
-            if (!curvature_of(*flow[i], s, (own * K * own.transpose()).diagonal().maxCoeff(), bend[count])) continue;
+            end.k = (own * K * own.transpose()).diagonal();
+            end.set_history(at[i], s, *this, mean_strain(*flow[i], s));
+            if (!curvature_of(*flow[i], s, end, bend[count])) continue;
             B.middleRows<4>(4 * count).setZero();
             B.block<4, 6>(4 * count++, 6 * i) = own;
         }

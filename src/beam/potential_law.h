@@ -1,4 +1,4 @@
-// Laws of sections that are given by the work of their flow.
+// Laws of sections that are given by the work of their flow, with what the material adds to them.
 //
 // A section whose plastic deformation grows by e (rotations about x and y, elongation, twist) dissipates D(e), the
 // greatest work q . e of resultants q within its yield surface. D is convex and, without rate, of the first degree; its
@@ -9,30 +9,54 @@
 // which is convex, so that it has one least value, and a step down from any start leads there. This holds at corners of
 // the surface too, where D has no curvature, and where an end does not flow: e_i = 0 is the tip of D.
 //
+// Hardening and rate change D to Phi(D(e)) + b . e + e . C e / 2. Phi is the integral of the factor on the strength
+// over D, b the back resultants at the start of the step, and C e what the step adds to them. G is convex still, as
+// long as the factor does not fall.
+//
 // A law derives from PotentialLaw and says D, its two derivatives, and which way a section flows at first.
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include "beam/material_law.h"
 #include "beam/section_law.h"
 
 namespace hinge::beam {
 
+using MaterialLaws = std::vector<std::shared_ptr<const MaterialLaw>>;
+
+/// What the material adds to the law of a section; nothing where `laws` is empty.
+struct SectionMaterial {
+    MaterialLaws laws = {};
+    PlasticZone zone = {};
+};
+
 class PotentialLaw : public SectionLaw {
 public:
+    std::string words() const override;
+    bool keeps_strength() const override { return material_.laws.empty(); }
+    int history_size() const override { return history_size_; }
+    bool moves_surface() const override { return moves_surface_; }
+    void commit(const ElementFlow& flow, int section, double dt, double* history) const override;
+    double stored(const double* history) const override;
+    double yield_function(const Vec4& q, const double* history = nullptr) const override;
+    bool surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const override;
     ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
-                                      const FixedEnd& fixed_end) const override;
-    ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const FixedEnd& fixed_end,
+                                      const SectionConditions& at) const override;
+    ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                              const ElementFlow& before) const override;
     double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
-                   const FixedEnd& fixed_end) const override;
+                   const SectionConditions& at) const override;
     Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
-                 const FixedEnd& fixed_end) const override;
+                 const SectionConditions& at) const override;
     Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
-                       const FixedEnd* fixed_end) const override;
+                       const SectionConditions* at) const override;
 
 protected:
     /// `strength`: Mx0, My0 (N m), N0 (N), Mz0 (N m); infinite: that resultant never yields the section. All that
     /// follows is normalised by it: q over the strength, e times the strength, J.
-    PotentialLaw(const YieldSurface& screen, const Vec4& strength);
+    PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material);
 
     /// D(e), J; `q`: its gradient; `curvature`: its second derivatives, 1/J. e is not zero.
     virtual double potential(const Vec4& e, Vec4& q, Mat4& curvature) const = 0;
@@ -42,19 +66,36 @@ protected:
     /// not found out: a direction that is not a number, and true.
     virtual bool outside(const Vec4& q, Vec4& direction) const = 0;
 
-    Vec4 normalised(const Vec4& q) const { return q.cwiseProduct(per_strength_); }
+    /// Yield function of normalised resultants.
+    virtual double shape_function(const Vec4& q) const = 0;
+    /// True only if q is within the yield surface; cheap, and false says nothing.
+    virtual bool surely_inside(const Vec4& q) const = 0;
 
 private:
     struct End;
-    ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const FixedEnd& fixed_end,
+    struct Work;
+    ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
+    bool find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n, const ElementFlow* before) const;
     enum class Search { found, not_below, lost };
-    Search descend(const Vec4& k, const Vec4& trial, Vec4& e) const;
-    bool one_end(const Vec4& k, const Vec4& trial, Vec4& e) const;
+    Search descend(const End& end, const Vec4& trial, Vec4& e) const;
+    bool one_end(const End& end, const Vec4& trial, Vec4& e) const;
     bool both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const;
-    bool curvature_of(const ElementFlow& flow, int section, double stiffest, Mat4& out) const;
+    bool beyond(const End& end, const Vec4& q, Vec4& direction) const;
+    Work work_at(const Vec4& e) const;
+    bool along_ray(const End& end, const Vec4& trial, Vec4& e, Work& work) const;
+    void harden(const End& end, const Vec4& e, Work& work) const;
+    MaterialLaw::Factor factor_at(const double* history, double strain, double dt) const;
+    double mean_factor(const double* history, double strain, double dt, bool of_work) const;
+    double mean_strain(const ElementFlow& flow, int section) const;
+    bool curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const;
+    Vec4 normalised_flow(const ElementFlow& flow, int section) const;
+    Vec4 relative(const Vec4& q, const double* history, double dt) const;
 
     Vec4 per_strength_;
+    SectionMaterial material_;
+    int history_size_ = 0;
+    bool moves_surface_ = false, back_follows_strain_ = false;
 };
 
 }  // namespace hinge::beam

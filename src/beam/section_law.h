@@ -3,35 +3,70 @@
 // An element asks its section's law, and knows none by name. The laws are in src/laws, one file each.
 #pragma once
 
+#include <string>
+
 #include "beam/yield.h"
 
 namespace hinge::beam {
+
+/// What the sections of an element have besides its forces.
+struct SectionConditions {
+    const FixedEnd* fixed_end = &no_fixed_end;
+    /// History variables of the sections at the start of the step, one section after the other
+    /// (SectionLaw::history_size of each). Null: the law has none.
+    const double* history = nullptr;
+    double dt = 0;  ///< length of the step, s; 0: no time passes, as in statics
+
+    SectionConditions() = default;
+    SectionConditions(const FixedEnd& loads, const double* start = nullptr, double step = 0)
+        : fixed_end(&loads), history(start), dt(step) {}
+    const double* history_of(int section, int size) const { return history ? history + section * size : nullptr; }
+};
+inline const SectionConditions no_conditions[2];
 
 /// Law of the sections of an element, or of both elements of a pair. It is const: elements of the same section and
 /// material share it.
 class SectionLaw {
 public:
     /// `screen`: a surface inside of the yield surface. Forces within it never flow; the assembly asks that first, for
-    /// eight elements at once.
+    /// eight elements at once. See also moves_surface.
     explicit SectionLaw(const YieldSurface& screen) : screen_(screen) {}
     SectionLaw(const SectionLaw&) = delete;
     virtual ~SectionLaw() = default;
 
     virtual const char* name() const = 0;
+    /// What the plan says of it, with what the material adds.
+    virtual std::string words() const { return name(); }
+    /// True if neither hardening nor rate changes its strength.
+    virtual bool keeps_strength() const { return true; }
     const YieldSurface& screen() const { return screen_; }
     /// True of a law that is eq 14 whatever the section's shape: it may be unsafe beside an axial force.
     virtual bool ignores_shape() const { return false; }
 
+    /// Number of history variables of one section: numbers that change as it flows. They are 0 at first.
+    virtual int history_size() const { return 0; }
+    /// True if the yield surface of a section that has flowed may lie inside of the screen in part: it is then asked in
+    /// each step.
+    virtual bool moves_surface() const { return false; }
+    /// Adds the flow of a step to the history variables of section `section` of n.
+    virtual void commit(const ElementFlow& flow, int section, double dt, double* history) const {
+        (void)flow, (void)section, (void)dt, (void)history;
+    }
+    /// Energy that hardening has stored in a section, J: part of its plastic work. `history`: of that section.
+    virtual double stored(const double* history) const { return (void)history, 0; }
+
     /// Yield function f_y of a section's Mx, My (N m), N (N) and Mz (N m): 1 on the surface. Its root is the
-    /// utilisation: it grows as the forces do, where all of them grow alike.
-    virtual double yield_function(const Vec4& q) const = 0;
+    /// utilisation: it grows as the forces do, where all of them grow alike. `history`: of the section, or null.
+    virtual double yield_function(const Vec4& q, const double* history = nullptr) const = 0;
     /// The same at section r (-1: node 1, 0: middle, +1: node 2), for element forces with the fixed-end parts in them.
-    double yield_function(const Vec6& p, double r) const { return yield_function(resultants(p, r)); }
+    double yield_function(const Vec6& p, double r, const double* history = nullptr) const {
+        return yield_function(resultants(p, r), history);
+    }
 
     /// True only if no section flows under these forces; asked beyond the screen, and cheaper than the return. False
     /// says nothing.
-    virtual bool surely_elastic(const Vec6& p, const double* sections, int n, const FixedEnd& fixed_end) const {
-        return (void)p, (void)sections, (void)n, (void)fixed_end, false;
+    virtual bool surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const {
+        return (void)p, (void)sections, (void)n, (void)at, false;
     }
 
     /// Return mapping of an element, implicit, with associated flow: the point within the yield surfaces of its
@@ -41,25 +76,25 @@ public:
     ///   sections  positions r that can yield, n of them
     /// The flow is evaluated for p plus the fixed-end forces; ReturnMapResult::p excludes them.
     virtual ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
-                                              const FixedEnd& fixed_end) const = 0;
+                                              const SectionConditions& at) const = 0;
 
     /// The same for an element whose two ends can yield, as a round of the return of a pair (pair_return.h) needs it:
     /// `before` is the round before, from which the search may start.
-    virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const FixedEnd& fixed_end,
+    virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                                      const ElementFlow& before) const = 0;
 
-    /// Work of fixed-end forces on the plastic flow, J; `part`: `fixed_end` or a part of it.
+    /// Work of fixed-end forces on the plastic flow, J; `part`: those of `at` or a part of them.
     virtual double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
-                           const FixedEnd& fixed_end) const = 0;
+                           const SectionConditions& at) const = 0;
 
     /// Consistent tangent dp/dd of return_to_surface.
     virtual Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
-                         const FixedEnd& fixed_end) const = 0;
+                         const SectionConditions& at) const = 0;
 
     /// Consistent tangent of a pair, 12 x 12. `elastic`: its tangent without flow; `flow`: null for an element that
-    /// does not flow.
+    /// does not flow; `at`: of both.
     virtual Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
-                               const FixedEnd* fixed_end) const = 0;
+                               const SectionConditions* at) const = 0;
 
 private:
     YieldSurface screen_;

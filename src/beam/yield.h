@@ -72,6 +72,10 @@ struct ElementFlow {
     /// What a law that is not eq 14 keeps of each section: its plastic rotations about x and y (rad), elongation (m)
     /// and twist (rad).
     Vec4 section[2] = {Vec4::Zero(), Vec4::Zero()};
+    /// What the work on the way of the step is more than that of its last forces, J: with hardening they grow on it.
+    double path_work = 0;
+    double potential =
+        0;  ///< the same of what the step minimises: with rate, which is that of the whole step, it differs
     bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
 };
 

@@ -26,7 +26,7 @@ AxialStrength::AxialStrength(const Structure& structure) {
     }
     for (const Element& e : structure.elements()) {
         const beam::YieldSurface& y = e.yield;
-        const bool looked_at = shape_of_[e.member] >= 0 && e.law && e.law->ignores_shape();
+        const bool looked_at = shape_of_[e.member] >= 0 && e.law && e.law->ignores_shape() && e.law->keeps_strength();
         scales_.push_back(looked_at ? Scales{std::sqrt(y.n), {std::sqrt(y.x), std::sqrt(y.y)}} : Scales{});
     }
 }

@@ -17,7 +17,7 @@ double Effect::work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& pa
     double section[2];
     const int n = w_.assembly.sections(section);
     return w_.structure.elements()[of.element].law->work_of(part, of.flow, section, n,
-                                                            w_.assembly.fixed_end(of.element));
+                                                            w_.assembly.conditions(w_.state, of.element));
 }
 
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {

@@ -1,6 +1,7 @@
 // Plastic hinges at the end of a step: what flowed becomes part of the state (eqs 4, 6 and 10; state/hinges.h). The
 // return to the yield surface is in the assembly, the tangents of what flows in run/yield_tangents.h.
 #include <algorithm>
+#include <set>
 
 #include "effects/axial_strength.h"
 #include "effects/kinds.h"
@@ -28,7 +29,7 @@ public:
     void after_commit(const Step& step) override {
         if (!w_.yielding.empty())
             record_flow(w_.structure, w_.yielding, w_.reached(step), w_.goes_by_load_factor(), records());
-        for (int e : commit_flow(w_.structure, w_.state, w_.yielding, flowing_)) {
+        for (int e : commit_flow(w_.structure, w_.state, w_.yielding, w_.assembly.step(), flowing_)) {
             w_.points_moved = true;
             host_.stiffness_changed(e);
         }
@@ -60,12 +61,23 @@ private:
     AxialStrength strength_;
 };
 
+/// The laws of sections that are not eq 14 alone.
+std::string laws_text(const Structure& s) {
+    std::set<std::string> laws;
+    bool others = false;
+    for (const Element& e : s.elements())
+        if (e.law) laws.insert(e.law->words()), others |= !e.law->ignores_shape() || !e.law->keeps_strength();
+    std::string text;
+    for (const std::string& law : laws) text += (text.empty() ? "; law of sections: " : "; ") + law;
+    return others ? text : "";
+}
+
 std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& elements = s.elements();
     const bool could =
         std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
     return {{"plasticity", s.can_yield(),
-             s.can_yield() ? "a material has a yield stress"
+             s.can_yield() ? "a material has a yield stress" + laws_text(s)
              : could       ? "plasticity = false"
                            : "no section can yield",
              s.model().asked_at("plasticity")}};

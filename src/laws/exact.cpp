@@ -1,5 +1,5 @@
-// The exact interaction of N, Mx and My of a section's outline (beam/plastic_domain.h), without hardening. Torsion
-// takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, where g is the gauge of N, Mx and My.
+// The exact interaction of N, Mx and My of a section's outline (beam/plastic_domain.h), with what the material adds.
+// Torsion takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, where g is the gauge of N, Mx and My.
 #include <cmath>
 
 #include "beam/potential_law.h"
@@ -14,26 +14,27 @@ YieldSurface screen_of(const PlasticDomain& domain, const Vec4& strength) {
     return {inverse_square(axis[0]), inverse_square(axis[1]), inverse_square(axis[2]), inverse_square(strength[3])};
 }
 
+constexpr double rounding = 1e-12;  ///< of the gauge of forces on the surface
+constexpr double enough = 1e-7;     ///< what forces may be outside where their gauge is not found better
+
 class Exact : public PotentialLaw {
 public:
-    Exact(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength)
-        : PotentialLaw(screen_of(*domain, strength), strength), domain_(std::move(domain)) {}
+    Exact(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength, SectionMaterial material)
+        : PotentialLaw(screen_of(*domain, strength), strength, std::move(material)), domain_(std::move(domain)) {}
 
     const char* name() const override { return "exact"; }
 
-    double yield_function(const Vec4& q) const override {
-        const Vec4 of = normalised(q);
-        const double g = domain_->gauge(of.head<3>());
-        return g * g + of[3] * of[3];
-    }
-
-    bool surely_elastic(const Vec6& p, const double* sections, int n, const FixedEnd& fixed_end) const override {
-        for (int i = 0; i < n; ++i)
-            if (!within(normalised(resultants(p + fixed_end.at(sections[i]), sections[i])))) return false;
-        return true;
-    }
-
 protected:
+    double shape_function(const Vec4& q) const override {
+        const double g = domain_->gauge(q.head<3>());
+        return g * g + q[3] * q[3];
+    }
+
+    bool surely_inside(const Vec4& q) const override {
+        const double rest = 1 - q[3] * q[3];
+        return rest > 0 && domain_->surely_inside(q.head<3>() / std::sqrt(rest));
+    }
+
     double potential(const Vec4& e, Vec4& q, Mat4& curvature) const override {
         Vec3 point;
         Mat3 bend;
@@ -66,28 +67,25 @@ protected:
     }
 
     bool outside(const Vec4& q, Vec4& direction) const override {
-        if (within(q)) return false;
+        if (surely_inside(q)) return false;
         Vec3 normal;
-        bool converged = false;
-        const double g = domain_->gauge(q.head<3>(), &normal, &converged);
-        direction << g * normal, q[3];
-        if (!converged) direction.setConstant(std::nan(""));
-        return !converged || std::hypot(g, q[3]) > 1 + 1e-12;
+        double error = 0;
+        const double untwisted = domain_->gauge(q.head<3>(), &normal, &error), g = std::hypot(untwisted, q[3]);
+        direction << untwisted * normal, q[3];
+        if (g > 1 + rounding) return true;
+        if (g + error > 1 + enough) direction.setConstant(std::nan(""));
+        return g + error > 1 + enough;
     }
 
 private:
-    bool within(const Vec4& q) const {
-        const double rest = 1 - q[3] * q[3];
-        return rest > 0 && domain_->surely_inside(q.head<3>() / std::sqrt(rest));
-    }
-
     std::shared_ptr<const PlasticDomain> domain_;
 };
 
 }  // namespace
 
-std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength) {
-    return std::make_unique<Exact>(std::move(domain), strength);
+std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength,
+                                            SectionMaterial material) {
+    return std::make_unique<Exact>(std::move(domain), strength, std::move(material));
 }
 
 }  // namespace hinge::beam

@@ -1,17 +1,37 @@
-// The laws of sections that there are.
+// The laws of sections and of materials that there are.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "beam/plastic_domain.h"
-#include "beam/section_law.h"
+#include "beam/potential_law.h"
 
 namespace hinge::beam {
 
-/// Eq 14 without hardening. `strength`: fully plastic resultants of the section.
-std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength);
+/// Eq 14. `strength`: fully plastic resultants of the section.
+std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength, SectionMaterial material = {});
 
 /// The exact interaction of N, Mx and My. `strength`: Mx0, My0 (N m), N0 (N), Mz0 (N m); Mz0 may be infinite.
-std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength);
+std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength,
+                                            SectionMaterial material = {});
+
+/// Stress beyond yield (laws/hardening.cpp). Pa.
+struct Hardening {
+    double kinematic = 0;   ///< plastic modulus by which the yield surface moves
+    double saturation = 0;  ///< back stress that it comes to (Armstrong and Frederick); 0: it moves on
+    double isotropic = 0;   ///< plastic modulus by which it grows
+};
+/// Raises InputError unless all are finite and not negative.
+std::shared_ptr<const MaterialLaw> hardening_law(const Hardening& hardening, double yield_stress);
+
+/// Factor on the yield stress at a plastic strain rate (laws/strain_rate.cpp): Cowper and Symonds, 1 + (rate /
+/// D)^(1/q), or Johnson and Cook, 1 + C ln(rate / reference) well beyond the reference rate. Rates in 1/s.
+struct StrainRate {
+    double D = 0, q = 0;          ///< of Cowper and Symonds; 0: not they
+    double C = 0, reference = 0;  ///< of Johnson and Cook
+};
+/// Raises InputError unless the numbers of one of the two are above 0.
+std::shared_ptr<const MaterialLaw> strain_rate_law(const StrainRate& rate);
 
 }  // namespace hinge::beam

@@ -1,9 +1,11 @@
-// The law of the paper: the surface of eq 14 without hardening, a function of the squares of the resultants.
+// The law of the paper: the surface of eq 14, a function of the squares of the resultants. Without hardening its return
+// is that of the paper's figures, bit for bit; with it, that of potential_law.h.
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 
+#include "beam/potential_law.h"
 #include "laws/laws.h"
 
 namespace hinge::beam {
@@ -66,31 +68,31 @@ public:
 
     const char* name() const override { return "paper"; }
     bool ignores_shape() const override { return true; }
-    double yield_function(const Vec4& q) const override {
+    double yield_function(const Vec4& q, const double*) const override {
         return w_.x * q[0] * q[0] + w_.y * q[1] * q[1] + w_.n * q[2] * q[2] + w_.z * q[3] * q[3];
     }
 
     ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
-                                      const FixedEnd& fixed_end) const override {
-        return beam::return_to_surface(trial, k, w_, sections, n, fixed_end);
+                                      const SectionConditions& at) const override {
+        return beam::return_to_surface(trial, k, w_, sections, n, *at.fixed_end);
     }
-    ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const FixedEnd& fixed_end,
+    ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                              const ElementFlow& before) const override {
-        return return_ends(trial, k, w_, fixed_end, before);
+        return return_ends(trial, k, w_, *at.fixed_end, before);
     }
     double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
-                   const FixedEnd& fixed_end) const override {
-        return beam::work_of(part, flow, w_, sections, n, fixed_end);
+                   const SectionConditions& at) const override {
+        return beam::work_of(part, flow, w_, sections, n, *at.fixed_end);
     }
     Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
-                 const FixedEnd& fixed_end) const override {
+                 const SectionConditions& at) const override {
         const bool active[2] = {flow.lambda[0] > 0, flow.lambda[1] > 0};
-        return plastic_tangent(flow.p, k, w_, sections, flow.lambda, active, n, fixed_end);
+        return plastic_tangent(flow.p, k, w_, sections, flow.lambda, active, n, *at.fixed_end);
     }
 
     /// Eq 10a, of the pair.
     Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
-                       const FixedEnd* fixed_end) const override {
+                       const SectionConditions* at) const override {
         Mat12 F = elastic.inverse();
         Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 4> a(12, 0);
         for (int i : {0, 1})
@@ -99,7 +101,8 @@ public:
                 F.block<6, 6>(6 * i, 6 * i) += 2 * flow[i]->lambda[s] * yield_matrix(ends[s], w_);
                 a.conservativeResize(12, a.cols() + 1);
                 a.rightCols<1>().setZero();
-                a.rightCols<1>().segment<6>(6 * i) = yield_gradient(flow[i]->p + fixed_end[i].at(ends[s]), ends[s], w_);
+                a.rightCols<1>().segment<6>(6 * i) =
+                    yield_gradient(flow[i]->p + at[i].fixed_end->at(ends[s]), ends[s], w_);
             }
         const Mat12 X = F.inverse();
         if (a.cols() == 0) return X;
@@ -112,8 +115,38 @@ private:
     YieldSurface w_;
 };
 
+/// Eq 14 in normalised resultants: a sphere, of which D(e) = |e|.
+class Sphere : public PotentialLaw {
+public:
+    Sphere(const YieldSurface& w, SectionMaterial material)
+        : PotentialLaw(w, {1 / std::sqrt(w.x), 1 / std::sqrt(w.y), 1 / std::sqrt(w.n), 1 / std::sqrt(w.z)},
+                       std::move(material)),
+          yields_(w.x != 0, w.y != 0, w.n != 0, w.z != 0) {}
+
+    const char* name() const override { return "paper"; }
+    bool ignores_shape() const override { return true; }
+
+protected:
+    double potential(const Vec4& e, Vec4& q, Mat4& curvature) const override {
+        const double D = e.norm();
+        q = e / D;
+        curvature = (Mat4::Identity() - q * q.transpose()) / D;
+        return D;
+    }
+    Vec4 direction(const Vec4& q) const override { return q.isZero(0) ? yields_ : q; }
+    bool outside(const Vec4& q, Vec4& direction) const override { return direction = q, q.norm() > 1 + 1e-12; }
+    double shape_function(const Vec4& q) const override { return q.squaredNorm(); }
+    bool surely_inside(const Vec4& q) const override { return q.squaredNorm() <= 1; }
+
+private:
+    Vec4 yields_;  ///< 1 for the resultants that yield the section
+};
+
 }  // namespace
 
-std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength) { return std::make_unique<Paper>(strength); }
+std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength, SectionMaterial material) {
+    if (material.laws.empty()) return std::make_unique<Paper>(strength);
+    return std::make_unique<Sphere>(strength, std::move(material));
+}
 
 }  // namespace hinge::beam

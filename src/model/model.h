@@ -19,8 +19,9 @@
 namespace hinge {
 
 namespace beam {
+class MaterialLaw;
 class SectionOutline;
-}
+}  // namespace beam
 
 /// A material; SI units. `yield_stress` infinite: never yields.
 struct Material {
@@ -29,6 +30,8 @@ struct Material {
     double density = 0;                                             ///< kg/m^3
     double yield_stress = std::numeric_limits<double>::infinity();  ///< Pa
     std::string asked_at = {};                                      ///< the script's line, "" where none
+    std::vector<std::shared_ptr<const beam::MaterialLaw>> laws =
+        {};  ///< hardening, effect of the strain rate (src/laws)
 };
 
 /// Interaction of N, Mx and My where a section yields (src/laws): eq 14, or that of its outline. by_model: as the

@@ -31,14 +31,30 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
 
 namespace {
 
+/// What a material adds to the law of a section. `length`: of the part of an element that yields with it, m.
+beam::SectionMaterial material_of(const Section& s, const Material& m, const beam::YieldSurface& w, double length) {
+    if (m.laws.empty()) return {};
+    beam::PlasticZone zone;
+    zone.length = length;
+    zone.yield_stress = m.yield_stress;
+    zone.energy = (w.n > 0 ? 1 / std::sqrt(w.n) : m.yield_stress * s.area) * length;
+    zone.per_modulus = Vec4(w.x * s.Ix, w.y * s.Iy, w.n * s.area, w.z * s.J / 3) / length;
+    return {m.laws, zone};
+}
+
 /// The law of a section, null where it cannot yield.
-std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const beam::YieldSurface& w,
-                                               const ModelOptions& options) {
+std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Material& material,
+                                               const beam::YieldSurface& w, const ModelOptions& options,
+                                               double length) {
     if (w.elastic()) return nullptr;
+    const double zone = options.formulation == Formulation::conventional ? length : length / 2;
+    beam::SectionMaterial adds = material_of(section, material, w, zone);
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
     const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
-    if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0) return beam::paper_law(w);
-    return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)});
+    if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
+        return beam::paper_law(w, std::move(adds));
+    return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
+                           std::move(adds));
 }
 
 }  // namespace
@@ -89,7 +105,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
                 const beam::YieldSurface strength =
                     m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
                 kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), strength,
-                                  law_of(sec, strength, m.options())});
+                                  law_of(sec, mat, strength, m.options(), length)});
                 at->second = &kinds_.back();
                 can_yield_ |= !strength.elastic();
             }
@@ -112,6 +128,7 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
             left = right;
         }
     }
+    place_histories();
     first_element_.assign(position_.size() + 1, 0);
     for (const Element& e : elements_)
         for (int node : e.node) ++first_element_[node + 1];
@@ -120,6 +137,17 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
     std::vector<int> next(first_element_.begin(), first_element_.end() - 1);
     for (std::size_t i = 0; i < elements_.size(); ++i)
         for (int node : elements_[i].node) elements_of_nodes_[next[node]++] = int(i);
+}
+
+void Structure::place_histories() {
+    const auto size_of = [](const Element& e) { return e.law ? std::size_t(e.law->history_size()) : 0; };
+    if (std::all_of(elements_.begin(), elements_.end(), [&](const Element& e) { return size_of(e) == 0; })) return;
+    std::size_t size = 0;
+    for (const Element& e : elements_) {
+        history_at_.push_back(size);
+        size += size_of(e) * (conventional() ? 1 : 2);
+    }
+    history_at_.push_back(size);
 }
 
 beam::Inertia Structure::inertia(int index) const {

@@ -72,6 +72,9 @@ public:
     }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }
+    /// Where the history variables of an element's sections begin in State::history, and how many there are of all.
+    std::size_t history_at(int element) const { return history_at_[element]; }
+    std::size_t history_size() const { return history_at_.empty() ? 0 : history_at_.back(); }
     bool in_group(int element, int group) const;
     std::string node_name(int node) const;        ///< "node 12 at {8, 0, 4} m"
     std::string element_name(int element) const;  ///< "element 2 of member 31 (columns), nodes 4-9"
@@ -89,7 +92,9 @@ private:
         beam::YieldSurface yield;
         std::unique_ptr<const beam::SectionLaw> law;
     };
+    void place_histories();
     std::deque<Kind> kinds_;
+    std::vector<std::size_t> history_at_;  ///< of each element, and the size of all; empty where no law has any
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
     bool can_yield_ = false;
 };

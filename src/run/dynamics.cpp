@@ -197,6 +197,7 @@ std::string Dynamics::failure_of_elements() const {
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
     find_fixed_ends(w_, *effects_, 1);
+    assembly_.set_step(step_.dt);
     assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
     for (const auto& load : effects_->loads) load->subtract_following_loads(w_.resisting);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "beam/material_law.h"
 #include "core/archive.h"
 
 namespace hinge {
@@ -45,6 +46,12 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("members", model.members(), [](Sum& a, const MemberData& m) { a(m.node, m.up, m.elements); }));
     parts.push_back(part("materials", model.members(), [](Sum& a, const MemberData& m) {
         a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);
+        for (const auto& law : m.material->laws) {
+            std::string bytes;
+            Writer write(bytes);
+            law->save(write);
+            a(std::string(law->name()), bytes);
+        }
     }));
     parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
         const Section& section = *m.section;

@@ -6,6 +6,7 @@
 #include "core/rotation.h"
 #include "effects/effect_list.h"
 #include "run/effect_forces.h"
+#include "state/hinges.h"
 
 namespace hinge {
 
@@ -161,7 +162,9 @@ double Run::yield_value(int element, double r) const {
         fixed.add(end, there.Mx, there.My, there.N, there.Mz);
     }
     const beam::SectionLaw* law = structure_->elements()[element].law;
-    return law ? law->yield_function(state_.force[element] + fixed.at(r), r) : 0;
+    return law ? law->yield_function(state_.force[element] + fixed.at(r), r,
+                                     section_history(*structure_, state_, element, r))
+               : 0;
 }
 
 double Run::yield_value(int element) const {

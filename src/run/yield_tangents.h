@@ -14,7 +14,7 @@ inline Mat6 yield_tangent(const Structure& structure, const State& state, const 
     double section[2];
     const int n = assembly.sections(section);
     return structure.elements()[y.element].law->tangent(y.flow, stiffness_now(structure, state, y.element), section, n,
-                                                        assembly.fixed_end(y.element));
+                                                        assembly.conditions(state, y.element));
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from

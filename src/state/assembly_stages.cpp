@@ -79,6 +79,14 @@ void linear_deformation(const beam::ElementFrame<Lanes>& p, const Triple<Lanes>&
     d[5] = dot(f.z, rotation2) - dot(f.z, rotation1);
 }
 
+/// Which of the eight elements from `element` on have yielded, a bit each.
+unsigned that_yielded(const State& state, int element) {
+    unsigned bits = 0;
+    for (int i = 0; i < lane_count && element + i < int(state.yielded.size()); ++i)
+        bits |= unsigned(state.yielded[element + i] != 0) << i;
+    return bits;
+}
+
 /// Whether one of the eight elements from `element` on has a twist to be remembered.
 bool any_remembered(const std::vector<double>& twist, int element) {
     const auto from = twist.begin() + std::min(std::size_t(element), twist.size());
@@ -127,18 +135,18 @@ bool any_remembered(const std::vector<double>& twist, int element) {
 }
 
 /// Whether the law of lane i tells quickly that its sections stay elastic.
-bool ElementAssembly::no_section_flows(int element, int i, const Lanes (&p)[6]) const {
+bool ElementAssembly::no_section_flows(int element, int i, const State& state, const Lanes (&p)[6]) const {
     double section[2];
     const int section_count = sections(section);
     Vec6 trial;
     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
     return structure_.elements()[element + i].law->surely_elastic(trial, section, section_count,
-                                                                  fixed_end(element + i));
+                                                                  conditions(state, element + i));
 }
 
 /// The return to the yield surface of a pair, the first of which is lane i.
-[[gnu::noinline]] void ElementAssembly::return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6],
-                                                    Lanes (&p)[6], Found& found) const {
+[[gnu::noinline]] void ElementAssembly::return_pair(int element, int i, const Kind& kind, const State& state,
+                                                    const Lanes (&d)[6], Lanes (&p)[6], Found& found) const {
     beam::Stiffness k[2];
     Vec6 elastic[2];
     for (int j : {0, 1}) {
@@ -147,10 +155,10 @@ bool ElementAssembly::no_section_flows(int element, int i, const Lanes (&p)[6]) 
         for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
     }
     beam::ReturnMapResult flow[2];
-    const beam::FixedEnd* fixed = fixed_ends_.empty() ? beam::no_fixed_ends : &fixed_ends_[element + i];
+    const beam::SectionConditions at[2] = {conditions(state, element + i), conditions(state, element + i + 1)};
     const Element& e = structure_.elements()[element + i];
-    if (no_section_flows(element, i, p) && no_section_flows(element, i + 1, p)) return;
-    const bool converged = beam::return_to_surface(pair_kind_of(e), k, elastic, *e.law, flow, return_tolerance_, fixed);
+    if (no_section_flows(element, i, state, p) && no_section_flows(element, i + 1, state, p)) return;
+    const bool converged = beam::return_to_surface(pair_kind_of(e), k, elastic, *e.law, flow, return_tolerance_, at);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
@@ -206,8 +214,8 @@ template <bool large>
 
 /// Eqs 4 and 14: where the yield function is above 1 the forces return to the surface (eq 10c).
 template <bool p_delta>
-[[gnu::always_inline]] inline void ElementAssembly::yield(const Block& b, int element, const Lanes (&d)[6],
-                                                          Lanes (&p)[6], Found& found) const {
+[[gnu::always_inline]] inline void ElementAssembly::yield(const Block& b, int element, const State& state,
+                                                          const Lanes (&d)[6], Lanes (&p)[6], Found& found) const {
     const Kind& kind = *b.kind;
     double section[2];
     const int section_count = sections(section);
@@ -219,32 +227,36 @@ template <bool p_delta>
         f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
     }
     if (!fixed_ends_.empty()) add_fixed_ends(element, kind, p, f);
-    if (any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
-        return_lanes<p_delta>(b, element, f, d, p, found);
+    const unsigned asked = kind.moves_surface ? that_yielded(state, element) : 0;
+    if (asked || any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
+        return_lanes<p_delta>(b, element, asked, state, f, d, p, found);
 }
 
-/// Eq 10c: the return to the yield surface of those of the eight elements for which f is above 1.
+/// Eq 10c: the return to the yield surface of those of the eight elements for which f is above 1, and of those `asked`.
 template <bool p_delta>
-[[gnu::always_inline]] inline void ElementAssembly::return_lanes(const Block& b, int element, const Lanes (&f)[2],
+[[gnu::always_inline]] inline void ElementAssembly::return_lanes(const Block& b, int element, unsigned asked,
+                                                                 const State& state, const Lanes (&f)[2],
                                                                  const Lanes (&d)[6], Lanes (&p)[6],
                                                                  Found& found) const {
     const Kind& kind = *b.kind;
     double section[2];
     const int section_count = sections(section);
     for (int i = 0; i < lane_count; ++i) {
-        if (!(b.whole >> i & 1) || (f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1))) continue;
+        if (!(b.whole >> i & 1)) continue;
+        if (!(asked >> i & 1) && f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1)) continue;
         const Element& e = structure_.elements()[element + i];
         Vec6 trial;
         for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
         if (!trial.allFinite()) continue;  // the step names the culprit
         if (p_delta && b.whole >> (i ^ 1) & 1) {
-            return_pair(element, i & ~1, kind, d, p, found);
+            return_pair(element, i & ~1, kind, state, d, p, found);
             i |= 1;
             continue;
         }
-        if (no_section_flows(element, i, p)) continue;
-        found.yielding.push_back({element + i, e.law->return_to_surface(trial, kind.stiffness(i), section,
-                                                                        section_count, fixed_end(element + i))});
+        if (no_section_flows(element, i, state, p)) continue;
+        found.yielding.push_back(
+            {element + i, e.law->return_to_surface(trial, kind.stiffness(i), section, section_count,
+                                                   conditions(state, element + i))});
         const beam::ReturnMapResult& flow = found.yielding.back().flow;
         if (!flow.converged && found.unreturned < 0) found.unreturned = element + i;
         for (int c = 0; c < 6; ++c) p[c][i] = flow.p[c];
@@ -357,7 +369,7 @@ void ElementAssembly::run_blocks(int first, int end, const State& state, const C
         const unsigned wound = deform<large>(b, element, state, pose, place, d, found);
         elastic_forces(*b.kind, element, state, d, p);
         if constexpr (p_delta) add_pair_forces(b.kind->pair, b.whole, d, p);
-        if (built::plasticity && b.kind->can_yield) yield<p_delta>(b, element, d, p, found);
+        if (built::plasticity && b.kind->can_yield) yield<p_delta>(b, element, state, d, p, found);
 
         beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);  // eq 1: they do the work of p
         if (wound) {

@@ -73,7 +73,7 @@ void ElementAssembly::update_active(const State& state) {
 const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const int* index) {
     kinds_.emplace_back();
     Kind& kind = kinds_.back();
-    kind.can_yield = false;
+    kind.can_yield = kind.moves_surface = false;
     for (int i = 0; i < lane_count; ++i) {
         const Element& e = structure_.elements()[index[i]];
         const beam::Stiffness k = stiffness_now(structure_, state, index[i]);
@@ -100,6 +100,7 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
             for (int plane : {0, 1}) kind.pair.b[plane][i] = pair.b[plane], kind.pair.c[plane][i] = pair.c[plane];
         }
         kind.can_yield |= e.law != nullptr;
+        kind.moves_surface |= e.law && e.law->moves_surface();
     }
     return kind;
 }

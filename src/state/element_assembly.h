@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "beam/yield.h"
+#include "beam/section_law.h"
 #include "core/thread_pool.h"
 #include "state/configuration.h"
 
@@ -48,6 +48,13 @@ public:
     const beam::FixedEnd& fixed_end(int element) const {
         return fixed_ends_.empty() ? beam::no_fixed_end : fixed_ends_[element];
     }
+    /// What the sections of an element have besides their forces in this step from `state`.
+    beam::SectionConditions conditions(const State& state, int element) const {
+        return {fixed_end(element), history_of(structure_, state, element), dt_};
+    }
+    /// Length of the step that run is asked for next, s; 0, the default: no time passes.
+    void set_step(double dt) { dt_ = dt; }
+    double step() const { return dt_; }
 
     /// Elements whose frame has rotated by more than `tolerance` (rad) since they were last marked, or, where bending
     /// follows the axial force, that have bent by more. Filled by run.
@@ -98,8 +105,9 @@ private:
                         Found& found) const;
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
     void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
-    bool no_section_flows(int element, int i, const Lanes (&p)[6]) const;
-    void return_pair(int element, int i, const Kind& kind, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    bool no_section_flows(int element, int i, const State&, const Lanes (&p)[6]) const;
+    void return_pair(int element, int i, const Kind& kind, const State&, const Lanes (&d)[6], Lanes (&p)[6],
+                     Found& found) const;
     // the stages for eight elements, in this order (assembly_stages.cpp)
     enum class Mass : char { none, linear, cubic };
     using EightFrames = beam::ElementFrame<Lanes>;
@@ -115,10 +123,10 @@ private:
                     Found& found) const;
     static void elastic_forces(const Kind& kind, int element, const State&, Lanes (&d)[6], Lanes (&p)[6]);
     template <bool p_delta>
-    void yield(const Block& b, int element, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    void yield(const Block& b, int element, const State&, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
     template <bool p_delta>
-    void return_lanes(const Block& b, int element, const Lanes (&f)[2], const Lanes (&d)[6], Lanes (&p)[6],
-                      Found& found) const;
+    void return_lanes(const Block& b, int element, unsigned asked, const State&, const Lanes (&f)[2],
+                      const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
     template <bool large, bool cubic, bool p_delta>
     static void add_inertia(const Block& b, const Configuration& pose, const EightFrames& place, unsigned wound,
                             beam::NodalForces<Lanes>& out);
@@ -151,7 +159,7 @@ private:
     std::vector<int> rotated_;
     std::vector<int> far_;
     int folded_ = -1, unreturned_ = -1;
-    double return_tolerance_ = 1e-9;
+    double return_tolerance_ = 1e-9, dt_ = 0;
     double rotation_limit_ = 1e300;
     bool watching_ = false;
     long updates_ = 0;

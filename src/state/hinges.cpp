@@ -35,9 +35,9 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
     elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
-    const beam::FixedEnd fixed[2] = {assembly.fixed_end(first), assembly.fixed_end(first + 1)};
+    const beam::SectionConditions at[2] = {assembly.conditions(state, first), assembly.conditions(state, first + 1)};
     const beam::ElementFlow* flows[2] = {flow[0], flow[1]};
-    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, *e[0]->law, flows, fixed);
+    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, *e[0]->law, flows, at);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
@@ -50,13 +50,17 @@ beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& s
 }
 
 std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<PlasticIncrement>& yielding,
-                             std::vector<int>& flowing) {
+                             double dt, std::vector<int>& flowing) {
     const std::vector<int> before = flowing;
     for (int e : before) state.hinge[e] = 0;
     flowing.clear();
     for (const PlasticIncrement& y : yielding) {
         state.plastic[y.element] += y.flow.plastic;
         state.plastic_work[y.element] += y.flow.dissipation;
+        const beam::SectionLaw& law = *structure.elements()[y.element].law;
+        if (const int size = law.history_size(); size > 0)
+            for (int i = 0, n = structure.conventional() ? 1 : 2; i < n; ++i)
+                law.commit(y.flow, i, dt, &state.history[structure.history_at(y.element) + i * size]);
         std::uint8_t bits = hinge_at_middle;
         if (!structure.conventional())
             bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);

@@ -10,13 +10,21 @@ namespace hinge {
 /// have. With Shift::elastic_and_plastic (the paper's letter, eqs 6 and 10) the element's point moves to the far end of
 /// its hinge, its partner's to the middle, and both go back when it unloads; the forces are the same before and after.
 /// With Shift::plastic the plastic strain alone is at the hinge and no point moves.
+///   dt       length of the step, s
 ///   flowing  elements that flowed in the step before; replaced by those of this one
 /// Returns the elements whose point moved.
 std::vector<int> commit_flow(const Structure& structure, State& state, const std::vector<PlasticIncrement>& yielding,
-                             std::vector<int>& flowing);
+                             double dt, std::vector<int>& flowing);
 
 /// Moves the integration point of an element to s and keeps its forces: d_p takes the change of elastic deformation.
 void move_point(const Structure& structure, State& state, int element, double s);
+
+/// History variables of the law of section r of an element; null where it has none.
+inline const double* section_history(const Structure& structure, const State& state, int element, double r) {
+    const beam::SectionLaw* law = structure.elements()[element].law;
+    const double* all = history_of(structure, state, element);
+    return all && law && law->history_size() > 0 ? all + (r > 0 ? law->history_size() : 0) : nullptr;
+}
 
 /// Pair stiffness of an element whose bending follows its axial force. Pairs are elements 2 i and 2 i + 1.
 inline beam::PairKind<double> pair_kind_of(const Element& e) { return beam::pair_kind(e.rigidity, e.length); }

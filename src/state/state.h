@@ -129,6 +129,7 @@ struct State {
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
+    std::vector<double> history;   ///< history variables of the laws of sections (history_of)
     std::vector<double>
         kept;  ///< values saved by fracture rules of the script, for both ends of each element; or empty
 
@@ -162,6 +163,7 @@ struct State {
         f("gone", s.gone);
         f("strained", s.strained);
         f("kept", s.kept);
+        f("history", s.history);
     }
     /// For a checkpoint (core/archive.h). Which effects keep data the model says.
     template <class Self, class A>
@@ -174,6 +176,11 @@ struct State {
         }
     }
 };
+
+/// History variables of an element's sections, one after the other; null where no law of the structure has any.
+inline const double* history_of(const Structure& structure, const State& state, int element) {
+    return state.history.empty() ? nullptr : state.history.data() + structure.history_at(element);
+}
 
 /// The state at the start: declared positions and velocities, no stress.
 State initial_state(const Structure& structure);

@@ -1,0 +1,72 @@
+// What a material adds to the yield surface of its sections: hardening, effect of the strain rate. One file each in
+// src/laws; a section may have several.
+#pragma once
+
+#include <string>
+
+#include "core/archive.h"
+#include "core/types.h"
+
+namespace hinge::beam {
+
+/// Sizes of a section and of the part of its element that yields with it: half of the element, or all of it where the
+/// middle alone can yield.
+///
+/// Resultants are normalised by the fully plastic ones, and plastic deformations e (rotations about x and y,
+/// elongation, twist) times these: J. Of a section that dissipates s (J, at its initial strength), s / energy is the
+/// mean plastic strain in that part of the element.
+struct PlasticZone {
+    double length = 0;  ///< m
+    double energy = 0;  ///< N0 times length, J: plastic work at a mean plastic strain of 1
+    /// Normalised back resultants per e and per plastic modulus H of the material, 1/(J Pa): all fibres yield, and
+    /// their back stress is H times their plastic strain, or H/3 times in shear.
+    Vec4 per_modulus = Vec4::Zero();
+    double yield_stress = 0;  ///< Pa
+};
+
+class MaterialLaw {
+public:
+    virtual ~MaterialLaw() = default;
+    virtual const char* name() const = 0;
+    /// With its numbers, for the plan.
+    virtual std::string words() const = 0;
+    /// Writes all its numbers, so that equal laws write the same.
+    virtual void save(Writer& to) const = 0;
+
+    /// Number of its history variables in a section.
+    virtual int history_size() const { return 0; }
+    /// SectionLaw::moves_surface.
+    virtual bool moves_surface() const { return false; }
+
+    struct Factor {
+        double value = 1, slope = 0;
+    };
+    /// Factor on the strength of a section at the end of a step of length dt (s) in which its mean plastic strain grows
+    /// by `strain`, and its slope over `strain`.
+    virtual Factor factor(const double* history, double strain, double dt) const {
+        return (void)history, (void)strain, (void)dt, Factor{};
+    }
+    /// True if the factor goes with the rate of the step, not with the strain that is reached. A section has one such
+    /// law at most. The factor of the others is linear in the strain of a step.
+    virtual bool follows_rate() const { return false; }
+    struct Integrals {
+        double zeroth = 0, first = 0;
+    };
+    /// Of such a law: the integral of factor - 1, and that of the strain times it, over the strain from 0 to `strain`.
+    virtual Integrals integrals(double strain, double dt) const { return (void)strain, (void)dt, Integrals{}; }
+    /// Adds the back resultants at the end of a step: back + modulus times e. `strain`: growth of the mean plastic
+    /// strain, of those that ask for it (back_follows_strain).
+    virtual void add_back(const PlasticZone& zone, const double* history, double strain, Vec4& back,
+                          Vec4& modulus) const {
+        (void)zone, (void)history, (void)strain, (void)back, (void)modulus;
+    }
+    virtual bool back_follows_strain() const { return false; }
+    /// Adds a step's plastic deformation e to the history variables.
+    virtual void commit(const PlasticZone& zone, const Vec4& e, double strain, double dt, double* history) const {
+        (void)zone, (void)e, (void)strain, (void)dt, (void)history;
+    }
+    /// Stored energy, J.
+    virtual double stored(const PlasticZone& zone, const double* history) const { return (void)zone, (void)history, 0; }
+};
+
+}  // namespace hinge::beam
