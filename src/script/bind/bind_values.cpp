@@ -1,7 +1,9 @@
-// hinge.material and hinge.section: the material and section of members.
+// hinge.material and hinge.section.general: the material and section of members.
 #include <cmath>
 
+#include "beam/material_law.h"
 #include "model/plastic_shape.h"
+#include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"
 #include "script/lua/objects.h"
 
@@ -20,6 +22,17 @@ int material(lua_State* L) {
     m.G = G ? *G : m.E / (2 * (1 + nu.value_or(0.3)));
     m.density = o.number("density", "kg/m^3", Range::not_negative, 0);
     if (const auto y = o.maybe_number("yield_stress", "Pa", Range::positive)) m.yield_stress = *y;
+    m.laws = read_material_laws(o, m);
+    o.finish();
+    m.asked_at = where(L);
+    push<MaterialBox>(L, std::make_shared<const Material>(m));
+    return 1;
+}
+
+int material_with(lua_State* L) {
+    Material m = *self<MaterialBox>(L, "material:with").value;
+    Options o(L, 2, "material:with");
+    m.density = o.number("density", "kg/m^3", Range::not_negative);
     o.finish();
     m.asked_at = where(L);
     push<MaterialBox>(L, std::make_shared<const Material>(m));
@@ -27,15 +40,20 @@ int material(lua_State* L) {
 }
 
 int material_fields(lua_State* L) {
+    if (push_method(L)) return 1;
     const Material& m = *self<MaterialBox>(L, "material").value;
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     if (key == "E") lua_pushnumber(L, m.E);
     else if (key == "G") lua_pushnumber(L, m.G);
     else if (key == "density") lua_pushnumber(L, m.density);
     else if (key == "yield_stress") lua_pushnumber(L, m.yield_stress);
-    else
+    else if (key == "laws") {
+        std::string text;
+        for (const auto& law : m.laws) text += (text.empty() ? "" : ", ") + law->words();
+        lua_pushlstring(L, text.data(), text.size());
+    } else
         throw InputError("material has no field '" + key + "'" +
-                         did_you_mean(key, {"E", "G", "density", "yield_stress"}));
+                         did_you_mean(key, {"E", "G", "density", "yield_stress", "laws", "with"}));
     return 1;
 }
 
@@ -163,14 +181,15 @@ int same(lua_State* L) {
 }  // namespace
 
 void open_values(lua_State* L, int module) {
-    static const luaL_Reg none[] = {{nullptr, nullptr}};
-    make_metatable(L, MaterialBox::lua_name, none, guarded<material_fields>, collect<MaterialBox>,
+    static const luaL_Reg of_material[] = {{"with", guarded<takes<"material:with", 2, material_with>>},
+                                           {nullptr, nullptr}};
+    make_metatable(L, MaterialBox::lua_name, of_material, guarded<material_fields>, collect<MaterialBox>,
                    guarded<material_text>, same<MaterialBox>);
     static const luaL_Reg of_section[] = {
         {"reduced_moments", guarded<takes<"section:reduced_moments", 2, reduced_moments>>}, {nullptr, nullptr}};
     make_metatable(L, SectionBox::lua_name, of_section, guarded<section_fields>, collect<SectionBox>,
                    guarded<section_text>, same<SectionBox>);
-    name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress"});
+    name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress", "laws"});
     name_fields(L, SectionBox::lua_name,
                 {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
                  "N0", "Mx0", "My0", "Mz0", "width", "depth", "interaction"});

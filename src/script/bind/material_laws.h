@@ -1,0 +1,12 @@
+// The fields `hardening` and `rate` of hinge.material.
+#pragma once
+
+#include "model/model.h"
+#include "script/lua/lua_support.h"
+
+namespace hinge::script {
+
+/// The laws that the table declares for the material `m`, of which E and yield_stress are read already.
+std::vector<std::shared_ptr<const beam::MaterialLaw>> read_material_laws(Options& o, const Material& m);
+
+}  // namespace hinge::script
