@@ -105,21 +105,60 @@ function hinge.model(options) end
 ---0.01
 ---@field elements_accuracy? number
 
----Makes a linear elastic, perfectly plastic material.
+---Makes a material: linear elastic, and perfectly plastic unless `hardening` or `rate` says more.
 ---```lua
 ---local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 }
+---local hardens = hinge.material { E = 206e9, density = 7850, yield_stress = 325e6, hardening = { tangent = 2e9 } }
+---local mild = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6, rate = { D = 40.4, q = 5 } }
 ---```
----@param options { E: number, nu?: number, G?: number, density?: number, yield_stress?: number }
----  E in Pa. nu: default 0.3. G in Pa, in place of nu: default E / (2 (1 + nu)). density in kg/m^3: default 0; dynamics
----  needs it. yield_stress in Pa: without it the material never yields
+---@param options hinge.material_options
 ---@return hinge.material
 function hinge.material(options) end
+
+---@class hinge.material_options
+---@field E number Pa
+---@field nu? number Poisson's ratio, default 0.3
+---@field G? number Pa, in place of nu: default E / (2 (1 + nu))
+---@field density? number kg/m^3: default 0; dynamics needs it
+---@field yield_stress? number Pa: without it the material never yields
+---@field hardening? hinge.hardening default none: perfectly plastic
+---@field rate? hinge.rate default none
+
+---How the stress grows beyond yield. Give `tangent` or `modulus`. Each end of an element stands for half of its length:
+---with more elements a member, the plastic zone spreads as it does in the member.
+---@class hinge.hardening
+---slope of the stress over the strain, Pa, less than E; E / 100 is usual for steel
+---@field tangent? number
+---slope of the stress over the plastic strain, Pa: tangent / (1 - tangent / E)
+---@field modulus? number
+---part of the hardening that moves the yield surface, 0 to 1; the rest widens it. Default 1: a member that was
+---stretched yields earlier when it is pressed, by as much (Bauschinger's effect)
+---@field kinematic? number
+---back stress that kinematic hardening comes to, Pa, along an exponential curve (Armstrong and Frederick). Default:
+---none, the back stress grows without end
+---@field saturation? number
+
+---Factor on the yield stress by the rate of the mean plastic strain of a section: Cowper and Symonds,
+---1 + (rate / D)^(1/q), or Johnson and Cook, 1 + C ln(rate / reference), where ln(x) is ln(1 + x^2) / 2. Static runs
+---have no rate.
+---@class hinge.rate
+---@field D? number 1/s; mild steel: 40.4
+---@field q? number mild steel: 5
+---@field C? number
+---@field reference? number 1/s
 
 ---@class hinge.material read-only
 ---@field E number Pa
 ---@field G number Pa
 ---@field density number kg/m^3
 ---@field yield_stress number Pa; infinite: never yields
+---@field laws string what hardening and rate the material has, in words; "" for none
+local any_material = {}
+
+---A material that differs in its density alone: for example to spread the mass of a floor over its beams.
+---@param options { density: number } kg/m^3
+---@return hinge.material
+function any_material:with(options) end
 
 -- Materials by their names in standards -------------------------------------------------------------------------------
 
@@ -131,7 +170,7 @@ local material = {}
 
 ---A structural steel: S235 to S460M (EN 10025, EN 1993-1-1), A36, A572-50, A992, A500-B, A500-C (ASTM), SN400B, SN490B,
 ---BCR295, BCP325 (Japan), and others of hinge.material.names "steel". E is 210 GPa in EN, 200 GPa in ASTM and 205 GPa
----in Japan. The yield stress is ideal: hardening is not modelled.
+---in Japan. Hardening and rate are those of hinge.material; default none.
 ---```lua
 ---local column = hinge.material.steel("S355", { thickness = 0.025 }) -- 345 MPa
 ---local beam = hinge.material.steel("A992", { expected = true }) -- 1.1 times 345 MPa
@@ -142,6 +181,8 @@ local material = {}
 function material.steel(name, options) end
 
 ---@class hinge.steel_options
+---@field hardening? hinge.hardening
+---@field rate? hinge.rate
 ---thickness of the part, m: the yield stress falls with it; default: that of the thinnest parts
 ---@field thickness? number
 ---table of the yield stress: "EN 10025", "EN 1993-1-1", "ASTM" or "JIS"; default: the first of these that has the name.

@@ -9,7 +9,9 @@ local floors = missing({ "model:load", "model:mass" }, "a floor is load and mass
 local drift = missing({ "node:displacement", "run:probe" },
   "the drift of a storey is the difference of the displacements of two nodes")
 local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natural periods of the models of a script")
-local no_law = missing({ "hinge.material", "model:fracture" }, "members yield without hardening, and break")
+local no_law = missing({ "hinge.material", "model:fracture" },
+  "members yield at one strength, with hardening of their material, and break")
+local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
 local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
 local released = there({ "model:connector", "model:fix" },
@@ -34,7 +36,8 @@ return {
   ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),
   pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
   mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
-  hardening = no_law, softening = no_law, fibre = no_law, fiber = no_law,
+  hardening = hardens, ["kinematic hardening"] = hardens, ["strain rate"] = hardens,
+  softening = no_law, fibre = no_law, fiber = no_law,
   temperature = temperature, fire = temperature, creep = temperature,
   support = support, restraint = support, ["boundary condition"] = support,
   ["moment release"] = released, pin = released, pinned = released,
