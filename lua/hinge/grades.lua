@@ -111,6 +111,7 @@ end
 
 local density = { "number", unit = "kg/m^3", at_least = 0, optional = true }
 local thickness = { "number", unit = "m", above = 0, optional = true }
+local law = { "table", optional = true } -- of hinge.material, which checks what is in it
 
 -- The value of a band of thicknesses, m; without a thickness the first.
 local function by_thickness(where, name, t, limits, values)
@@ -127,7 +128,8 @@ end
 function grades.steel(name, options)
   local where = "hinge.material.steel"
   local o = check.options(where, options, { thickness = thickness, density = density,
-    standard = { "string", one_of = standards, optional = true }, expected = { "boolean", default = false } })
+    hardening = law, rate = law, standard = { "string", one_of = standards, optional = true },
+    expected = { "boolean", default = false } })
   local lists = {}
   for i, standard in ipairs(standards) do lists[i] = steels[standard] end
   name = find(where, name, o.standard and keys(steels[o.standard]) or keys(table.unpack(lists)))
@@ -139,7 +141,7 @@ function grades.steel(name, options)
     check.fail("%s: field 'expected' is true; AISC 341 has a factor for %s alone, not for %s", where,
       table.concat(keys(steels.ASTM), ", "), name)
   end
-  return { E = rows.E, nu = 0.3, density = o.density or 7850,
+  return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate,
     yield_stress = 1e6 * fy * (o.expected and rows[name].Ry or 1) }
 end
 

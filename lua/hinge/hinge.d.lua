@@ -156,6 +156,10 @@ function hinge.material(options) end
 local any_material = {}
 
 ---A material that differs in its density alone: for example to spread the mass of a floor over its beams.
+---```lua
+---local heavy = hinge.material.steel("S355"):with { density = 12000 }
+---print(heavy.density)
+---```
 ---@param options { density: number } kg/m^3
 ---@return hinge.material
 function any_material:with(options) end

@@ -6,17 +6,7 @@ local material = {}
 for _, kind in ipairs { "steel", "aluminium", "timber", "concrete", "bars" } do
   material[kind] = function(name, options, ...)
     check.no_more("hinge.material." .. kind, ...)
-    local own, laws = options, {}
-    if type(options) == "table" then
-      own = {}
-      for field, value in pairs(options) do
-        local of_law = field == "hardening" or field == "rate";
-        (of_law and laws or own)[field] = value
-      end
-    end
-    local of = require "hinge.grades"[kind](name, own)
-    of.hardening, of.rate = laws.hardening, laws.rate
-    return core.material(of)
+    return core.material(require "hinge.grades"[kind](name, options))
   end
 end
 

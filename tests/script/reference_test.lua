@@ -180,6 +180,9 @@ local square = { width = 0.1, depth = 0.1 }
 local calls = {
   ["hinge.model"] = function(x) hinge.model(x) end,
   ["hinge.material"] = function(x) hinge.material(with({ E = 1 }, x)) end,
+  ["any_material:with"] = function(x) hinge.material({ E = 1 }):with(x) end,
+  ["hinge.material.hardening"] = function(x) hinge.material { E = 1, yield_stress = 1, hardening = x } end,
+  ["hinge.material.rate"] = function(x) hinge.material { E = 1, yield_stress = 1, rate = x } end,
   ["hinge.section.box"] = function(x) hinge.section.box(with({ thickness = 0.01 }, with(x, square))) end,
   ["hinge.section.h"] = function(x) hinge.section.h(x) end,
   ["hinge.material.steel"] = function(x) hinge.material.steel("S355", x) end,

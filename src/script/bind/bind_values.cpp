@@ -32,6 +32,7 @@ int material(lua_State* L) {
 int material_with(lua_State* L) {
     Material m = *self<MaterialBox>(L, "material:with").value;
     Options o(L, 2, "material:with");
+    o.expect({"density"});
     m.density = o.number("density", "kg/m^3", Range::not_negative);
     o.finish();
     m.asked_at = where(L);
