@@ -16,12 +16,10 @@ namespace hinge::beam {
 /// elongation, twist) times these: J. Of a section that dissipates s (J, at its initial strength), s / energy is the
 /// mean plastic strain in that part of the element.
 struct PlasticZone {
-    double length = 0;  ///< m
-    double energy = 0;  ///< N0 times length, J: plastic work at a mean plastic strain of 1
+    double energy = 0;  ///< N0 times its length, J: plastic work at a mean plastic strain of 1
     /// Normalised back resultants per e and per plastic modulus H of the material, 1/(J Pa): all fibres yield, and
     /// their back stress is H times their plastic strain, or H/3 times in shear.
     Vec4 per_modulus = Vec4::Zero();
-    double yield_stress = 0;  ///< Pa
 };
 
 class MaterialLaw {

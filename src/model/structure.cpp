@@ -35,8 +35,6 @@ namespace {
 beam::SectionMaterial material_of(const Section& s, const Material& m, const beam::YieldSurface& w, double length) {
     if (m.laws.empty()) return {};
     beam::PlasticZone zone;
-    zone.length = length;
-    zone.yield_stress = m.yield_stress;
     zone.energy = (w.n > 0 ? 1 / std::sqrt(w.n) : m.yield_stress * s.area) * length;
     zone.per_modulus = Vec4(w.x * s.Ix, w.y * s.Iy, w.n * s.area, w.z * s.J / 3) / length;
     return {m.laws, zone};

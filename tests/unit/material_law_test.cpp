@@ -25,7 +25,7 @@ const Vec4 strength(fy* b* h* h / 4, fy* h* b* b / 4, fy* A, 0.5 * fy * b * b * 
 
 PlasticZone zone_of(double yields) {
     PlasticZone zone;
-    zone.length = yields, zone.yield_stress = fy, zone.energy = fy * A * yields;
+    zone.energy = fy * A * yields;
     zone.per_modulus = Vec4(Ix, Iy, A, J / 3).cwiseQuotient(strength.cwiseProduct(strength)) / yields;
     return zone;
 }
