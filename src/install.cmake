@@ -32,7 +32,7 @@ install(TARGETS hinge_module LIBRARY DESTINATION ${HINGE_MODULE_FOLDER})
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 # Whoever includes the engine's headers compiles them as the engine was compiled: types laid out alike, the same bits.
 target_compile_features(hinge_engine INTERFACE cxx_std_20)
-target_compile_options(hinge_engine INTERFACE "$<INSTALL_INTERFACE:-Wno-psabi;-ffp-contract=off;$<$<BOOL:${HINGE_NATIVE}>:-march=native>>")
+target_compile_options(hinge_engine INTERFACE "$<INSTALL_INTERFACE:-Wno-psabi;-ffp-contract=off;-fno-tree-slp-vectorize;$<$<BOOL:${HINGE_NATIVE}>:-march=native>>")
 target_compile_definitions(hinge_engine INTERFACE $<INSTALL_INTERFACE:HINGE_ALIGNMENT=${hinge_alignment}>)
 target_include_directories(hinge_engine INTERFACE $<INSTALL_INTERFACE:include/hinge>)
 target_link_libraries(hinge_engine INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
