@@ -365,11 +365,14 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
         if (!beam::reached(strains, rule)) return holds;
         return {index, weaker_end(index, flow), beam::most_beyond(strains, rule)};
     }
+    const beam::FractureStrains strains[2] = {with_shear(beam::section_strains(elastic, plastic, e.length, 1)),
+                                              with_shear(beam::section_strains(elastic, plastic, e.length, 2))};
+    if (!beam::reached(strains[0], rule) && !beam::reached(strains[1], rule)) return holds;
     const int weaker = weaker_end(index, flow);
     for (const int end : {weaker, 3 - weaker}) {
+        const beam::FractureStrains& strain = strains[end - 1];
         if (rule.plastic_only && !flows_at(flow, end, weaker)) continue;
-        const beam::FractureStrains strains = with_shear(beam::section_strains(elastic, plastic, e.length, end));
-        if (beam::reached(strains, rule)) return {index, end, beam::most_beyond(strains, rule)};
+        if (beam::reached(strain, rule)) return {index, end, beam::most_beyond(strain, rule)};
     }
     return holds;
 }
