@@ -42,7 +42,7 @@ public:
 
     void broke(const Break& b) override {
         const Element& e = w_.structure.elements()[b.element];
-        const beam::Inertia m = w_.structure.inertia(b.element);
+        const beam::Inertia& m = w_.structure.inertia(b.element);
         for (int end : {0, 1}) host_.change_steady_load(e.node[end], -(m.weight(end) * g_));
     }
     void all_broke() override { choose_members(); }

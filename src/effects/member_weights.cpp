@@ -66,7 +66,7 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
         for (int j = 1; j < n; ++j) kind.bow[k] -= at_node[j] * std::min(j, k) * (n - std::max(j, k)) * e.length / n;
     }
     for (int i = 0; i < n; ++i) {
-        const beam::Inertia weights = s.inertia(ends.first + i);
+        const beam::Inertia& weights = s.inertia(ends.first + i);
         const double first = kind.c + kind.bow[i], second = kind.c + kind.bow[i + 1];
         kind.by_gravity.push_back({{-first, second, first, -second}, {weights.weight(0), -weights.weight(1)}, {0, 0}});
     }

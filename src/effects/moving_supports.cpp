@@ -179,7 +179,7 @@ private:
             if (s.broken[e]) continue;
             const Element& element = w_.structure.elements()[e];
             const int end = element.node[0] == m.node ? 0 : 1;
-            const beam::Inertia inertia = w_.structure.inertia(e);
+            const beam::Inertia& inertia = w_.structure.inertia(e);
             sum += inertia.own[end] * of[m.node][c] + inertia.across * of[element.node[1 - end]][c];
         }
         return sum;

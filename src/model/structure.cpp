@@ -4,8 +4,8 @@
 #include <bit>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <map>
-#include <tuple>
 
 #include "core/errors.h"
 #include "laws/laws.h"
@@ -55,86 +55,125 @@ std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Mat
                            std::move(adds));
 }
 
+/// Local axes of a member: z along it, y in the plane of z and `up`.
+Quat axes_of(const MemberData& member, const Vec3& span) {
+    const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
+    Mat3 axes;
+    axes << x, y, z;
+    return Quat(axes).normalized();
+}
+
+/// Elastic stiffness and mass of a section for a metre of its length.
+beam::Rigidity rigidity_of(const Section& section, const Material& material) {
+    return {material.E * section.Ix,
+            material.E * section.Iy,
+            material.E * section.area,
+            material.G * section.J,
+            material.G * section.shear_area_x,
+            material.G * section.shear_area_y,
+            material.density * section.area,
+            material.density * (section.mass_Ix > 0 ? section.mass_Ix : section.Ix),
+            material.density * (section.mass_Iy > 0 ? section.mass_Iy : section.Iy)};
+}
+
+/// Half the smaller side of a section, m; where its sides are not given, that of the square of the same area.
+double contact_radius(const Section& s) {
+    return 0.5 * (s.width > 0 && s.depth > 0 ? std::min(s.width, s.depth) : std::sqrt(s.area));
+}
+
+/// The elements at each node, in rising order: those of node i are list[first[i]] to list[first[i + 1] - 1].
+void list_elements_of_nodes(std::size_t nodes, const std::vector<Element>& elements, std::vector<int>& first,
+                            std::vector<int>& list) {
+    first.assign(nodes + 1, 0);
+    for (const Element& e : elements)
+        for (int node : e.node) ++first[node + 1];
+    for (std::size_t i = 0; i + 1 < first.size(); ++i) first[i + 1] += first[i];
+    list.resize(first.back());
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        for (int node : elements[i].node) list[next[node]++] = int(i);
+}
+
 }  // namespace
+
+/// What alike elements have in common.
+struct Structure::KindKey {
+    const Section* section;
+    const Material* material;
+    double length, s;  ///< m; normal position of the integration point
+    int middle;        ///< the end (0, 1) at the middle of the pair
+    std::array<double, 4> rotation;
+    auto operator<=>(const KindKey&) const = default;
+};
 
 Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
     const Model& m = *model_;
+    std::size_t inner = 0, elements = 0;
+    for (const MemberData& member : m.members()) inner += member.elements - 1, elements += member.elements;
+    position_.reserve(m.nodes().size() + inner);
+    fixed_.reserve(m.nodes().size() + inner);
+    elements_.reserve(elements);
     for (const auto& n : m.nodes()) {
         position_.push_back(n.position);
         fixed_.push_back(n.fixed);
     }
-    std::size_t inner = 0, pieces = 0;
-    for (const MemberData& member : m.members()) inner += member.elements - 1, pieces += member.elements;
-    position_.reserve(m.nodes().size() + inner);
-    fixed_.reserve(m.nodes().size() + inner);
-    elements_.reserve(pieces);
-    std::map<std::tuple<const Section*, const Material*, double, double, std::array<double, 4>>, const Kind*> alike;
-    for (std::size_t index = 0; index < m.members().size(); ++index) {
-        const MemberData& member = m.members()[index];
-        const Vec3 start = m.nodes()[member.node[0]].position, span = m.nodes()[member.node[1]].position - start;
-        const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
-        Mat3 axes;
-        axes << x, y, z;
-        const Material& mat = *member.material;
-        const Section& sec = *member.section;
-        const Quat rotation = Quat(axes).normalized();
-        const double length = span.norm() / member.elements;
-        int left = member.node[0];
-        for (int i = 0; i < member.elements; ++i) {
-            int right = member.node[1];
-            if (i + 1 < member.elements) {
-                right = int(position_.size());
-                position_.push_back(start + double(i + 1) / member.elements * span);
-                fixed_.push_back(0);
-            }
-            const double s = normal_point(m.options().formulation, i % 2 == 0 ? 1 : -1);
-            const auto [at, fresh] = alike.try_emplace(
-                {&sec, &mat, length, s, {rotation.w(), rotation.x(), rotation.y(), rotation.z()}}, nullptr);
-            if (fresh) {
-                const beam::Rigidity rigidity = {mat.E * sec.Ix,
-                                                 mat.E * sec.Iy,
-                                                 mat.E * sec.area,
-                                                 mat.G * sec.J,
-                                                 mat.G * sec.shear_area_x,
-                                                 mat.G * sec.shear_area_y,
-                                                 mat.density * sec.area,
-                                                 mat.density * (sec.mass_Ix > 0 ? sec.mass_Ix : sec.Ix),
-                                                 mat.density * (sec.mass_Iy > 0 ? sec.mass_Iy : sec.Iy)};
-                const beam::YieldSurface strength =
-                    m.options().plasticity ? yield_surface(sec, mat) : beam::YieldSurface{};
-                kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), strength,
-                                  law_of(sec, mat, strength, m.options(), length)});
-                at->second = &kinds_.back();
-                can_yield_ |= !strength.elastic();
-            }
-            const Kind& kind = *at->second;
-            const int partner = member.elements % 2 == 0 ? int(elements_.size()) + (i % 2 == 0 ? 1 : -1) : -1;
-            const double radius =
-                0.5 * (sec.width > 0 && sec.depth > 0 ? std::min(sec.width, sec.depth) : std::sqrt(sec.area));
-            elements_.push_back({{left, right},
-                                 int(index),
-                                 partner,
-                                 length,
-                                 span / member.elements,
-                                 s,
-                                 kind.axes,
-                                 kind.rigidity,
-                                 kind.stiffness,
-                                 kind.yield,
-                                 kind.law.get(),
-                                 radius});
-            left = right;
-        }
-    }
+    KindMap alike;
+    for (std::size_t index = 0; index < m.members().size(); ++index) add_member(int(index), alike);
     place_histories();
-    first_element_.assign(position_.size() + 1, 0);
-    for (const Element& e : elements_)
-        for (int node : e.node) ++first_element_[node + 1];
-    for (std::size_t i = 0; i < position_.size(); ++i) first_element_[i + 1] += first_element_[i];
-    elements_of_nodes_.resize(first_element_.back());
-    std::vector<int> next(first_element_.begin(), first_element_.end() - 1);
-    for (std::size_t i = 0; i < elements_.size(); ++i)
-        for (int node : elements_[i].node) elements_of_nodes_[next[node]++] = int(i);
+    list_elements_of_nodes(position_.size(), elements_, first_element_, elements_of_nodes_);
+}
+
+void Structure::add_member(int index, KindMap& alike) {
+    const MemberData& member = model_->members()[index];
+    const Vec3 start = position_[member.node[0]], span = position_[member.node[1]] - start;
+    const Quat rotation = axes_of(member, span);
+    const double length = span.norm() / member.elements, radius = contact_radius(*member.section);
+    int left = member.node[0];
+    for (int i = 0; i < member.elements; ++i) {
+        const bool first_of_pair = i % 2 == 0;
+        int right = member.node[1], partner = -1;
+        if (i + 1 < member.elements) {
+            right = int(position_.size());
+            position_.push_back(start + double(i + 1) / member.elements * span);
+            fixed_.push_back(0);
+        }
+        if (member.elements % 2 == 0) partner = int(elements_.size()) + (first_of_pair ? 1 : -1);
+        const double s = normal_point(model_->options().formulation, first_of_pair ? 1 : -1);
+        const int middle = partner >= 0 && first_of_pair ? 1 : 0;
+        const Kind& kind = kind_of(member, rotation, length, s, middle, alike);
+        elements_.push_back({{left, right},
+                             index,
+                             partner,
+                             length,
+                             span / member.elements,
+                             s,
+                             kind.axes,
+                             kind.rigidity,
+                             kind.stiffness,
+                             kind.inertia,
+                             kind.yield,
+                             kind.law.get(),
+                             radius});
+        left = right;
+    }
+}
+
+const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& rotation, double length, double s,
+                                          int middle, KindMap& alike) {
+    const Section& section = *member.section;
+    const Material& material = *member.material;
+    const KindKey key = {&section, &material, length,
+                         s,        middle,    {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const auto [at, fresh] = alike.try_emplace(key, nullptr);
+    if (!fresh) return *at->second;
+    const beam::Rigidity rigidity = rigidity_of(section, material);
+    const beam::YieldSurface strength =
+        model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
+    can_yield_ |= !strength.elastic();
+    kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
+                      strength, law_of(section, material, strength, model_->options(), length)});
+    at->second = &kinds_.back();
+    return kinds_.back();
 }
 
 void Structure::place_histories() {
@@ -148,11 +187,11 @@ void Structure::place_histories() {
     history_at_.push_back(size);
 }
 
-beam::Inertia Structure::inertia(int index) const {
-    const Element& e = elements_[index];
-    if (lumped()) return beam::lumped_inertia(e.rigidity, e.length);
-    const beam::Inertia m = cubic() ? beam::cubic_inertia(e.rigidity, e.length, e.partner > index ? 1 : 0)
-                                    : beam::linear_inertia(e.rigidity, e.length);
+/// Mass of an element. `middle`: its end (0, 1) at the middle of its pair.
+beam::Inertia Structure::inertia_of(const beam::Rigidity& rigidity, double length, int middle) const {
+    if (lumped()) return beam::lumped_inertia(rigidity, length);
+    const beam::Inertia m =
+        cubic() ? beam::cubic_inertia(rigidity, length, middle) : beam::linear_inertia(rigidity, length);
     return at_nodes() ? m.with_rotary_at_nodes() : m;
 }
 

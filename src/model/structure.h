@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -26,6 +27,7 @@ struct Element {
     const Quat& axes;  ///< local axes at the start (columns x y z)
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
+    const beam::Inertia& inertia;      ///< entries of the mass matrix in local axes
     const beam::YieldSurface& yield;   ///< fully plastic resultants
     const beam::SectionLaw* law;       ///< null: no section can yield
     double radius;                     ///< half the smaller side of the section, m
@@ -60,7 +62,8 @@ public:
     }
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
-    beam::Inertia inertia(int element) const;
+    /// Mass of an element for the kind of mass matrix, in local axes.
+    const beam::Inertia& inertia(int element) const { return elements_[element].inertia; }
     bool lumped() const { return mass_ == MassKind::lumped; }
     bool at_nodes() const { return mass_ == MassKind::at_nodes; }
     bool cubic() const { return !lumped() && model_->options().mass == MassShape::cubic; }
@@ -89,10 +92,17 @@ private:
         Quat axes;
         beam::Rigidity rigidity;
         beam::Stiffness stiffness;
+        beam::Inertia inertia;
         beam::YieldSurface yield;
         std::unique_ptr<const beam::SectionLaw> law;
     };
+    struct KindKey;
+    using KindMap = std::map<KindKey, const Kind*>;
+    void add_member(int index, KindMap& alike);
+    const Kind& kind_of(const MemberData& member, const Quat& rotation, double length, double s, int middle,
+                        KindMap& alike);
     void place_histories();
+    beam::Inertia inertia_of(const beam::Rigidity& rigidity, double length, int middle) const;
     std::deque<Kind> kinds_;
     std::vector<std::size_t> history_at_;  ///< of each element, and the size of all; empty where no law has any
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node

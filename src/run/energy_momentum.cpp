@@ -69,7 +69,7 @@ void EnergyMomentum::find_node_inertia() {
     for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
         if (w_.state.broken[i]) continue;
         const Element& e = w_.structure.elements()[i];
-        const beam::Inertia m = w_.structure.inertia(int(i));
+        const beam::Inertia& m = w_.structure.inertia(int(i));
         mass_of_[i] = {{m.own[0], m.own[1]}, m.across};
         const Mat3 axes = e.axes.toRotationMatrix();
         for (int end : {0, 1}) rotary_[e.node[end]] += axes * m.rotary[end].asDiagonal() * axes.transpose();

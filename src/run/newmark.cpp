@@ -325,7 +325,7 @@ double Newmark::dissipated(const Step& step) const {
         const Vec6 v[2] = {one.mean_velocity, two.mean_velocity}, lag[2] = {one.lag, two.lag},
                    weighted[2] = {one.mean_weighted, two.mean_weighted}, rise[2] = {one.rise, two.rise};
         const Mat3 to_element = axes_of(element_frame(w_.structure, int(i), w_.trial)).transpose();
-        const beam::Inertia m = w_.structure.inertia(int(i));
+        const beam::Inertia& m = w_.structure.inertia(int(i));
         sum += through_mass(m, to_element, v, lag) + through_mass(m, to_element, weighted, rise);
     }
     for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {

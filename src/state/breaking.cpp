@@ -22,7 +22,7 @@ Mat3 rotary_axes(const Structure& structure, const State& state, int index, int 
 }
 
 Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
-    const beam::Inertia m = structure.inertia(index);
+    const beam::Inertia& m = structure.inertia(index);
     if (!structure.at_nodes()) return m.matrix(frame(structure, state, index));
     Mat12 M = m.matrix(Mat3::Identity());
     for (int end : {0, 1}) {
@@ -80,7 +80,7 @@ double kinetic_energy(const Structure& structure, const State& state, int index,
     const Vec3 va = a.head<3>(), vb = b.head<3>(),
                wa = rotary_axes(structure, state, index, 0, axes).transpose() * a.tail<3>(),
                wb = rotary_axes(structure, state, index, 1, axes).transpose() * b.tail<3>();
-    const beam::Inertia m = structure.inertia(index);  // eq 20a with consistent mass
+    const beam::Inertia& m = structure.inertia(index);  // eq 20a with consistent mass
     return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
                   wb.dot(m.rotary[1].cwiseProduct(wb))) +
            m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));

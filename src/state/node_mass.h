@@ -11,7 +11,7 @@ template <class F>
 void for_each_weight(const Structure& structure, const State& state, F f) {
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         if (state.broken[i]) continue;
-        const beam::Inertia m = structure.inertia(int(i));
+        const beam::Inertia& m = structure.inertia(int(i));
         for (int end : {0, 1}) f(structure.elements()[i].node[end], m.weight(end));
     }
 }
