@@ -17,65 +17,99 @@ SolverSettings by_factors() {
 
 using Solve = std::function<bool(const std::vector<Vec6>& right, std::vector<Vec6>& x)>;
 
-/// By subspace iteration with (A + shift W)^-1 W, which `solve` has the inverse of: how many of the `size` eigenvalues
-/// of A next to -shift are real and negative, -1 where that is not known. W weighs rotations with the square of an
-/// element's length. Without a shift an eigenvalue counts where its vector is one, to a hundredth: what is not yet
-/// separated from others may have either sign.
-int real_negative_next_to(const Solve& solve, const std::vector<std::uint8_t>& held, const Vec6& weight, int size,
-                          double shift) {
-    const int nodes = int(held.size());
-    const auto product = [&](const std::vector<Vec6>& a, const std::vector<Vec6>& b) {
-        double sum = 0;
-        for (int i = 0; i < nodes; ++i) sum += a[i].dot(weight.cwiseProduct(b[i]));
-        return sum;
-    };
-    std::vector<std::vector<Vec6>> basis(size, std::vector<Vec6>(nodes)), image = basis;
-    for (int k = 0; k < size; ++k)
-        for (int i = 0; i < nodes; ++i)
-            for (int c = 0; c < 6; ++c)
-                basis[k][i][c] = held[i] >> c & 1 ? 0 : std::sin(1.0 + (k + 1) * (0.7 * i + 0.3) + 1.9 * c);
-    Eigen::MatrixXd inverse(size, size);
-    std::vector<Vec6> right(nodes);
-    for (int iteration = 0; iteration < 40; ++iteration) {
-        if (iteration > 0) basis.swap(image);
-        for (int k = 0; k < size; ++k) {  // orthonormal, twice against rounding
-            for (int j = 0; j < 2 * k; ++j) {
-                const std::vector<Vec6>& other = basis[j % k];
-                const double part = product(other, basis[k]);
-                for (int i = 0; i < nodes; ++i) basis[k][i] -= part * other[i];
-            }
-            const double norm = std::sqrt(product(basis[k], basis[k]));
-            if (!(norm > 0)) return -1;
-            for (Vec6& v : basis[k]) v /= norm;
-        }
-        for (int k = 0; k < size; ++k) {
-            for (int i = 0; i < nodes; ++i) right[i] = weight.cwiseProduct(basis[k][i]);
-            if (!solve(right, image[k])) return -1;
-        }
-        for (int j = 0; j < size; ++j)
-            for (int k = 0; k < size; ++k) inverse(j, k) = product(basis[j], image[k]);
+/// Subspace iteration with (A + shift W)^-1 W, which `solve` has the inverse of: the `size` eigenvalues of A next to
+/// -shift. W weighs rotations with the square of an element's length.
+class SubspaceIteration {
+public:
+    SubspaceIteration(const std::vector<std::uint8_t>& held, const Vec6& weight, int size)
+        : weight_(weight), basis_(size, std::vector<Vec6>(held.size())), image_(basis_), right_(held.size()) {
+        for (int k = 0; k < size; ++k)
+            for (int i = 0; i < int(held.size()); ++i)
+                for (int c = 0; c < 6; ++c)
+                    basis_[k][i][c] = held[i] >> c & 1 ? 0 : std::sin(1.0 + (k + 1) * (0.7 * i + 0.3) + 1.9 * c);
     }
-    if (!inverse.allFinite()) return -1;
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(inverse);
-    const auto is_vector = [&](int m) {
-        double off = 0, size_of = 0;
-        for (int i = 0; i < nodes; ++i) {
-            Vec6 wanted = Vec6::Zero(), found = Vec6::Zero();
-            for (int k = 0; k < size; ++k) {
-                const double part = solver.eigenvectors()(k, m).real();
-                wanted += solver.eigenvalues()[m].real() * part * basis[k][i], found += part * image[k][i];
+
+    /// Iterates, and finds the eigenvalues in the subspace. False where one of the solutions fails.
+    bool run(const Solve& solve) {
+        for (int iteration = 0; iteration < 40; ++iteration) {
+            if (iteration > 0) basis_.swap(image_);
+            if (!orthonormalise() || !apply(solve)) return false;
+        }
+        Eigen::MatrixXd inverse(basis_.size(), basis_.size());
+        for (std::size_t j = 0; j < basis_.size(); ++j)
+            for (std::size_t k = 0; k < basis_.size(); ++k) inverse(j, k) = product(basis_[j], image_[k]);
+        if (!inverse.allFinite()) return false;
+        solver_.compute(inverse);
+        return solver_.info() == Eigen::Success;
+    }
+
+    /// How many of the eigenvalues are real and negative. Without a shift an eigenvalue counts where its vector is one,
+    /// to a hundredth: what is not yet separated from others may have either sign.
+    int real_negative(double shift) const {
+        int count = 0;
+        for (int m = 0; m < int(basis_.size()); ++m) {
+            const std::complex<double> stiffness = 1.0 / solver_.eigenvalues()[m] - shift;
+            const bool real = std::abs(stiffness.imag()) <= 1e-3 * std::abs(stiffness.real());
+            count += stiffness.real() < 0 && real && (shift > 0 || is_vector(m));
+        }
+        return count;
+    }
+
+private:
+    double product(const std::vector<Vec6>& a, const std::vector<Vec6>& b) const {
+        double sum = 0;
+        for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(weight_.cwiseProduct(b[i]));
+        return sum;
+    }
+
+    /// Gram and Schmidt, twice against rounding. False where a vector depends on those before it.
+    bool orthonormalise() {
+        for (std::size_t k = 0; k < basis_.size(); ++k) {
+            for (std::size_t j = 0; j < 2 * k; ++j) {
+                const std::vector<Vec6>& other = basis_[j % k];
+                const double part = product(other, basis_[k]);
+                for (std::size_t i = 0; i < other.size(); ++i) basis_[k][i] -= part * other[i];
             }
-            off += (found - wanted).cwiseAbs2().dot(weight), size_of += wanted.cwiseAbs2().dot(weight);
+            const double norm = std::sqrt(product(basis_[k], basis_[k]));
+            if (!(norm > 0)) return false;
+            for (Vec6& v : basis_[k]) v /= norm;
+        }
+        return true;
+    }
+
+    bool apply(const Solve& solve) {
+        for (std::size_t k = 0; k < basis_.size(); ++k) {
+            for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = weight_.cwiseProduct(basis_[k][i]);
+            if (!solve(right_, image_[k])) return false;
+        }
+        return true;
+    }
+
+    /// Whether the vector of the real eigenvalue m is an eigenvector of the whole matrix, to a hundredth.
+    bool is_vector(int m) const {
+        double off = 0, size_of = 0;
+        for (std::size_t i = 0; i < right_.size(); ++i) {
+            Vec6 wanted = Vec6::Zero(), found = Vec6::Zero();
+            for (std::size_t k = 0; k < basis_.size(); ++k) {
+                const double part = solver_.eigenvectors()(k, m).real();
+                wanted += solver_.eigenvalues()[m].real() * part * basis_[k][i], found += part * image_[k][i];
+            }
+            off += (found - wanted).cwiseAbs2().dot(weight_), size_of += wanted.cwiseAbs2().dot(weight_);
         }
         return off <= 1e-4 * size_of;
-    };
-    int count = 0;
-    for (int m = 0; m < size; ++m) {
-        const std::complex<double> stiffness = 1.0 / solver.eigenvalues()[m] - shift;
-        const bool real = std::abs(stiffness.imag()) <= 1e-3 * std::abs(stiffness.real());
-        count += stiffness.real() < 0 && real && (shift > 0 || is_vector(m));
     }
-    return count;
+
+    Vec6 weight_;
+    std::vector<std::vector<Vec6>> basis_, image_;
+    std::vector<Vec6> right_;
+    Eigen::EigenSolver<Eigen::MatrixXd> solver_;
+};
+
+/// Of the `size` eigenvalues of A next to -shift: how many are real and negative, -1 where that is not known.
+int real_negative_next_to(const Solve& solve, const std::vector<std::uint8_t>& held, const Vec6& weight, int size,
+                          double shift) {
+    SubspaceIteration iteration(held, weight, size);
+    return iteration.run(solve) ? iteration.real_negative(shift) : -1;
 }
 
 }  // namespace
