@@ -20,6 +20,8 @@ struct PlasticZone {
     /// Normalised back resultants per e and per plastic modulus H of the material, 1/(J Pa): all fibres yield, and
     /// their back stress is H times their plastic strain, or H/3 times in shear.
     Vec4 per_modulus = Vec4::Zero();
+    /// Plastic deformation per e: 1 over the fully plastic resultants; 0 where that is infinite. PotentialLaw sets it.
+    Vec4 per_strength = Vec4::Zero();
 };
 
 class MaterialLaw {
@@ -33,6 +35,8 @@ public:
 
     /// Number of its history variables in a section.
     virtual int history_size() const { return 0; }
+    /// Sets them before the first step. `end_of_member`: the section is at an end of its member.
+    virtual void start(bool end_of_member, double* history) const { (void)end_of_member, (void)history; }
     /// SectionLaw::moves_surface.
     virtual bool moves_surface() const { return false; }
 
@@ -52,6 +56,19 @@ public:
     };
     /// Of such a law: the integral of factor - 1, and that of the strain times it, over the strain from 0 to `strain`.
     virtual Integrals integrals(double strain, double dt) const { return (void)strain, (void)dt, Integrals{}; }
+    /// Factor on the strength of a section that has not flowed.
+    virtual double initial() const { return 1; }
+    struct Turned {
+        double factor = 1, slope = 0;  ///< at the end of the step; its change with the step's work, 1/J
+        double mean = 1;               ///< over the work of the step
+    };
+    /// Of a law whose factor follows the plastic rotation: after a step with plastic deformation e, which does `work`
+    /// at the initial strength, J. It may fall. It is looked for in rounds, and is constant in each.
+    virtual Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const {
+        return (void)zone, (void)history, (void)e, (void)work, Turned{};
+    }
+    virtual bool follows_rotation() const { return false; }
+
     /// Adds the back resultants at the end of a step: back + modulus times e. `strain`: growth of the mean plastic
     /// strain, of those that ask for it (back_follows_strain).
     virtual void add_back(const PlasticZone& zone, const double* history, double strain, Vec4& back,

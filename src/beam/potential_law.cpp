@@ -11,14 +11,55 @@ constexpr double enough = 1e-12;       ///< of the trial forces: what a section'
 constexpr double still_enough = 1e-9;  ///< where rounding leaves no more
 constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
 constexpr double falls = 0.95;         ///< then what is missed must fall to this part
-constexpr int most_steps = 100, most_sweeps = 200, most_rounds = 100;
+constexpr int most_steps = 100, most_sweeps = 200, most_rounds = 200;
 constexpr double least_damping = 1e-13;  ///< of the elastic stiffness: N may flow at either end
 constexpr double at_the_start = 1e-9;    ///< lambda over that of the flow found: a flow that begins (flowing_on)
 constexpr double stiff = 1e6;            ///< over the elastic stiffness: the second derivatives of D where flow begins
 
 using Rows = Eigen::Matrix<double, 4, 6>;
 
+/// The screen of a section whose material weakens it before any flow.
+YieldSurface screen_with(YieldSurface screen, const SectionMaterial& material) {
+    double factor = 1;
+    for (const auto& m : material.laws) factor *= m->initial();
+    if (factor < 1)
+        for (double* w : {&screen.x, &screen.y, &screen.n, &screen.z}) *w /= factor * factor;
+    return screen;
+}
+
 }  // namespace
+
+/// What a section has flowed in the step.
+struct PotentialLaw::SoFar {
+    double strain = 0;  ///< growth of its mean plastic strain
+    Vec4 e = Vec4::Zero();
+};
+
+/// The factor that follows the rotation, from round to round. A round that takes the factor s leads to a rotation whose
+/// factor is F(s). A falling strength: F(s) rises, and the next round takes F(s); so s comes down to the first s that
+/// is F(s). A rising one: F(s) falls, and s may jump to and fro; then it is looked for between the two.
+class PotentialLaw::FactorSearch {
+public:
+    double next(double s, double F) {
+        const double off = F - s, ratio = rounds_ > 0 && last_off_ != 0 ? off / last_off_ : 0;
+        (off > 0 ? low_ : high_) = s;
+        double out = F;
+        if (low_ < high_ && std::isfinite(low_) && std::isfinite(high_)) {
+            if (rounds_ > 0 && off != last_off_) out = s - off * (s - last_) / (off - last_off_);
+            if (!(out > low_ && out < high_)) out = 0.5 * (low_ + high_);
+        } else if (rounds_ > 6 && rounds_ % 4 == 0 && ratio > 0 && ratio < 0.95) {
+            out = s + off / (1 - ratio);  // where rounds that shrink alike come to
+        }
+        // the other end changes what F is
+        if (++rounds_ % 12 == 0 || high_ - low_ < 1e-12) low_ = -INFINITY, high_ = INFINITY;
+        last_ = s, last_off_ = off;
+        return out;
+    }
+
+private:
+    double low_ = -INFINITY, high_ = INFINITY, last_ = 0, last_off_ = 0;
+    int rounds_ = 0;
+};
 
 /// A section that can flow, and how far it has.
 struct PotentialLaw::End {
@@ -27,6 +68,7 @@ struct PotentialLaw::End {
     Vec4 fixed;                   ///< normalised fixed-end part, less the back resultants at the start
     Vec4 k;                       ///< stiffness against its own flow
     Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
+    MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
     const double* history = nullptr;
     double dt = 0;
     Vec4 e = Vec4::Zero();
@@ -40,15 +82,17 @@ struct PotentialLaw::End {
         for (int c = 0; c < 4; ++c)
             if (per[c] == 0) k[c] = 1;
     }
-    /// `strain`: growth of the mean plastic strain in the step.
+    /// `so_far`: of the round before.
     End(double r, const Vec4& per_strength, const Stiffness& of, const SectionConditions& at, int section,
-        const PotentialLaw& law, double strain)
+        const PotentialLaw& law, const SoFar& so_far)
         : End(r, per_strength, of) {
         fixed = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
-        set_history(at, section, law, strain);
+        set_history(at, section, law, so_far);
     }
-    void set_history(const SectionConditions& at, int section, const PotentialLaw& law, double strain) {
+    void set_history(const SectionConditions& at, int section, const PotentialLaw& law, const SoFar& so_far) {
         dt = at.dt, history = at.history_of(section, law.history_size_);
+        const double strain = so_far.strain;
+        turned = law.turned(history, so_far.e, strain * law.material_.zone.energy);
         Vec4 back = Vec4::Zero();
         const double* own = history;
         for (const auto& m : law.material_.laws) {
@@ -83,11 +127,15 @@ struct PotentialLaw::Work {
 };
 
 PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material)
-    : SectionLaw(screen), per_strength_(strength.cwiseInverse()), material_(std::move(material)) {
+    : SectionLaw(screen_with(screen, material)),
+      per_strength_(strength.cwiseInverse()),
+      material_(std::move(material)) {
+    material_.zone.per_strength = per_strength_;
     for (const auto& m : material_.laws) {
         history_size_ += m->history_size();
         moves_surface_ |= m->moves_surface();
         back_follows_strain_ |= m->back_follows_strain();
+        follows_rotation_ |= m->follows_rotation();
     }
 }
 
@@ -106,6 +154,27 @@ MaterialLaw::Factor PotentialLaw::factor_at(const double* history, double strain
         if (history) history += m->history_size();
     }
     return f;
+}
+
+void PotentialLaw::start(bool end_of_member, double* history) const {
+    for (const auto& m : material_.laws) {
+        m->start(end_of_member, history);
+        history += m->history_size();
+    }
+}
+
+/// The factor that follows the rotation, after a step with e that did `work` at the initial strength.
+MaterialLaw::Turned PotentialLaw::turned(const double* history, const Vec4& e, double work) const {
+    MaterialLaw::Turned out;
+    if (!follows_rotation_) return out;
+    for (const auto& m : material_.laws) {
+        if (m->follows_rotation()) {
+            const MaterialLaw::Turned own = m->turned(material_.zone, history, e, work);
+            out = {out.factor * own.factor, out.slope * own.factor + out.factor * own.slope, out.mean * own.mean};
+        }
+        if (history) history += m->history_size();
+    }
+    return out;
 }
 
 /// D(e): all the work, without hardening.
@@ -137,13 +206,14 @@ double PotentialLaw::mean_factor(const double* history, double strain, double dt
 /// Phi(D) + e.C e / 2 in the place of D.
 void PotentialLaw::harden(const End& end, const Vec4& e, Work& w) const {
     if (material_.laws.empty()) return;
-    const double energy = material_.zone.energy, D = w.initial;
-    const MaterialLaw::Factor f = factor_at(end.history, D / energy, end.dt);
+    const double energy = material_.zone.energy, D = w.initial, turned = end.turned.factor;
+    const MaterialLaw::Factor own = factor_at(end.history, D / energy, end.dt),
+                              f = {turned * own.value, turned * own.slope};
     const Vec4 Ce = end.hardens.cwiseProduct(e);
     w.curvature = f.value * w.curvature + f.slope / energy * w.q * w.q.transpose();
     w.curvature.diagonal() += end.hardens;
     w.q = f.value * w.q + Ce;
-    w.value = D * mean_factor(end.history, D / energy, end.dt, false) + 0.5 * e.dot(Ce);
+    w.value = turned * D * mean_factor(end.history, D / energy, end.dt, false) + 0.5 * e.dot(Ce);
 }
 
 /// The least along the ray of e: trial.e = t e.(k + C) e + (factor at t D) D. False: it is at t = 0.
@@ -153,8 +223,8 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
     if (!material_.laws.empty()) {
         const auto left = [&](double x, double* slope = nullptr) {
             const MaterialLaw::Factor f = factor_at(end.history, x * D / material_.zone.energy, end.dt);
-            if (slope) *slope = -stiffness - f.slope * D * D / material_.zone.energy;
-            return force - x * stiffness - f.value * D;
+            if (slope) *slope = -stiffness - end.turned.factor * f.slope * D * D / material_.zone.energy;
+            return force - x * stiffness - end.turned.factor * f.value * D;
         };
         if (!(left(0) > 0)) return false;
         double low = 0, high = force / stiffness;  // it is above 0 at low, and not above at high
@@ -176,7 +246,7 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
 /// Whether q, less the back resultants, is outside of the yield surface at the start of the step (outside).
 bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const {
     if (material_.laws.empty()) return outside(q, direction);
-    return outside(q / factor_at(end.history, 0, end.dt).value, direction);
+    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.dt).value), direction);
 }
 
 /// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
@@ -331,6 +401,12 @@ Vec4 PotentialLaw::normalised_flow(const ElementFlow& flow, int section) const {
     return e;
 }
 
+/// What a section has flowed in the step, where its material needs that.
+PotentialLaw::SoFar PotentialLaw::so_far(const ElementFlow& flow, int section) const {
+    if (material_.laws.empty() || !(flow.lambda[section] > 0)) return {};
+    return {mean_strain(flow, section), normalised_flow(flow, section)};
+}
+
 /// Growth of the mean plastic strain of a section in the step.
 double PotentialLaw::mean_strain(const ElementFlow& flow, int section) const {
     if (material_.laws.empty() || !(flow.lambda[section] > 0)) return 0;
@@ -339,44 +415,59 @@ double PotentialLaw::mean_strain(const ElementFlow& flow, int section) const {
     return potential(normalised_flow(flow, section), q, curvature) / material_.zone.energy;
 }
 
-/// Where back resultants follow the mean plastic strain, that of the round before is taken, until it changes no more: a
-/// round leaves about H / E of the change before.
+/// Where back resultants follow the mean plastic strain, or the strength follows the rotation, those of the round
+/// before are taken, until they change no more: a round leaves about H / E of the change before.
 ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                const SectionConditions& at, const ElementFlow* before) const {
-    double strain[2] = {0, 0};
+    const bool rounds = back_follows_strain_ || follows_rotation_;
+    SoFar so_far[2];
+    FactorSearch search[2];
+    double factor[2] = {0, 0};  // of the rounds after the first
     ElementFlow last;
     for (int round = 0; round < most_rounds; ++round) {
         ElementFlow out;
         out.p = trial;
         End ends[2];
-        for (int i = 0; i < n; ++i) ends[i] = End(sections[i], per_strength_, k, at, i, *this, strain[i]);
-        out.converged = find_ends(trial, k, ends, n, round == 0 ? before : &last);
         for (int i = 0; i < n; ++i) {
-            if (!ends[i].flows()) continue;
-            Work w = work_at(ends[i].e);
-            harden(ends[i], ends[i].e, w);
-            out.plastic += ends[i].plastic();
-            out.lambda[i] = 0.5 * w.initial;
-            out.section[i] = per_strength_.cwiseProduct(ends[i].e);
-            if (material_.laws.empty()) continue;
-            const double D = w.initial, strain = D / material_.zone.energy, beyond = w.value - w.q.dot(ends[i].e);
-            out.potential += beyond;
-            out.path_work += beyond + D * (mean_factor(ends[i].history, strain, at.dt, true) -
-                                           mean_factor(ends[i].history, strain, at.dt, false));
+            ends[i] = End(sections[i], per_strength_, k, at, i, *this, so_far[i]);
+            if (round > 0 && follows_rotation_) ends[i].turned.factor = factor[i];
+        }
+        out.converged = find_ends(trial, k, ends, n, round == 0 ? before : &last);
+        bool same = true;
+        for (int i = 0; i < n; ++i) {
+            const SoFar now = add_flow(ends[i], i, at.dt, out);
+            if (!rounds) continue;
+            const double elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy),
+                         taken = ends[i].turned.factor,
+                         found = turned(ends[i].history, now.e, now.strain * material_.zone.energy).factor;
+            same = same &&
+                   (!back_follows_strain_ || std::abs(now.strain - so_far[i].strain) <= 10 * enough * elastic) &&
+                   std::abs(found - taken) <= 10 * enough;
+            factor[i] = search[i].next(taken, found);
+            so_far[i] = now;
         }
         if (out.flows()) out.p = trial - k.times(out.plastic);
-        bool same = true;
-        for (int i = 0; i < n && back_follows_strain_; ++i) {
-            const double now = mean_strain(out, i),
-                         elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy);
-            same = same && std::abs(now - strain[i]) <= 10 * enough * elastic;
-            strain[i] = now;
-        }
         if (!out.converged || same) return out;
         last = out;
     }
     last.converged = false;
     return last;
+}
+
+/// Adds what an end has flowed to the flow of its element.
+PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, double dt, ElementFlow& out) const {
+    if (!end.flows()) return {};
+    Work w = work_at(end.e);
+    harden(end, end.e, w);
+    out.plastic += end.plastic();
+    out.lambda[section] = 0.5 * w.initial;
+    out.section[section] = per_strength_.cwiseProduct(end.e);
+    if (material_.laws.empty()) return {0, end.e};
+    const double D = w.initial, strain = D / material_.zone.energy, beyond = w.value - w.q.dot(end.e);
+    out.potential += beyond;
+    out.path_work += beyond + D * (turned(end.history, end.e, D).mean * mean_factor(end.history, strain, dt, true) -
+                                   end.turned.factor * mean_factor(end.history, strain, dt, false));
+    return {strain, end.e};
 }
 
 ElementFlow PotentialLaw::return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
@@ -430,7 +521,7 @@ Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) con
         m->add_back(material_.zone, own, 0, back, hardens);
         if (own) own += m->history_size();
     }
-    return (of - back) / factor_at(history, 0, dt).value;
+    return (of - back) / (factor_at(history, 0, dt).value * turned(history, Vec4::Zero(), 0).factor);
 }
 
 double PotentialLaw::yield_function(const Vec4& q, const double* history) const {
@@ -453,8 +544,11 @@ bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End&
     const double largest = w.curvature.cwiseAbs().maxCoeff();
     if (flow.lambda[section] < at_the_start * 0.5 * w.initial && largest > 0)
         w.curvature *= std::max(1.0, stiff * end.k.maxCoeff() / largest);
+    const Vec4 surface = w.q;
+    const double slope = end.turned.slope * factor_at(end.history, w.initial / material_.zone.energy, end.dt).value;
     harden(end, e, w);
     out = w.curvature;
+    if (follows_rotation_) out += slope * surface * surface.transpose();
     return true;
 }
 
@@ -498,7 +592,7 @@ Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const do
     int count = 0;
     for (int i = 0; i < n; ++i) {
         End end(sections[i], per_strength_, k);
-        end.set_history(at, i, *this, mean_strain(flow, i));
+        end.set_history(at, i, *this, so_far(flow, i));
         if (!curvature_of(flow, i, end, bend[count])) continue;
         B.middleRows<4>(4 * count++) = end.rows();
     }
@@ -516,7 +610,7 @@ Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const 
             const Rows own = end.rows();
             const Mat6 K = elastic.block<6, 6>(6 * i, 6 * i);
             end.k = (own * K * own.transpose()).diagonal();
-            end.set_history(at[i], s, *this, mean_strain(*flow[i], s));
+            end.set_history(at[i], s, *this, so_far(*flow[i], s));
             if (!curvature_of(*flow[i], s, end, bend[count])) continue;
             B.middleRows<4>(4 * count).setZero();
             B.block<4, 6>(4 * count++, 6 * i) = own;

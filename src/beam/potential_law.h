@@ -11,7 +11,9 @@
 //
 // Hardening and rate change D to Phi(D(e)) + b . e + e . C e / 2. Phi is the integral of the factor on the strength
 // over D, b the back resultants at the start of the step, and C e what the step adds to them. G is convex still, as
-// long as the factor does not fall.
+// long as the factor does not fall. A factor that follows the rotation of a hinge may fall: it is constant in a round
+// of the search, and the next round takes it as it is where the round before led. From the start of the step the rounds
+// come to the first state of equilibrium on the way down, since a weaker hinge turns farther.
 //
 // A law derives from PotentialLaw and says D, its two derivatives, and which way a section flows at first.
 #pragma once
@@ -38,6 +40,7 @@ public:
     bool keeps_strength() const override { return material_.laws.empty(); }
     int history_size() const override { return history_size_; }
     bool moves_surface() const override { return moves_surface_; }
+    void start(bool end_of_member, double* history) const override;
     void commit(const ElementFlow& flow, int section, double dt, double* history) const override;
     double stored(const double* history) const override;
     double yield_function(const Vec4& q, const double* history = nullptr) const override;
@@ -74,6 +77,10 @@ protected:
 private:
     struct End;
     struct Work;
+    struct SoFar;
+    class FactorSearch;
+    SoFar so_far(const ElementFlow& flow, int section) const;
+    SoFar add_flow(const End& end, int section, double dt, ElementFlow& out) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
     bool find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n, const ElementFlow* before) const;
@@ -88,6 +95,7 @@ private:
     MaterialLaw::Factor factor_at(const double* history, double strain, double dt) const;
     double mean_factor(const double* history, double strain, double dt, bool of_work) const;
     double mean_strain(const ElementFlow& flow, int section) const;
+    MaterialLaw::Turned turned(const double* history, const Vec4& e, double work) const;
     bool curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const;
     Vec4 normalised_flow(const ElementFlow& flow, int section) const;
     Vec4 relative(const Vec4& q, const double* history, double dt) const;
@@ -95,7 +103,7 @@ private:
     Vec4 per_strength_;
     SectionMaterial material_;
     int history_size_ = 0;
-    bool moves_surface_ = false, back_follows_strain_ = false;
+    bool moves_surface_ = false, back_follows_strain_ = false, follows_rotation_ = false;
 };
 
 }  // namespace hinge::beam

@@ -43,8 +43,11 @@ public:
     /// True of a law that is eq 14 whatever the section's shape: it may be unsafe beside an axial force.
     virtual bool ignores_shape() const { return false; }
 
-    /// Number of history variables of one section: numbers that change as it flows. They are 0 at first.
+    /// Number of history variables of one section: numbers that change as it flows. They are 0 at first,
+    /// or as `start` sets them.
     virtual int history_size() const { return 0; }
+    /// Sets them before the first step, other than to 0. `end_of_member`: the section is at an end of its member.
+    virtual void start(bool end_of_member, double* history) const { (void)end_of_member, (void)history; }
     /// True if the yield surface of a section that has flowed may lie inside of the screen in part: it is then asked in
     /// each step.
     virtual bool moves_surface() const { return false; }

@@ -25,6 +25,19 @@ struct Hardening {
 /// Raises InputError unless all are finite and not negative.
 std::shared_ptr<const MaterialLaw> hardening_law(const Hardening& hardening, double yield_stress);
 
+/// Strength of a hinge at the end of a member over its plastic rotation (laws/backbone.cpp).
+struct Backbone {
+    struct Point {
+        double rotation, strength;  ///< largest plastic rotation so far, rad; factor on the fully plastic resultants
+    };
+    std::vector<Point> points;  ///< the first one at 0 rad; straight between two, constant beyond the last
+    double wear = 0;            ///< plastic work over My that takes all strength, rad; 0: cycles do not wear it
+};
+/// Raises InputError unless the rotations begin at 0 and rise, and all strengths are 0.01 or more.
+std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& backbone);
+/// That of such a law; null of another.
+const Backbone* backbone_of(const MaterialLaw& law);
+
 /// Factor on the yield stress at a plastic strain rate (laws/strain_rate.cpp): Cowper and Symonds, 1 + (rate /
 /// D)^(1/q), or Johnson and Cook, 1 + C ln(rate / reference) well beyond the reference rate. Rates in 1/s.
 struct StrainRate {

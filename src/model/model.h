@@ -89,6 +89,8 @@ struct MemberData {
     Vec3 up;
     int elements;
     std::vector<int> groups;  ///< the first one colours it
+    /// Strength of its ends over their plastic rotation (laws/backbone.cpp); null: constant.
+    std::shared_ptr<const beam::MaterialLaw> backbone = nullptr;
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed

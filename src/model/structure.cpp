@@ -31,22 +31,27 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
 
 namespace {
 
-/// What a material adds to the law of a section. `length`: of the part of an element that yields with it, m.
-beam::SectionMaterial material_of(const Section& s, const Material& m, const beam::YieldSurface& w, double length) {
-    if (m.laws.empty()) return {};
+/// What its material and its backbone add to the law of a member's section. `length`: of the part of an element that
+/// yields with it, m.
+beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSurface& w, double length) {
+    const Section& s = *member.section;
+    const Material& m = *member.material;
+    beam::MaterialLaws laws = m.laws;
+    if (member.backbone) laws.push_back(member.backbone);
+    if (laws.empty()) return {};
     beam::PlasticZone zone;
     zone.energy = (w.n > 0 ? 1 / std::sqrt(w.n) : m.yield_stress * s.area) * length;
     zone.per_modulus = Vec4(w.x * s.Ix, w.y * s.Iy, w.n * s.area, w.z * s.J / 3) / length;
-    return {m.laws, zone};
+    return {std::move(laws), zone};
 }
 
-/// The law of a section, null where it cannot yield.
-std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Material& material,
-                                               const beam::YieldSurface& w, const ModelOptions& options,
-                                               double length) {
+/// The law of a member's section, null where it cannot yield.
+std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const beam::YieldSurface& w,
+                                               const ModelOptions& options, double length) {
     if (w.elastic()) return nullptr;
+    const Section& section = *member.section;
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
-    beam::SectionMaterial adds = material_of(section, material, w, zone);
+    beam::SectionMaterial adds = material_of(member, w, zone);
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
     const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
     if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
@@ -100,6 +105,7 @@ void list_elements_of_nodes(std::size_t nodes, const std::vector<Element>& eleme
 struct Structure::KindKey {
     const Section* section;
     const Material* material;
+    const beam::MaterialLaw* backbone;
     double length, s;  ///< m; normal position of the integration point
     int middle;        ///< the end (0, 1) at the middle of the pair
     std::array<double, 4> rotation;
@@ -162,8 +168,13 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                                           int middle, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {&section, &material, length,
-                         s,        middle,    {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const KindKey key = {&section,
+                         &material,
+                         member.backbone.get(),
+                         length,
+                         s,
+                         middle,
+                         {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
     const beam::Rigidity rigidity = rigidity_of(section, material);
@@ -171,7 +182,7 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
     can_yield_ |= !strength.elastic();
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
-                      strength, law_of(section, material, strength, model_->options(), length)});
+                      strength, law_of(member, strength, model_->options(), length)});
     at->second = &kinds_.back();
     return kinds_.back();
 }

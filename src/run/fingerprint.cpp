@@ -46,12 +46,14 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("members", model.members(), [](Sum& a, const MemberData& m) { a(m.node, m.up, m.elements); }));
     parts.push_back(part("materials", model.members(), [](Sum& a, const MemberData& m) {
         a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);
-        for (const auto& law : m.material->laws) {
+        const auto add = [&](const beam::MaterialLaw& law) {
             std::string bytes;
             Writer write(bytes);
-            law->save(write);
-            a(std::string(law->name()), bytes);
-        }
+            law.save(write);
+            a(std::string(law.name()), bytes);
+        };
+        for (const auto& law : m.material->laws) add(*law);
+        if (m.backbone) add(*m.backbone);
     }));
     parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
         const Section& section = *m.section;

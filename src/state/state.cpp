@@ -6,6 +6,22 @@
 
 namespace hinge {
 
+namespace {
+
+/// What the laws of sections keep of them before the first step.
+void start_histories(const Structure& structure, State& s) {
+    for (std::size_t i = 0; i < structure.elements().size() && !s.history.empty(); ++i) {
+        const Element& e = structure.elements()[i];
+        const int size = e.law ? e.law->history_size() : 0;
+        const MemberData& member = structure.model().members()[e.member];
+        for (int end = 0; size > 0 && end < (structure.conventional() ? 1 : 2); ++end)
+            e.law->start(structure.conventional() || e.node[end] == member.node[end],
+                         &s.history[structure.history_at(int(i)) + std::size_t(end * size)]);
+    }
+}
+
+}  // namespace
+
 State initial_state(const Structure& structure) {
     const std::size_t nodes = structure.position().size(), elements = structure.elements().size();
     State s;
@@ -30,6 +46,7 @@ State initial_state(const Structure& structure) {
     s.touched.assign(elements, 0);
     s.broken.assign(elements, 0);
     s.history.assign(structure.history_size(), 0);
+    start_histories(structure, s);
     return s;
 }
 

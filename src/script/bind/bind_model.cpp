@@ -169,7 +169,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements"}, 2);
+    o.expect({"section", "material", "up", "group", "elements", "backbone"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -186,7 +186,17 @@ int add_member(lua_State* L) {
     else
         o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1),
                    "give one made by hinge.material{ E =, density =, ... }");
-    lua_pop(L, 2);
+    if (o.push_field("backbone") != LUA_TNIL) {
+        const auto* b = find<BackboneBox>(L, -1);
+        if (!b) o.complain("backbone", show(L, -1), "give one made by hinge.backbone{ ... }");
+        if (m->options().formulation == Formulation::conventional)
+            o.complain("backbone", "given",
+                       "needs hinges at the ends of elements: hinge.model{ formulation = 'asi-gauss' } or 'asi'");
+        if (!std::isfinite(data.material->yield_stress))
+            o.complain("backbone", "given", "needs a material with yield_stress (Pa)");
+        data.backbone = b->value;
+    }
+    lua_pop(L, 3);
     const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
     // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
     data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));

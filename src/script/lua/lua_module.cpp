@@ -48,6 +48,7 @@ int open_core(lua_State* L) {
     lua_newtable(L);
     const int module = lua_gettop(L);
     open_values(L, module);
+    open_backbone(L, module);
     open_objects(L);
     open_model(L, module);
     open_run(L);

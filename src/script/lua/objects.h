@@ -101,6 +101,11 @@ struct SectionBox {
     std::shared_ptr<const Section> value;
 };
 
+struct BackboneBox {
+    static constexpr const char* lua_name = "hinge.backbone";
+    std::shared_ptr<const beam::MaterialLaw> value;
+};
+
 /// A model that a script has made.
 struct ScriptModel : Model {
     using Model::Model;
@@ -311,9 +316,10 @@ void write_rows(RunRecord& r);
 /// One step, recorded. False at the end.
 bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
-void open_values(lua_State* L, int module);  ///< hinge.material, hinge.section
-void open_model(lua_State* L, int module);   ///< hinge.model
-void open_objects(lua_State* L);             ///< nodes, members, groups, loads
+void open_values(lua_State* L, int module);    ///< hinge.material, hinge.section
+void open_backbone(lua_State* L, int module);  ///< hinge.backbone
+void open_model(lua_State* L, int module);     ///< hinge.model
+void open_objects(lua_State* L);               ///< nodes, members, groups, loads
 void open_run(lua_State* L);
 void open_reading(lua_State* L);             ///< results of runs, nodes and members
 void open_output(lua_State* L, int module);  ///< summary and other files

@@ -1,0 +1,143 @@
+// hinge.backbone: strength of a member's ends over their plastic rotation.
+#include <cmath>
+
+#include "core/text.h"
+#include "laws/laws.h"
+#include "script/lua/objects.h"
+
+namespace hinge::script {
+namespace {
+
+constexpr double least = 0.01;  ///< of the fully plastic resultants: the strength that is always left
+constexpr double drop = 0.001;  ///< rad, over which the strength falls at the ultimate rotation
+
+using Points = std::vector<beam::Backbone::Point>;
+
+Points read_points(Options& o) {
+    lua_State* L = o.L();
+    if (lua_type(L, -1) != LUA_TTABLE)
+        o.complain("points", show(L, -1), "must be a list of points { rotation (rad), strength }");
+    Points points;
+    const std::string what = o.function() + ": field 'points'";
+    for (lua_Integer i = 1, n = list_length(L, -1, what); i <= n; ++i) {
+        const auto number = [&](int k) {
+            if (lua_type(L, -1) != LUA_TTABLE) return std::nan("");
+            lua_rawgeti(L, -1, k);
+            const double x = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
+            lua_pop(L, 1);
+            return x;
+        };
+        lua_rawgeti(L, -1, i);
+        const beam::Backbone::Point p{number(1), number(2)};
+        lua_pop(L, 1);
+        const auto refuse = [&](const std::string& need) {
+            throw InputError(what + "[" + std::to_string(i) + "]: " + need);
+        };
+        if (!std::isfinite(p.rotation) || !std::isfinite(p.strength))
+            refuse("must be { rotation (rad), strength }, the strength as a part of the fully plastic moment");
+        if (points.empty() && p.rotation != 0)
+            refuse("the first plastic rotation is " + show(p.rotation) + " rad; it must be 0: there the end yields");
+        if (!points.empty() && !(p.rotation > points.back().rotation))
+            refuse("the plastic rotation is " + show(p.rotation) + " rad; it must be more than that before, " +
+                   show(points.back().rotation) + " rad");
+        if (p.strength < least)
+            refuse("the strength is " + show(p.strength) +
+                   "; it must be 0.01 or more. A member that loses all of it "
+                   "is broken: that is for a fracture rule");
+        points.push_back(p);
+    }
+    if (points.empty()) o.complain("points", "empty", "give at least one point { 0, strength }");
+    return points;
+}
+
+/// From the numbers by which hinge models are published.
+Points points_of_numbers(Options& o) {
+    const double yield = o.number("yield", "", Range::positive, 1),
+                 at_cap = o.number("cap_rotation", "rad", Range::positive),
+                 cap = o.number("cap_strength", "", Range::positive, yield),
+                 residual = o.number("residual", "", Range::not_negative, 0);
+    const auto fall = o.maybe_number("post_cap_rotation", "rad", Range::positive),
+               ultimate = o.maybe_number("ultimate_rotation", "rad", Range::positive);
+    for (const auto& [field, x] : {std::pair("yield", yield), std::pair("cap_strength", cap)})
+        if (x < least) o.complain(field, show(x), "must be 0.01 or more, a part of the fully plastic moment");
+    Points points = {{0, yield}, {at_cap, cap}};
+    const double left = std::max(least, residual * yield);
+    if (left > cap)
+        o.complain("residual", show(residual), "is a part of the strength at yield, and more than cap_strength");
+    if (o.has("residual") && !fall) o.complain("residual", show(residual), "needs post_cap_rotation (rad) beside it");
+    const double at_residual = fall ? at_cap + *fall * (1 - left / cap) : at_cap;
+    if (fall && left < cap) points.push_back({at_residual, left});
+    if (ultimate) {
+        if (!(*ultimate > at_cap))
+            o.complain("ultimate_rotation", show(*ultimate) + " rad", "must be more than cap_rotation");
+        if (*ultimate < points.back().rotation) {  // before the residual strength is reached
+            points.back() = {*ultimate, cap * (1 - (*ultimate - at_cap) / *fall)};
+        } else if (*ultimate > points.back().rotation) {
+            points.push_back({*ultimate, points.back().strength});
+        }
+        if (points.back().strength > least) points.push_back({*ultimate + drop, least});
+    }
+    return points;
+}
+
+int backbone(lua_State* L) {
+    Options o(L, 1, "hinge.backbone");
+    o.expect({"points", "yield", "cap_rotation", "cap_strength", "post_cap_rotation", "residual", "ultimate_rotation",
+              "wear"});
+    beam::Backbone b;
+    if (o.push_field("points") != LUA_TNIL) {
+        b.points = read_points(o);
+        for (const char* field :
+             {"yield", "cap_rotation", "cap_strength", "post_cap_rotation", "residual", "ultimate_rotation"})
+            if (o.has(field)) o.complain(field, "given beside points", "give the one or the other");
+    }
+    lua_pop(L, 1);
+    if (b.points.empty()) b.points = points_of_numbers(o);
+    b.wear = o.number("wear", "rad", Range::positive, 0);
+    o.finish();
+    push<BackboneBox>(L, beam::backbone_law(b));
+    return 1;
+}
+
+int backbone_fields(lua_State* L) {
+    const beam::Backbone& b = *beam::backbone_of(*self<BackboneBox>(L, "backbone").value);
+    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (key == "wear") return b.wear > 0 ? lua_pushnumber(L, b.wear) : lua_pushnil(L), 1;
+    if (key != "points")
+        throw InputError("backbone has no field '" + key + "'" + did_you_mean(key, {"points", "wear"}));
+    lua_createtable(L, int(b.points.size()), 0);
+    for (std::size_t i = 0; i < b.points.size(); ++i) {
+        lua_createtable(L, 2, 0);
+        lua_pushnumber(L, b.points[i].rotation);
+        lua_rawseti(L, -2, 1);
+        lua_pushnumber(L, b.points[i].strength);
+        lua_rawseti(L, -2, 2);
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    return 1;
+}
+
+int backbone_text(lua_State* L) {
+    const std::string text = self<BackboneBox>(L, "tostring").value->words();
+    lua_pushlstring(L, text.data(), text.size());
+    return 1;
+}
+
+int same_backbone(lua_State* L) {
+    const BackboneBox *a = find<BackboneBox>(L, 1), *b = find<BackboneBox>(L, 2);
+    lua_pushboolean(L, a && b && a->value == b->value);
+    return 1;
+}
+
+}  // namespace
+
+void open_backbone(lua_State* L, int module) {
+    static const luaL_Reg none[] = {{nullptr, nullptr}};
+    make_metatable(L, BackboneBox::lua_name, none, guarded<backbone_fields>, collect<BackboneBox>,
+                   guarded<backbone_text>, same_backbone);
+    name_fields(L, BackboneBox::lua_name, {"points", "wear"});
+    lua_pushcfunction(L, (guarded<takes<"hinge.backbone", 1, backbone>>));
+    lua_setfield(L, module, "backbone");
+}
+
+}  // namespace hinge::script
