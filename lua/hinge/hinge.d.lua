@@ -147,6 +147,43 @@ function hinge.material(options) end
 ---@field C? number
 ---@field reference? number 1/s
 
+---Makes a backbone: the strength of the ends of a member over their plastic rotation, as tests of beams and columns
+---give it. Strengths are factors on the fully plastic resultants of the section: a moment is the factor times Mp, and
+---the axial force and the torque that a section carries fall with it. The largest plastic rotation so far counts, in
+---any direction: cycles within it keep the strength, unless `wear` is given. Between its ends the member has the
+---greatest strength of the backbone, without a fall. So the hinge is the same with any number of elements.
+---```lua
+---local hinge_of_test = hinge.backbone { yield = 1.1, cap_rotation = 0.025, cap_strength = 1.2, -- over Mp, rad
+---  post_cap_rotation = 0.3, residual = 0.4, ultimate_rotation = 0.4, wear = 1.2 }
+---model:member { wall, tip, section = square, material = steel, backbone = hinge_of_test }
+---```
+---@param options hinge.backbone_options
+---@return hinge.backbone
+function hinge.backbone(options) end
+
+---Either `points`, or the numbers by which models of hinges are published (Ibarra, Medina and Krawinkler 2005, as
+---modified by Lignos and Krawinkler 2011).
+---@class hinge.backbone_options
+---pairs { plastic rotation (rad), strength }: the first at 0 rad, where the end yields; straight between two, constant
+---beyond the last. Strengths of 0.01 and more
+---@field points? number[][]
+---@field yield? number strength at yield, over Mp: default 1
+---@field cap_rotation? number plastic rotation at the greatest strength, rad
+---@field cap_strength? number greatest strength, over Mp: default that at yield
+---plastic rotation from the cap to where a straight fall would come to 0, rad; default: no fall
+---@field post_cap_rotation? number
+---@field residual? number where the fall ends, over the strength at yield: default 0, of which 0.01 Mp is kept
+---plastic rotation at which the strength drops to 0.01 Mp, within 0.001 rad; default none
+---@field ultimate_rotation? number
+---plastic work over the moment at yield, rad, that takes all strength from an end: the strength falls by the work done
+---so far over this one. It is what is published as the reference cumulative rotation, with the exponent 1; default
+---none
+---@field wear? number
+
+---@class hinge.backbone read-only
+---@field points number[][] pairs { plastic rotation (rad), strength over Mp }
+---@field wear number? rad
+
 ---@class hinge.material read-only
 ---@field E number Pa
 ---@field G number Pa
@@ -504,6 +541,7 @@ function node:position(run) end
 ---@field group string? name of its first group, which sets its colour; nil: none
 ---@field section hinge.section
 ---@field material hinge.material
+---@field backbone hinge.backbone? nil: none
 ---@field up vec3 direction of the section's y axis, as given
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
 ---@field index integer from 1, in the order of declaration
@@ -689,6 +727,8 @@ function model:member(options) end
 ---@field up? vec3
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one sets its colour
 ---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
+---strength of its ends over their plastic rotation; default: constant. Not with the conventional element
+---@field backbone? hinge.backbone
 
 ---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two
 ---arguments: the time at the end of the step (s), and the run as it is at the beginning of the step (dynamics only). It

@@ -11,6 +11,7 @@ local drift = missing({ "node:displacement", "run:probe" },
 local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natural periods of the models of a script")
 local no_law = missing({ "hinge.material", "model:fracture" },
   "members yield at one strength, with hardening of their material, and break")
+local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
 local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
 local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
@@ -37,7 +38,8 @@ return {
   pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
   mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
   hardening = hardens, ["kinematic hardening"] = hardens, ["strain rate"] = hardens,
-  softening = no_law, fibre = no_law, fiber = no_law,
+  softening = falls, degradation = falls, ["hinge property"] = falls, ["moment rotation"] = falls,
+  fibre = no_law, fiber = no_law,
   temperature = temperature, fire = temperature, creep = temperature,
   support = support, restraint = support, ["boundary condition"] = support,
   ["moment release"] = released, pin = released, pinned = released,

@@ -80,9 +80,11 @@ local function scene()
   local s = { model = hinge.model { displacement = "small" } }
   s.steel = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }
   s.bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+  s.backbone = hinge.backbone { points = { { 0, 1 }, { 0.1, 0.5 } }, wear = 1 }
   s.wall, s.tip = s.model:node { 0, 0, 0 }, s.model:node { 1, 0, 0 }
   s.model:fix(s.wall)
-  s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm" }
+  s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm",
+    backbone = s.backbone }
   s.group = s.model:group "arm"
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.case = s.model:case "live"
@@ -95,7 +97,8 @@ local function scene()
 end
 local s = scene()
 s.run:finish()
-local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.model"] = s.model,
+local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.backbone"] = s.backbone,
+  ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
   ["hinge.connector"] = s.connector }
@@ -183,6 +186,7 @@ local calls = {
   ["any_material:with"] = function(x) hinge.material({ E = 1 }):with(x) end,
   ["hinge.material.hardening"] = function(x) hinge.material { E = 1, yield_stress = 1, hardening = x } end,
   ["hinge.material.rate"] = function(x) hinge.material { E = 1, yield_stress = 1, rate = x } end,
+  ["hinge.backbone"] = function(x) hinge.backbone(x) end,
   ["hinge.section.box"] = function(x) hinge.section.box(with({ thickness = 0.01 }, with(x, square))) end,
   ["hinge.section.h"] = function(x) hinge.section.h(x) end,
   ["hinge.material.steel"] = function(x) hinge.material.steel("S355", x) end,

@@ -1,0 +1,176 @@
+-- Backbones of members: the published form in numbers, the same hinge with any number of elements, the energy balance
+-- of all integrators where strength falls, the same bytes after a checkpoint; wrong input is refused.
+--
+-- Run: lua5.4 tests/script/backbone_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "backbone"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local E, fy, L = 200e9, 345e6, 3
+local steel = hinge.material { E = E, density = 7850, yield_stress = fy }
+local column = hinge.section.h { depth = 0.4, width = 0.2, web = 0.01, flange = 0.015 }
+local Mp = fy * column.Zx
+
+-- A modified Ibarra, Medina and Krawinkler model as it is published: strengths over Mp, rotations in rad.
+local numbers = { yield = 1.1, cap_rotation = 0.025, cap_strength = 1.2, post_cap_rotation = 0.16, residual = 0.4,
+  ultimate_rotation = 0.2 }
+
+local function by_hand(rotation)
+  if rotation <= 0.025 then return 1.1 + 0.1 * rotation / 0.025 end
+  return support.largest_of(1.2 * (1 - (rotation - 0.025) / 0.16), 0.4 * 1.1)
+end
+
+-- A cantilever whose tip is driven: the moment at its foot over Mp, by the plastic rotation of the foot.
+local function driven(elements, backbone, turns, model_options)
+  local model = hinge.model(model_options or { displacement = "small" })
+  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  local member = model:member { foot, tip, section = column, material = steel, up = { 0, 0, 1 }, elements = elements,
+    backbone = backbone }
+  model:fix(foot, "all")
+  model:load { node = tip, force = { 0, 0, -Mp / L } }
+  local k = 1 / (L ^ 3 / (3 * E * column.Ix) + L / (steel.G * column.shear_area_y))
+  local curve, run = {}, nil
+  for _, turn in ipairs(turns) do
+    run = model:static { from = run, steps = 25, control = { node = tip, "uz", to = -turn * L } }
+    while run:step() do
+      local _, _, uz = tip:displacement(run)
+      local P = run.factor * Mp / L
+      table.insert(curve, { (-uz - P / k) / L, run.factor })
+    end
+    equal(run.verdict, "completed", run.reason)
+  end
+  return curve, run, member
+end
+
+case("the moment over the plastic rotation is as published, with two, four and eight elements", function()
+  for _, elements in ipairs { 2, 4, 8 } do
+    local curve = driven(elements, hinge.backbone(numbers), { 0.19 })
+    local off = 0
+    for _, point in ipairs(curve) do
+      if point[1] > 1e-6 then off = support.largest_of(off, math.abs(point[2] - by_hand(point[1]))) end
+    end
+    -- the tip's own rotation is small, and so is the error of the stiffness by hand
+    expect(off < 1e-8, "%d elements: the moment is off by %g Mp", elements, off)
+    near(curve[#curve][2], 0.44, 1e-8, elements .. " elements: the residual strength")
+  end
+end)
+
+case("beyond the ultimate rotation a hundredth is left", function()
+  local curve = driven(2, hinge.backbone(numbers), { 0.19, 0.23 })
+  near(curve[#curve][2], 0.01, 1e-6, "strength at the end")
+end)
+
+case("cycles of one amplitude keep the strength, and wear takes its part", function()
+  local turns = { 0.06, -0.06, 0.06, -0.06 }
+  local kept = driven(2, hinge.backbone(numbers), turns)
+  near(math.abs(kept[50][2] / kept[100][2]), 1, 0.02, "without wear")
+  numbers.wear = 1
+  local worn = driven(2, hinge.backbone(numbers), turns)
+  numbers.wear = nil
+  -- each half cycle turns the hinge by about 2 x 0.05 rad at 0.9 My, of 1 rad that there is
+  local last = math.abs(worn[100][2] / kept[100][2])
+  expect(last > 0.65 and last < 0.8, "with wear %g of it is left", last)
+end)
+
+local function portal(backbone)
+  local model = hinge.model {}
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
+  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
+    model:member { n[pair[1]], n[pair[2]], section = column, material = steel, up = { 0, 1, 0 }, backbone = backbone }
+  end
+  model:member { n[2], n[3], section = column, material = steel, up = { 0, 0, 1 }, elements = 4, backbone = backbone }
+  model:fix(n[1], "all")
+  model:fix(n[4], "all")
+  for i = 2, 3 do
+    model:mass { node = n[i], mass = 20000 }
+    model:velocity(n[i], { 6, 1, -1 })
+  end
+  return model
+end
+
+case("where strength falls the energy balance closes, whatever the method", function()
+  numbers.wear = 2
+  local backbone, work = hinge.backbone(numbers), {}
+  numbers.wear = nil
+  for method, options in pairs { newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
+    conserving = { integrator = "energy-momentum", dt = 2e-4 } } do
+    options.duration = 0.2
+    local run = portal(backbone):dynamic(options)
+    run:finish()
+    equal(run.verdict, "completed", method .. ": " .. tostring(run.reason))
+    near(run.energy_error, 0, 2e-3, method .. ": energy error")
+    work[method] = run.energy.plastic
+    expect(work[method] > 1e4, "%s: dissipates %g J", method, work[method])
+  end
+  near(work.newmark / work.conserving, 1, 0.01, "the methods dissipate the same")
+  near(work.newmark / work.explicit, 1, 0.02, "implicit and explicit dissipate the same")
+end)
+
+case("a run that was saved on the falling branch goes on to the same bytes", function()
+  local path, options = os.tmpname(), { dt = 2e-4, duration = 0.12 }
+  local backbone = hinge.backbone(numbers)
+  local run = portal(backbone):dynamic(options)
+  for _ = 1, 400 do run:step() end
+  run:checkpoint(path)
+  run:finish()
+  local resumed = portal(backbone):dynamic(options):resume(path)
+  resumed:finish()
+  equal(resumed.hash, run.hash, "state")
+  local other = hinge.backbone { points = { { 0, 1.1 }, { 0.1, 1 } } }
+  local ok, message = pcall(function() portal(other):dynamic(options):resume(path) end)
+  expect(not ok and tostring(message):find "materials", "another backbone is refused: %s", message)
+  os.remove(path)
+end)
+
+case("what was given can be read, and the plan names it", function()
+  local b = hinge.backbone(numbers)
+  equal(#b.points, 5, "points")
+  near(b.points[2][1], 0.025, 1e-15, "rotation at the cap")
+  near(b.points[3][2], 0.44, 1e-15, "residual strength")
+  equal(b.wear, nil, "wear")
+
+  local found
+  for _, line in ipairs(portal(b):dynamic({ dt = 1e-3, duration = 1e-3 }).effects) do
+    if line.name == "plasticity" then found = line.because end
+  end
+  expect(found and found:find("backbone (", 1, true), "plan: %s", found)
+  local _, _, member = driven(2, b, { 0.01 })
+  equal(member.backbone, b, "of the member")
+end)
+
+case("wrong input", function()
+  local function refused(what, options)
+    local ok, message = pcall(hinge.backbone, options)
+    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
+  end
+  refused("cap_rotation", {})
+  refused("it must be 0", { points = { { 0.1, 1 } } })
+  refused("must be more than that before", { points = { { 0, 1 }, { 0, 2 } } })
+  refused("0.01 or more", { points = { { 0, 1 }, { 0.1, 0 } } })
+  refused("must be { rotation (rad), strength }", { points = { { 0, "a" } } })
+  refused("at least one point", { points = {} })
+  refused("given beside points", { points = { { 0, 1 } }, yield = 1 })
+  refused("needs post_cap_rotation", { cap_rotation = 0.02, residual = 0.4 })
+  refused("more than cap_rotation", { cap_rotation = 0.02, ultimate_rotation = 0.01 })
+  refused("more than cap_strength", { cap_rotation = 0.02, post_cap_rotation = 0.1, residual = 2 })
+  refused("must be above 0", { cap_rotation = 0.02, wear = -1 })
+  local function member(options, model_options)
+    return pcall(function()
+      local model = hinge.model(model_options or {})
+      options[1], options[2] = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+      options.section = column
+      model:member(options)
+    end)
+  end
+  local b = hinge.backbone(numbers)
+  local ok, message = member { material = steel, backbone = {} }
+  expect(not ok and tostring(message):find "hinge.backbone", "a table: %s", message)
+  ok, message = member { material = hinge.material { E = E }, backbone = b }
+  expect(not ok and tostring(message):find "yield_stress", "an elastic material: %s", message)
+  ok, message = member({ material = steel, backbone = b }, { formulation = "conventional" })
+  expect(not ok and tostring(message):find "ends of elements", "the conventional element: %s", message)
+end)
+
+checks.done()
