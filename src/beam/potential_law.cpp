@@ -12,9 +12,10 @@ constexpr double still_enough = 1e-9;  ///< where rounding leaves no more
 constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
 constexpr double falls = 0.95;         ///< then what is missed must fall to this part
 constexpr int most_steps = 100, most_sweeps = 200, most_rounds = 200;
-constexpr double least_damping = 1e-13;  ///< of the elastic stiffness: N may flow at either end
-constexpr double at_the_start = 1e-9;    ///< lambda over that of the flow found: a flow that begins (flowing_on)
-constexpr double stiff = 1e6;            ///< over the elastic stiffness: the second derivatives of D where flow begins
+constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, before each is looked for in turn
+constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
+constexpr double at_the_start = 1e-9;  ///< lambda over that of the flow found: a flow that begins (flowing_on)
+constexpr double stiff = 1e6;          ///< over the elastic stiffness: the second derivatives of D where flow begins
 
 using Rows = Eigen::Matrix<double, 4, 6>;
 
@@ -126,7 +127,8 @@ struct PotentialLaw::Work {
     void scale(double t) { value *= t, initial *= t, curvature /= t; }
 };
 
-PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material)
+PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material,
+                           bool remembers_flow)
     : SectionLaw(screen_with(screen, material)),
       per_strength_(strength.cwiseInverse()),
       material_(std::move(material)) {
@@ -137,6 +139,8 @@ PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, Sec
         back_follows_strain_ |= m->back_follows_strain();
         follows_rotation_ |= m->follows_rotation();
     }
+    flow_at_ = remembers_flow ? history_size_ : -1;
+    if (remembers_flow) history_size_ += 4;
 }
 
 std::string PotentialLaw::words() const {
@@ -298,78 +302,121 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
     return Search::lost;
 }
 
-/// Both ends, from what one of them does by itself: each in turn, and Newton's method on both.
+/// The flow of both ends together, by Newton's method.
+class PotentialLaw::Together {
+public:
+    Together(const PotentialLaw& law, const Vec6& trial, const Stiffness& k, End (&ends)[2])
+        : law_(law), trial_(trial), k_(k), ends_(ends) {
+        const Mat6 stiffness = k.matrix();
+        const Rows rows[2] = {ends[0].rows(), ends[1].rows()};
+        for (int i : {0, 1}) {
+            const Rows forces = rows[i] * stiffness;
+            for (int j : {0, 1}) K_.block<4, 4>(4 * i, 4 * j) = forces * rows[j].transpose();
+        }
+        size_ = 1 + ends[0].carries(trial).norm() + ends[1].carries(trial).norm();
+    }
+
+    double size() const { return size_; }
+    double missed() const { return missed_; }
+    bool found() const { return missed_ <= enough * size_; }
+
+    /// From the flow of both ends, neither of them 0, to where G falls no more, or for so many steps.
+    void descend(int steps = most_steps, int most_tries = 12) {
+        look();
+        double damping = least_damping;
+        for (int step = 0; step < steps && !found(); ++step) {
+            const Vec4 before[2] = {ends_[0].e, ends_[1].e};
+            const double G = G_, missed = missed_;
+            Eigen::Matrix<double, 8, 8> H = K_;
+            for (int i : {0, 1}) H.block<4, 4>(4 * i, 4 * i) += bend_[i];
+            const Eigen::Matrix<double, 8, 1> down = off_;
+            bool fell = false;
+            for (int tries = 0; tries < most_tries && !fell; ++tries) {
+                Eigen::Matrix<double, 8, 8> damped = H;
+                damped.diagonal() += damping * K_.diagonal();
+                const Eigen::Matrix<double, 8, 1> way = damped.ldlt().solve(down);
+                for (int i : {0, 1}) ends_[i].e = before[i] + way.segment<4>(4 * i);
+                if (way.allFinite() && ends_[0].flows() && ends_[1].flows()) {
+                    look();
+                    fell = G_ < G || (missed < g_rounds * size_ && missed_ < falls * missed);
+                }
+                damping = fell ? std::max(least_damping, 0.01 * damping) : 30 * damping;
+            }
+            if (fell) continue;
+            for (int i : {0, 1}) ends_[i].e = before[i];
+            return look();
+        }
+    }
+
+private:
+    void look() {
+        const Vec6 plastic = ends_[0].plastic() + ends_[1].plastic(), relieved = k_.times(plastic),
+                   p = trial_ - relieved;
+        G_ = 0.5 * plastic.dot(relieved) - trial_.dot(plastic);
+        for (int i : {0, 1}) {
+            Work w = law_.work_at(ends_[i].e);
+            law_.harden(ends_[i], ends_[i].e, w);
+            bend_[i] = w.curvature;
+            G_ += w.value - ends_[i].fixed.dot(ends_[i].e);
+            off_.segment<4>(4 * i) = ends_[i].carries(p) - w.q;
+        }
+        missed_ = off_.norm();
+    }
+
+    const PotentialLaw& law_;
+    const Vec6& trial_;
+    const Stiffness& k_;
+    End (&ends_)[2];
+    Eigen::Matrix<double, 8, 8> K_;
+    Eigen::Matrix<double, 8, 1> off_;
+    Mat4 bend_[2];
+    double size_, G_ = 0, missed_ = 0;
+};
+
+/// Both ends, from what one of them does by itself and a guess of the other: together, else each in turn as well.
 bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const {
-    const Mat6 stiffness = k.matrix();
-    const auto forces = [&] { return Vec6(trial - k.times(ends[0].plastic() + ends[1].plastic())); };
-    const auto work_of_end = [&](int i) {
-        Work w = work_at(ends[i].e);
-        return harden(ends[i], ends[i].e, w), w;
-    };
-    const double size = 1 + ends[0].carries(trial).norm() + ends[1].carries(trial).norm();
-    Eigen::Matrix<double, 8, 8> K;
-    for (int i : {0, 1})
-        for (int j : {0, 1}) K.block<4, 4>(4 * i, 4 * j) = ends[i].rows() * stiffness * ends[j].rows().transpose();
+    Together both(*this, trial, k, ends);
+    const Vec4 start[2] = {ends[0].e, ends[1].e};
+    if (ends[0].flows() && ends[1].flows()) {
+        both.descend(quick_steps, quick_tries);
+        if (both.found()) return true;
+        for (int i : {0, 1}) ends[i].e = start[i];
+    }
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
         for (int i : {1, 0}) {
             End& end = ends[i];
             if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
         }
-        // of the other end, for that of the first has changed since
-        Vec6 p = forces();
-        Mat4 bend[2];
-        double G = 0, missed = 0;
-        Eigen::Matrix<double, 8, 1> off;
-        const auto look = [&] {
-            const Vec6 plastic = ends[0].plastic() + ends[1].plastic();
-            p = trial - k.times(plastic);
-            G = 0.5 * plastic.dot(k.times(plastic)) - trial.dot(plastic);
-            for (int i : {0, 1}) {
-                const Work w = work_of_end(i);
-                bend[i] = w.curvature;
-                G += w.value - ends[i].fixed.dot(ends[i].e);
-                off.segment<4>(4 * i) = ends[i].carries(p) - w.q;
-            }
-            missed = off.norm();
-        };
-        if (!ends[0].flows() || !ends[1].flows()) {
-            const int i = ends[0].flows() ? 0 : 1;
-            Vec4 direction;
-            if (!ends[i].flows()) return true;
-            if ((ends[i].carries(p) - work_of_end(i).q).norm() <= enough * size &&
-                !beyond(ends[1 - i], ends[1 - i].carries(p), direction))
-                return true;
+        if (ends[0].flows() && ends[1].flows()) {
+            both.descend();
+            if (both.found() || (sweep > 20 && both.missed() <= still_enough * both.size())) return true;
             continue;
         }
-        look();
-        double damping = least_damping;
-        for (int step = 0; step < most_steps && missed > enough * size; ++step) {
-            const Vec4 before[2] = {ends[0].e, ends[1].e};
-            const double G_before = G, missed_before = missed;
-            Eigen::Matrix<double, 8, 8> H = K;
-            for (int i : {0, 1}) H.block<4, 4>(4 * i, 4 * i) += bend[i];
-            const Eigen::Matrix<double, 8, 1> down = off;
-            bool fell = false;
-            for (int tries = 0; tries < 12 && !fell; ++tries) {
-                Eigen::Matrix<double, 8, 8> damped = H;
-                damped.diagonal() += damping * K.diagonal();
-                const Eigen::Matrix<double, 8, 1> way = damped.ldlt().solve(down);
-                for (int i : {0, 1}) ends[i].e = before[i] + way.segment<4>(4 * i);
-                if (way.allFinite() && ends[0].flows() && ends[1].flows()) {
-                    look();
-                    fell = G < G_before || (missed_before < g_rounds * size && missed < falls * missed_before);
-                }
-                damping = fell ? std::max(least_damping, 0.01 * damping) : 30 * damping;
-            }
-            if (!fell) {
-                for (int i : {0, 1}) ends[i].e = before[i];
-                look();
-                break;
-            }
-        }
-        if (missed <= enough * size || (sweep > 20 && missed <= still_enough * size)) return true;
+        if (!ends[0].flows() && !ends[1].flows()) return true;
+        const int i = ends[0].flows() ? 0 : 1;
+        const Vec6 p = trial - k.times(ends[i].plastic());
+        Work w = work_at(ends[i].e);
+        harden(ends[i], ends[i].e, w);
+        Vec4 direction;
+        if ((ends[i].carries(p) - w.q).norm() <= enough * both.size() &&
+            !beyond(ends[1 - i], ends[1 - i].carries(p), direction))
+            return true;
     }
     return false;
+}
+
+/// Whether an end that carries q flows, from what it did before: then with a guess of its flow.
+bool PotentialLaw::starts(End& end, const Vec4& q) const {
+    if (end.flows()) {
+        Work w = work_at(end.e);
+        if (along_ray(end, q, end.e, w)) return true;
+    }
+    Vec4 direction;
+    if (!beyond(end, q, direction)) return false;
+    Work w = work_at(direction);
+    if (!direction.allFinite() || !along_ray(end, q, direction, w)) direction.setZero();
+    end.e = direction;
+    return true;
 }
 
 /// The flow of the n ends together, from that of `before`. False: not found.
@@ -382,16 +429,17 @@ bool PotentialLaw::find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     }
     const auto start = [&](int i) {
         if (before && before->lambda[i] > 0) ends[i].e = normalised_flow(*before, i);
+        else if (flow_at_ >= 0 && ends[i].history) ends[i].e = Eigen::Map<const Vec4>(ends[i].history + flow_at_);
     };
     const int first = n == 2 && trials[1].norm() > trials[0].norm() ? 1 : 0;
     start(first);
     if (!one_end(ends[first], trials[first], ends[first].e)) return false;
     if (n < 2) return true;
-    const End& other = ends[1 - first];
-    Vec4 direction;
-    if (!beyond(other, other.carries(trial - k.times(ends[first].plastic())), direction)) return true;
+    End& other = ends[1 - first];
     start(1 - first);
-    return both_ends(trial, k, ends);
+    if (starts(other, other.carries(trial - k.times(ends[first].plastic())))) return both_ends(trial, k, ends);
+    other.e.setZero();
+    return true;
 }
 
 Vec4 PotentialLaw::normalised_flow(const ElementFlow& flow, int section) const {
@@ -500,6 +548,7 @@ void PotentialLaw::commit(const ElementFlow& flow, int section, double dt, doubl
         m->commit(material_.zone, e, strain, dt, history);
         history += m->history_size();
     }
+    if (flow_at_ >= 0) std::copy_n(e.data(), 4, history);
 }
 
 double PotentialLaw::stored(const double* history) const {

@@ -59,7 +59,9 @@ public:
 protected:
     /// `strength`: Mx0, My0 (N m), N0 (N), Mz0 (N m); infinite: that resultant never yields the section. All that
     /// follows is normalised by it: q over the strength, e times the strength, J.
-    PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material);
+    /// `remembers_flow`: four history variables keep the last e of each section, from which the next search starts.
+    PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material,
+                 bool remembers_flow = false);
 
     /// D(e), J; `q`: its gradient; `curvature`: its second derivatives, 1/J. e is not zero.
     virtual double potential(const Vec4& e, Vec4& q, Mat4& curvature) const = 0;
@@ -87,6 +89,8 @@ private:
     enum class Search { found, not_below, lost };
     Search descend(const End& end, const Vec4& trial, Vec4& e) const;
     bool one_end(const End& end, const Vec4& trial, Vec4& e) const;
+    class Together;
+    bool starts(End& end, const Vec4& q) const;
     bool both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const;
     bool beyond(const End& end, const Vec4& q, Vec4& direction) const;
     Work work_at(const Vec4& e) const;
@@ -102,7 +106,7 @@ private:
 
     Vec4 per_strength_;
     SectionMaterial material_;
-    int history_size_ = 0;
+    int history_size_ = 0, flow_at_ = -1;  // flow_at_: where in the history the last e is, -1: nowhere
     bool moves_surface_ = false, back_follows_strain_ = false, follows_rotation_ = false;
 };
 

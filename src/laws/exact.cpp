@@ -20,7 +20,7 @@ constexpr double enough = 1e-7;     ///< what forces may be outside where their 
 class Exact : public PotentialLaw {
 public:
     Exact(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength, SectionMaterial material)
-        : PotentialLaw(screen_of(*domain, strength), strength, std::move(material)), domain_(std::move(domain)) {}
+        : PotentialLaw(screen_of(*domain, strength), strength, std::move(material), true), domain_(std::move(domain)) {}
 
     const char* name() const override { return "exact"; }
 
