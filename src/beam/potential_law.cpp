@@ -19,6 +19,28 @@ constexpr double stiff = 1e6;          ///< over the elastic stiffness: the seco
 
 using Rows = Eigen::Matrix<double, 4, 6>;
 
+using Mat8 = Eigen::Matrix<double, 8, 8>;
+using Vec8 = Eigen::Matrix<double, 8, 1>;
+
+/// x of A x = b, by A = L D L^T without a choice of pivots, in place. False: A is not positive definite.
+bool solve_positive(Mat8& A, Vec8& b) {
+    for (int j = 0; j < 8; ++j) {
+        if (!(A(j, j) > 0)) return false;
+        const double inverse = 1 / A(j, j);
+        for (int i = j + 1; i < 8; ++i) {
+            const double l = A(i, j) * inverse;
+            for (int k = i; k < 8; ++k) A(k, i) -= l * A(k, j);
+            b[i] -= l * b[j];
+        }
+    }
+    for (int j = 7; j >= 0; --j) {
+        double sum = b[j];
+        for (int i = j + 1; i < 8; ++i) sum -= A(i, j) * b[i];
+        b[j] = sum / A(j, j);
+    }
+    return true;
+}
+
 /// The screen of a section whose material weakens it before any flow.
 YieldSurface screen_with(YieldSurface screen, const SectionMaterial& material) {
     double factor = 1;
@@ -318,23 +340,26 @@ public:
 
     double size() const { return size_; }
     double missed() const { return missed_; }
-    bool found() const { return missed_ <= enough * size_; }
-
-    /// From the flow of both ends, neither of them 0, to where G falls no more, or for so many steps.
-    void descend(int steps = most_steps, int most_tries = 12) {
+    /// From the flow of both ends, neither of them 0, to where G falls no more, or for so many steps. True: it is
+    /// found.
+    bool descend(int steps = most_steps, int most_tries = 12) {
         look();
         double damping = least_damping;
         for (int step = 0; step < steps && !found(); ++step) {
             const Vec4 before[2] = {ends_[0].e, ends_[1].e};
             const double G = G_, missed = missed_;
-            Eigen::Matrix<double, 8, 8> H = K_;
+            Mat8 H = K_;
             for (int i : {0, 1}) H.block<4, 4>(4 * i, 4 * i) += bend_[i];
-            const Eigen::Matrix<double, 8, 1> down = off_;
+            const Vec8 down = off_;
             bool fell = false;
             for (int tries = 0; tries < most_tries && !fell; ++tries) {
-                Eigen::Matrix<double, 8, 8> damped = H;
-                damped.diagonal() += damping * K_.diagonal();
-                const Eigen::Matrix<double, 8, 1> way = damped.ldlt().solve(down);
+                Vec8 way;
+                for (;; damping *= 30) {
+                    Mat8 damped = H;
+                    damped.diagonal() += damping * K_.diagonal();
+                    if (way = down, solve_positive(damped, way)) break;
+                    if (!(damping < 1e6)) return false;
+                }
                 for (int i : {0, 1}) ends_[i].e = before[i] + way.segment<4>(4 * i);
                 if (way.allFinite() && ends_[0].flows() && ends_[1].flows()) {
                     look();
@@ -344,11 +369,14 @@ public:
             }
             if (fell) continue;
             for (int i : {0, 1}) ends_[i].e = before[i];
-            return look();
+            look();
+            break;
         }
+        return found();
     }
 
 private:
+    bool found() const { return missed_ <= enough * size_; }
     void look() {
         const Vec6 plastic = ends_[0].plastic() + ends_[1].plastic(), relieved = k_.times(plastic),
                    p = trial_ - relieved;
@@ -367,8 +395,8 @@ private:
     const Vec6& trial_;
     const Stiffness& k_;
     End (&ends_)[2];
-    Eigen::Matrix<double, 8, 8> K_;
-    Eigen::Matrix<double, 8, 1> off_;
+    Mat8 K_;
+    Vec8 off_;
     Mat4 bend_[2];
     double size_, G_ = 0, missed_ = 0;
 };
@@ -378,8 +406,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     Together both(*this, trial, k, ends);
     const Vec4 start[2] = {ends[0].e, ends[1].e};
     if (ends[0].flows() && ends[1].flows()) {
-        both.descend(quick_steps, quick_tries);
-        if (both.found()) return true;
+        if (both.descend(quick_steps, quick_tries)) return true;
         for (int i : {0, 1}) ends[i].e = start[i];
     }
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
@@ -388,8 +415,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
             if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
         }
         if (ends[0].flows() && ends[1].flows()) {
-            both.descend();
-            if (both.found() || (sweep > 20 && both.missed() <= still_enough * both.size())) return true;
+            if (both.descend() || (sweep > 20 && both.missed() <= still_enough * both.size())) return true;
             continue;
         }
         if (!ends[0].flows() && !ends[1].flows()) return true;
@@ -407,16 +433,16 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
 
 /// Whether an end that carries q flows, from what it did before: then with a guess of its flow.
 bool PotentialLaw::starts(End& end, const Vec4& q) const {
-    if (end.flows()) {
-        Work w = work_at(end.e);
-        if (along_ray(end, q, end.e, w)) return true;
-    }
-    Vec4 direction;
-    if (!beyond(end, q, direction)) return false;
-    Work w = work_at(direction);
-    if (!direction.allFinite() || !along_ray(end, q, direction, w)) direction.setZero();
-    end.e = direction;
+    if (end.flows() && on_ray(end, q)) return true;
+    if (!beyond(end, q, end.e)) return false;
+    if (!end.e.allFinite() || !on_ray(end, q)) end.e.setZero();
     return true;
+}
+
+/// Moves e along its ray to where an end that carries q comes to. False: there is no flow along it.
+bool PotentialLaw::on_ray(End& end, const Vec4& q) const {
+    Work w = work_at(end.e);
+    return along_ray(end, q, end.e, w);
 }
 
 /// The flow of the n ends together, from that of `before`. False: not found.
@@ -433,10 +459,21 @@ bool PotentialLaw::find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     };
     const int first = n == 2 && trials[1].norm() > trials[0].norm() ? 1 : 0;
     start(first);
+    if (n == 2) start(1 - first);
+    if (n == 2 && ends[0].flows() && ends[1].flows()) {  // as before, most likely
+        const Vec4 guess[2] = {ends[0].e, ends[1].e};
+        if (on_ray(ends[first], trials[first]) &&
+            on_ray(ends[1 - first], ends[1 - first].carries(trial - k.times(ends[first].plastic()))) &&
+            Together(*this, trial, k, ends).descend(quick_steps, quick_tries))
+            return true;
+        for (int i : {0, 1}) ends[i].e = guess[i];
+    }
+    const Vec4 guess = ends[1 - first].e;
+    if (n == 2) ends[1 - first].e.setZero();
     if (!one_end(ends[first], trials[first], ends[first].e)) return false;
     if (n < 2) return true;
     End& other = ends[1 - first];
-    start(1 - first);
+    other.e = guess;
     if (starts(other, other.carries(trial - k.times(ends[first].plastic())))) return both_ends(trial, k, ends);
     other.e.setZero();
     return true;
