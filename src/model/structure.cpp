@@ -45,10 +45,16 @@ std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Mat
                                                const beam::YieldSurface& w, const ModelOptions& options,
                                                double length) {
     if (w.elastic()) return nullptr;
+    const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
+    if (section.outline && section.outline->concrete()) {  // its strengths are its own
+        const auto domain = section.outline->domain();
+        Vec4 of;
+        of << domain->strength(), strength(w.z);
+        return beam::exact_law(domain, of);
+    }
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
     beam::SectionMaterial adds = material_of(section, material, w, zone);
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
-    const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
     if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
         return beam::paper_law(w, std::move(adds));
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
