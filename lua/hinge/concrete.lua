@@ -1,9 +1,9 @@
 -- A rectangle of reinforced concrete, from its sizes, its bars and its strengths.
 --
 -- It yields by the plastic interaction of N, Mx and My of concrete and bars (src/beam/plastic_domain.h). Two numbers
--- bring that near the interaction by the ultimate strains of EN 1992-1-1, 3.1.7 and 3.2.7 (parabola and rectangle, 0.002
--- and 0.0035): bars carry at most Es 0.002 = 400 MPa in compression, which is their stress where the whole section is
--- at that strain; and the concrete carries `effectiveness` of its strength, 0.95. lua/guide/concrete.md has the errors.
+-- bring that near the interaction by the ultimate strains of EN 1992-1-1, 3.1.7 and 3.2.7 (parabola and rectangle,
+-- 0.002 and 0.0035): bars carry at most Es 0.002 = 400 MPa in compression, their stress where the whole section is at
+-- that strain; and the concrete carries `effectiveness` of its strength, 0.95. lua/guide/concrete.md has the errors.
 --
 -- Stiffness: ASCE 41-17, table 10-5: 0.3 Ec Ig for beams and for columns with N up to 0.1 Ag f'c, 0.7 for columns with
 -- 0.5 Ag f'c and more, between them by interpolation. The table's factors for N and for shear are those of no cracks.

@@ -343,16 +343,17 @@ function section.solid(options) end
 ---@return hinge.section
 function section.round(options) end
 
----A rectangle of reinforced concrete. It yields by the plastic interaction of N, Mx and My of concrete and bars: concrete
----carries nothing in tension. Its strengths are its own, so that its material has none: hinge.material.concrete. The
----guide's page on concrete says how far that is from the ultimate strains of EN 1992-1-1. Shear, torsion, bond, and the
----loss of strength by crushing are not in it.
+---A rectangle of reinforced concrete. It yields by the plastic interaction of N, Mx and My of concrete and bars:
+---concrete carries nothing in tension. Its strengths are its own, so that its material has none:
+---hinge.material.concrete. The guide's page on concrete says how far that is from the ultimate strains of EN 1992-1-1.
+---Shear, torsion, bond, and the loss of strength by crushing are not in it.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
 ---    { y = "bottom", count = 3, diameter = 0.02 } }, stiffness = 0.5 }
----local beam = hinge.section.concrete { width = 0.3, depth = 0.5, concrete = 25e6, steel = 500e6, stiffness = "cracked",
----  bars = { { -0.1, -0.2, diameter = 0.02 }, { 0.1, -0.2, diameter = 0.02 }, { 0, 0.2, area = 314e-6 } } }
+---local beam = hinge.section.concrete { width = 0.3, depth = 0.5, concrete = 25e6, steel = 500e6,
+---  bars = { { -0.1, -0.2, diameter = 0.02 }, { 0.1, -0.2, diameter = 0.02 }, { 0, 0.2, area = 314e-6 } },
+---  stiffness = "cracked" }
 ---```
 ---@param options hinge.concrete_options
 ---@return hinge.section
@@ -363,8 +364,8 @@ function section.concrete(options) end
 ---@field depth number m, along y
 ---@field concrete number|string compressive strength, Pa, or a grade (hinge.material.names "concrete"): its f_ck
 ---@field steel number|string yield stress of the bars, Pa, or a grade (hinge.material.names "bars")
----Pa, of the bars in compression; default: that of `steel`, but at most 400 MPa, which is 200 GPa times the strain 0.002
----of concrete under N alone
+---Pa, of the bars in compression; default: that of `steel`, but at most 400 MPa, which is 200 GPa times the strain
+---0.002 of concrete under N alone
 ---@field bar_compression? number
 ---part of its strength that concrete carries, above 0 and at most 1, default 0.95: the stress block of ideal plasticity
 ---is larger than that of EN 1992-1-1
@@ -374,8 +375,8 @@ function section.concrete(options) end
 ---bars at one y (m, or "top" or "bottom"), evenly from side to side
 ---@field layers? { y: number|string, count: integer, diameter: number }[]
 ---@field cover? number m, between the surface and the bars of layers
----factor on Ix and Iy of the concrete without bars and cracks, above 0 and at most 2; gross (default): 1; cracked: 0.3, of
----beams, and of columns with N up to 0.1 of area times strength (ASCE 41-17, table 10-5; 0.7 from 0.5 on)
+---factor on Ix and Iy of the concrete without bars and cracks, above 0 and at most 2; gross (default): 1; cracked: 0.3,
+---of beams, and of columns with N up to 0.1 of area times strength (ASCE 41-17, table 10-5; 0.7 from 0.5 on)
 ---@field stiffness? number|"gross"|"cracked"
 
 ---A section by its name in tables: HEB 300, IPE 300, HEA, HEM, UPN; UB, UC; L; W14X90, HSS; SHS, RHS, CFSHS, CFRHS,
@@ -438,9 +439,10 @@ function section.general(options) end
 ---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
 ---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count
 ---@field interaction? "paper"|"exact"
----of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y} in
----the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete carries
----nothing in tension, nor where bars displace it. N0, Mx0 and My0 follow. hinge.section.concrete makes this table
+---of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y}
+---in the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete
+---carries nothing in tension, nor where bars displace it. N0, Mx0 and My0 follow. hinge.section.concrete makes this
+---table
 ---@field reinforcement? { concrete: number, bars: { area: number, tension: number, compression?: number }[] }
 
 ---@class hinge.section read-only
@@ -455,8 +457,8 @@ function section.general(options) end
 ---@field Zx number plastic moduli, m^3
 ---@field Zy number m^3
 ---@field Zz number m^3, of torsion
----N; only if it was given; the same holds for Mx0, My0 and Mz0. Of concrete: that in compression, and the larger of both
----moments beside N = 0
+---N; only if it was given; the same holds for Mx0, My0 and Mz0. Of concrete: the larger one, mostly that in
+---compression, and the larger of both moments beside N = 0
 ---@field N0? number
 ---@field Mx0? number N m
 ---@field My0? number N m

@@ -175,7 +175,8 @@ void PlasticDomain::add(const Circle& part, Sums& sums) {
     }
     const double d = centre / sums.slope, half = std::sqrt(R * R - d * d);
     const double area = whole / 2 + part.weight * (R * R * std::asin(d / R) + d * half);
-    sums.add_positive(area, area * part.centre + part.weight * 2.0 / 3 * half * half * half / sums.slope * sums.gradient);
+    sums.add_positive(area,
+                      area * part.centre + part.weight * 2.0 / 3 * half * half * half / sums.slope * sums.gradient);
     const double t = (part.centre - sums.origin).dot(sums.axis);
     sums.add_crossing(part.weight, t + half);
     sums.add_crossing(-part.weight, t - half);

@@ -128,9 +128,9 @@ private:
     std::vector<Polygon> polygons_;
     std::vector<Circle> circles_;
     double area_ = 0;
-    Vec3 total_ = Vec3::Zero();    ///< twice the sums that are left on the positive side at pure compression
-    Vec3 weighted_ = Vec3::Zero(); ///< sums over the area
-    double stress_ = 0;            ///< Pa, half of the concrete's strength; 0: no concrete
+    Vec3 total_ = Vec3::Zero();     ///< twice the sums that are left on the positive side at pure compression
+    Vec3 weighted_ = Vec3::Zero();  ///< sums over the area
+    double stress_ = 0;             ///< Pa, half of the concrete's strength; 0: no concrete
     Eigen::Vector2d modulus_ = Eigen::Vector2d::Zero();
     Vec3 scale_ = Vec3::Ones();    ///< from normalised strains to 1/m, and from moments to normalised ones
     std::vector<double> inverse_;  ///< 1 over the radius, of each ray of each level

@@ -29,8 +29,8 @@ local function section(top, bottom, more)
       bars[#bars + 1] = { (b - 2 * edge) * ((i - 1) / (count - 1) - 0.5), side * (d / 2 - edge), diameter = 0.02 }
     end
   end
-  return hinge.section.concrete(with({ width = b, depth = d, concrete = fc, steel = fy, effectiveness = 1, bars = bars },
-    more))
+  return hinge.section.concrete(with({ width = b, depth = d, concrete = fc, steel = fy, effectiveness = 1,
+    bars = bars }, more))
 end
 
 -- By hand, where both layers yield: a, depth of the block that is pressed, from the side `side` (1: the top). N, M.

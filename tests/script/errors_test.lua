@@ -166,7 +166,8 @@ case("wrong sections of concrete are refused", function()
   wrong("hinge.section.concrete: field 'steel' is -1 Pa; must be a number above 0 Pa or ...", concrete { steel = -1 })
   wrong("hinge.section.concrete: field 'effectiveness' is 1.1; must be a number above 0 and of at most 1",
     concrete { effectiveness = 1.1 })
-  wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or 'gross' or "
+  wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or "
+    .. "'gross' or "
     .. "'cracked'", concrete { stiffness = "craked" })
   wrong("hinge.section.concrete: it has no bars; give 'bars' = { {x, y, diameter = d}, ... } or 'layers' = ...",
     concrete { bars = {} })
@@ -182,14 +183,18 @@ case("wrong sections of concrete are refused", function()
     concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.195, 0, diameter = 0.02 } } })
   wrong("hinge.section.concrete, reinforcement, bar 2 at {0.01, 0} m overlaps bar 1; two bars must be apart by the sum "
     .. "of their radii", concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.01, 0, diameter = 0.02 } } })
-  wrong("hinge.section.concrete, reinforcement, bar 1: field 'compression' is 20000000 Pa; a bar must be as strong as the "
+  wrong("hinge.section.concrete, reinforcement, bar 1: field 'compression' is 20000000 Pa; a bar must be as "
+    .. "strong as the "
     .. "concrete it displaces, 28500000 Pa", concrete { bar_compression = 20e6 })
-  wrong("hinge.section.concrete: field 'reinforcement' is too little; the bars leave less than 0.001 of the strength in "
+  wrong("hinge.section.concrete: field 'reinforcement' is too little; the bars leave less than 0.001 of the "
+    .. "strength in "
     .. "some direction of N, Mx and My; give more of them, on more sides",
     concrete { bars = { { 0, 0, diameter = 0.001 } } })
-  wrong("hinge.section.concrete: field 'cover' is missing; give the concrete between the surface and the bars of layers, "
+  wrong("hinge.section.concrete: field 'cover' is missing; give the concrete between the surface and the bars "
+    .. "of layers, "
     .. "a number above 0 m", concrete { layers = { { y = "top", count = 2, diameter = 0.02 } } })
-  wrong("hinge.section.concrete: field 'cover' is 0.3 m; with bars of 0.02 m it must be below half of the smaller side, "
+  wrong("hinge.section.concrete: field 'cover' is 0.3 m; with bars of 0.02 m it must be below half of the "
+    .. "smaller side, "
     .. "0.19 m", concrete { cover = 0.3, layers = { { y = "top", count = 2, diameter = 0.02 } } })
   wrong("hinge.section.concrete, layer 1: field 'count' is 1.5; must be a whole number of at least 1",
     concrete { cover = 0.03, layers = { { y = "top", count = 1.5, diameter = 0.02 } } })
@@ -204,10 +209,12 @@ case("wrong sections of concrete are refused", function()
     general { N0 = 1 })
   wrong("hinge.section.general: field 'reinforcement' is given; needs the section's shape: give 'outline' as well",
     general { outline = false })
-  wrong("hinge.section.general, reinforcement: field 'bars' is empty; must be a list of bars: { { x, y, area =, tension =, "
+  wrong("hinge.section.general, reinforcement: field 'bars' is empty; must be a list of bars: { { x, y, area =, "
+    .. "tension =, "
     .. "compression = }, ... }; without bars the section has no strength in tension",
     general { reinforcement = { concrete = 30e6, bars = {} } })
-  wrong("model:member: member has a section of concrete, which has its own strengths, and a material with a yield stress "
+  wrong("model:member: member has a section of concrete, which has its own strengths, and a material with a "
+    .. "yield stress "
     .. "of ...", function(s)
     s.model:member { s.wall, s.tip, section = hinge.section.concrete { width = 0.1, depth = 0.1, concrete = 30e6,
       steel = 500e6, bars = { { 0, 0, diameter = 0.01 } } }, material = hinge.material { E = 1, yield_stress = 1 } }

@@ -1,5 +1,5 @@
-// The plastic interaction of N, Mx and My of reinforced concrete: against strips, a published diagram, closed forms, and
-// its own rules.
+// The plastic interaction of N, Mx and My of reinforced concrete: against strips, a published diagram, closed forms,
+// and its own rules.
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
@@ -89,8 +89,8 @@ Vec3 random_strain(Dice& dice) {
     return size * Vec3(dice(-1, 1), dice(-1, 1), dice(-1.2, 1.2));
 }
 
-/// Forces (Mx, My, N) of the strain v (1/m, 1/m, 1) by strips along the neutral axis: in tension the bars, in compression
-/// the concrete less the bars' area, and the bars.
+/// Forces (Mx, My, N) of the strain v (1/m, 1/m, 1) by strips along the neutral axis: in tension the bars, in
+/// compression the concrete less the bars' area, and the bars.
 Vec3 by_strips(const Shape& s, const Vec3& v) {
     const Vector2d gradient(-v[1], v[0]), up = gradient.normalized(), along(up.y(), -up.x());
     const double axis = -v[2] / gradient.norm();  // along `up`
@@ -183,7 +183,8 @@ TEST_CASE("concrete: the forces of a strain are those of strips, for random outl
 
 TEST_CASE("concrete: derivatives, convexity, gauge, what is inside, the ellipsoid", "[concrete_domain]") {
     Dice dice(13);
-    double slope = 0, bend = 0, convex = 0, apart = -1, off = 0, normal_off = 0, symmetric = 0, least_missed = 1, farthest = 0;
+    double slope = 0, bend = 0, convex = 0, apart = -1, off = 0, normal_off = 0, symmetric = 0, least_missed = 1,
+           farthest = 0;
     long lost = 0, wrong = 0, asked = 0, missed = 0, bends = 0, bad_bends = 0;
     for (int shape = 0; shape < 40; ++shape) {
         const PlasticDomain domain = random_shape(dice).domain();
@@ -227,8 +228,7 @@ TEST_CASE("concrete: derivatives, convexity, gauge, what is inside, the ellipsoi
                 ++asked, missed += !about_centre && share < 0.99;
                 if (!about_centre) least_missed = smallest_of(least_missed, share);
             }
-            const Vec3 q =
-                Vec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)).normalized().cwiseProduct(domain.ellipsoid());
+            const Vec3 q = Vec3(dice(-1, 1), dice(-1, 1), dice(-1, 1)).normalized().cwiseProduct(domain.ellipsoid());
             farthest = largest_of(farthest, domain.gauge(q));
         }
     }
@@ -248,16 +248,17 @@ TEST_CASE("concrete: derivatives, convexity, gauge, what is inside, the ellipsoi
 }
 
 // J. C. McCormac and R. H. Brown, Design of Reinforced Concrete, 9th edition, section 10.3 (figure 10.8): 14 x 24 in,
-// three bars No. 9 (1.00 in^2) at 2.5 in from each short side, f'c 4000 psi, fy 60000 psi, the stress block 0.85 f'c. At
-// the balanced point all bars yield, and a domain of ideal plasticity has the same point, to the book's four digits. At
-// pure bending the axis goes through the pressed bars: they are points in the book, and here discs, whose two parts have
-// a couple of 1.2 %. The book's example 10.2, where the bars in tension do not yield, is 7 % within the domain.
+// three bars No. 9 (1.00 in^2) at 2.5 in from each short side, f'c 4000 psi, fy 60000 psi, the stress block 0.85 f'c.
+// At the balanced point all bars yield, and a domain of ideal plasticity has the same point, to the book's four digits.
+// At pure bending the axis goes through the pressed bars: they are points in the book, and here discs, whose two parts
+// have a couple of 1.2 %. The book's example 10.2, where the bars in tension do not yield, is 7 % within the domain.
 TEST_CASE("concrete: the published diagram of a column", "[concrete_domain]") {
     const PlasticDomain domain =
-        two_layers(14 * inch, 24 * inch, 2.5 * inch, 3, inch * inch, 0.85 * 4000 * psi, 60e3 * psi, 60e3 * psi).domain();
+        two_layers(14 * inch, 24 * inch, 2.5 * inch, 3, inch * inch, 0.85 * 4000 * psi, 60e3 * psi, 60e3 * psi)
+            .domain();
     const double foot = 12 * inch;
-    CHECK_FIGURE("pure compression, 1482 kips",
-                 off(domain.strength()[2] * (domain.centre()[2] - 1), -1482 * kip), 5e-4);
+    CHECK_FIGURE("pure compression, 1482 kips", off(domain.strength()[2] * (domain.centre()[2] - 1), -1482 * kip),
+                 5e-4);
     CHECK_FIGURE("pure tension, 360 kips", off(domain.strength()[2] * (domain.centre()[2] + 1), 360 * kip), 5e-4);
     CHECK_FIGURE("balanced, 504.4 kips with 559.7 ft kips", off(moment_at(domain, -504.4 * kip), 559.7 * kip * foot),
                  5e-4);

@@ -91,7 +91,8 @@ std::shared_ptr<const PlasticDomain> concrete_of(int kind) {
     if (kind == 0)
         for (int i = 0; i < 4; ++i) bar(i % 2 ? 0.1 : -0.1, i / 2 ? 0.2 : -0.2, 0.025);
     if (kind == 1)
-        for (int i = 0; i < 7; ++i) bar(i < 3 ? 0.1 * (i - 1) : 0.07 * (i - 4.5), i < 3 ? 0.2 : -0.2, i < 3 ? 0.012 : 0.025);
+        for (int i = 0; i < 7; ++i)
+            bar(i < 3 ? 0.1 * (i - 1) : 0.07 * (i - 4.5), i < 3 ? 0.2 : -0.2, i < 3 ? 0.012 : 0.025);
     if (kind == 2)
         for (int i = 0; i < 8; ++i) bar(0.2 * std::cos(i * pi / 4), 0.2 * std::sin(i * pi / 4), 0.02);
     if (kind == 3) bar(0.1, 0.21, 0.02), bar(-0.03, -0.2, 0.03), bar(-0.12, 0.05, 0.016);

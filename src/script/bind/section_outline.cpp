@@ -75,7 +75,8 @@ double distance(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Eigen::Vector2d &a = corners[i], side = corners[(i + 1) % corners.size()] - a;
-        const double length = side.squaredNorm(), along = length > 0 ? std::clamp((at - a).dot(side) / length, 0.0, 1.0) : 0;
+        const double length = side.squaredNorm(),
+                     along = length > 0 ? std::clamp((at - a).dot(side) / length, 0.0, 1.0) : 0;
         least = std::min(least, (at - a - along * side).norm());
     }
     return least;
@@ -104,9 +105,10 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
     const bool list = r.push_field("bars") == LUA_TTABLE;
     const int count = list ? int(lua_rawlen(L, -1)) : 0;
     if (count == 0)
-        r.complain("bars", list ? "empty" : show(L, -1),
-                   "must be a list of bars: { { x, y, area =, tension =, compression = }, ... }; without bars the section "
-                   "has no strength in tension");
+        r.complain(
+            "bars", list ? "empty" : show(L, -1),
+            "must be a list of bars: { { x, y, area =, tension =, compression = }, ... }; without bars the section "
+            "has no strength in tension");
     for (int i = 1; i <= count; ++i) {
         lua_rawgeti(L, -1, i);
         const std::string what = r.function() + ", bar " + std::to_string(i);
