@@ -368,7 +368,7 @@ function section.concrete(options) end
 ---0.002 of concrete under N alone
 ---@field bar_compression? number
 ---part of its strength that concrete carries, above 0 and at most 1, default 0.95: the stress block of ideal plasticity
----is larger than that of EN 1992-1-1
+---is larger than that of EN 1992-1-1. 0.8 for columns that are bent about both axes
 ---@field effectiveness? number
 ---bars: {x, y} from the middle, m, with diameter (m) or area (m^2). A bar is a disc of its area
 ---@field bars? { diameter?: number, area?: number }[]

@@ -88,6 +88,20 @@ case("about the weak axis, in tension and in biaxial bending a run ends on the s
   end
 end)
 
+case("of all moments beside N those of a curvature do the most work on it", function()
+  local of = section(2, 4)
+  for _, N in ipairs { 3e5, -1e6, -4e6 } do
+    for _, angle in ipairs { 0.3, 1, 2.5, 4 } do
+      local x, y = of:plastic_moments(N, angle)
+      for i = 1, 24 do
+        local X, Y = of:plastic_moments(N, angle + i * math.pi / 12.5)
+        local less = math.cos(angle) * (x - X) + math.sin(angle) * (y - Y)
+        expect(less > -1e-6 * of.Mx0, "N %g, angle %g: another point has %g N m more", N, angle, -less)
+      end
+    end
+  end
+end)
+
 case("N0 and the moments beside no axial force", function()
   local of = section(2, 4)
   near(of.N0 / (fc * (b * d - 6 * As) + fyc * 6 * As), 1, 1e-9, "N0, in compression")

@@ -175,7 +175,8 @@ int plastic_moments(lua_State* L) {
                          " to " + show(most) + " N, tension positive");
     if (!std::isfinite(angle))
         throw InputError("section:plastic_moments: the angle is " + show(L, 3) + "; must be a number, in rad");
-    const Eigen::Vector2d m = domain->contour(N / strength[2], angle).cwiseProduct(strength.head<2>());
+    const double normalised = std::atan2(strength[1] * std::sin(angle), strength[0] * std::cos(angle));
+    const Eigen::Vector2d m = domain->contour(N / strength[2], normalised).cwiseProduct(strength.head<2>());
     for (int axis : {0, 1}) lua_pushnumber(L, m[axis]);
     return 2;
 }
