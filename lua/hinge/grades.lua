@@ -176,6 +176,11 @@ function grades.bars(name, options)
   return { E = 1e6 * row[2], nu = 0.3, density = o.density or 7850, yield_stress = 1e6 * row[1] }
 end
 
+--- Strength of a grade by its own name: f_ck of concrete, yield stress of bars. Pa.
+function grades.strength(kind, name)
+  return 1e6 * (kind == "concrete" and concrete[name] or bars[name][1])
+end
+
 local kinds = { steel = keys(table.unpack { steels["EN 10025"], steels["EN 1993-1-1"], steels.ASTM, steels.JIS }),
   aluminium = keys(aluminium), timber = keys(timber), concrete = keys(concrete), bars = keys(bars) }
 

@@ -380,6 +380,42 @@ function section.solid(options) end
 ---@return hinge.section
 function section.round(options) end
 
+---A rectangle of reinforced concrete. It yields by the plastic interaction of N, Mx and My of concrete and bars:
+---concrete carries nothing in tension. Its strengths are its own, so that its material has none:
+---hinge.material.concrete. The guide's page on concrete says how far that is from the ultimate strains of EN 1992-1-1.
+---Shear, torsion, bond, and the loss of strength by crushing are not in it.
+---```lua
+---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
+---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
+---    { y = "bottom", count = 3, diameter = 0.02 } }, stiffness = 0.5 }
+---local beam = hinge.section.concrete { width = 0.3, depth = 0.5, concrete = 25e6, steel = 500e6,
+---  bars = { { -0.1, -0.2, diameter = 0.02 }, { 0.1, -0.2, diameter = 0.02 }, { 0, 0.2, area = 314e-6 } },
+---  stiffness = "cracked" }
+---```
+---@param options hinge.concrete_options
+---@return hinge.section
+function section.concrete(options) end
+
+---@class hinge.concrete_options
+---@field width number m, along x
+---@field depth number m, along y
+---@field concrete number|string compressive strength, Pa, or a grade (hinge.material.names "concrete"): its f_ck
+---@field steel number|string yield stress of the bars, Pa, or a grade (hinge.material.names "bars")
+---Pa, of the bars in compression; default: that of `steel`, but at most 400 MPa, which is 200 GPa times the strain
+---0.002 of concrete under N alone
+---@field bar_compression? number
+---part of its strength that concrete carries, above 0 and at most 1, default 0.95: the stress block of ideal plasticity
+---is larger than that of EN 1992-1-1. 0.8 for columns that are bent about both axes
+---@field effectiveness? number
+---bars: {x, y} from the middle, m, with diameter (m) or area (m^2). A bar is a disc of its area
+---@field bars? { diameter?: number, area?: number }[]
+---bars at one y (m, or "top" or "bottom"), evenly from side to side
+---@field layers? { y: number|string, count: integer, diameter: number }[]
+---@field cover? number m, between the surface and the bars of layers
+---factor on Ix and Iy of the concrete without bars and cracks, above 0 and at most 2; gross (default): 1; cracked: 0.3,
+---of beams, and of columns with N up to 0.1 of area times strength (ASCE 41-17, table 10-5; 0.7 from 0.5 on)
+---@field stiffness? number|"gross"|"cracked"
+
 ---A section by its name in tables: HEB 300, IPE 300, HEA, HEM, UPN; UB, UC; L; W14X90, HSS; SHS, RHS, CFSHS, CFRHS,
 ---CHS; H, BCR and BCP of Japan. Properties and outline are computed from the published dimensions, with fillets and
 ---rounded corners; `kind` is the name. Case, blanks and zeros at the end do not count: "HE 300 B" is HEB 300, "SHS
@@ -440,6 +476,11 @@ function section.general(options) end
 ---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
 ---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count
 ---@field interaction? "paper"|"exact"
+---of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y}
+---in the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete
+---carries nothing in tension, nor where bars displace it. N0, Mx0 and My0 follow. hinge.section.concrete makes this
+---table
+---@field reinforcement? { concrete: number, bars: { area: number, tension: number, compression?: number }[] }
 
 ---@class hinge.section read-only
 ---@field kind string
@@ -453,7 +494,9 @@ function section.general(options) end
 ---@field Zx number plastic moduli, m^3
 ---@field Zy number m^3
 ---@field Zz number m^3, of torsion
----@field N0? number N; only if it was given; the same holds for Mx0, My0 and Mz0
+---N; only if it was given; the same holds for Mx0, My0 and Mz0. Of concrete: the larger one, mostly that in
+---compression, and the larger of both moments beside N = 0
+---@field N0? number
 ---@field Mx0? number N m
 ---@field My0? number N m
 ---@field Mz0? number N m
@@ -474,6 +517,17 @@ local any_section = {}
 ---@return number? about_x, number? about_y 1 at n = 0, 0 at n = 1; nil for a section whose shape is not known, or has
 ---  no two axes of symmetry
 function any_section:reduced_moments(n) end
+
+---The moments Mx and My at which a section of concrete is fully plastic beside the axial force N.
+---```lua
+---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = 30e6, steel = 500e6, cover = 0.04,
+---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = "bottom", count = 3, diameter = 0.02 } } }
+---local Mx, My = column:plastic_moments(-1e6) -- beside a compression of 1 MN
+---```
+---@param N number N, tension positive
+---@param angle? number rad, of the curvature: 0 (default) about x, pi / 2 about y
+---@return number? Mx, number? My N m; nil for a section of another kind
+function any_section:plastic_moments(N, angle) end
 
 -- Models -------------------------------------------------------------------------------------------------------------
 

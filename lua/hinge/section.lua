@@ -11,6 +11,11 @@ for name, properties in pairs(shapes) do
   end
 end
 
+function section.concrete(options, ...)
+  check.no_more("hinge.section.concrete", ...)
+  return core.section(require "hinge.concrete".properties(options))
+end
+
 function section.named(name, options, ...)
   check.no_more("hinge.section.named", ...)
   return core.section(require "hinge.named".properties(name, options))

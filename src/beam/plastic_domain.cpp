@@ -84,7 +84,9 @@ struct PlasticDomain::Sums {
     double line[3] = {0, 0, 0};  ///< integrals of 1, t and t^2 along the axis, within the area
 };
 
-PlasticDomain::PlasticDomain(const Outline& outline) {
+double Reinforcement::Bar::radius() const { return std::sqrt(area / std::numbers::pi); }
+
+PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concrete) {
     for (const Outline::Polygon& p : outline.polygons) {
         Polygon part{p.corners, 0, Eigen::Vector2d::Zero()};
         if ((signed_area(part.corners) > 0) == p.hole) std::reverse(part.corners.begin(), part.corners.end());
@@ -93,19 +95,39 @@ PlasticDomain::PlasticDomain(const Outline& outline) {
     }
     for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
     area_ = outline.area();
+    total_ = weighted_ = Vec3(0, 0, area_);
+    if (concrete) {
+        const double fc = concrete->concrete;
+        stress_ = fc / 2, total_ *= 2;
+        for (const Reinforcement::Bar& bar : concrete->bars) {
+            const double weight = (bar.tension + bar.compression - fc) / fc;
+            circles_.push_back({bar.centre, bar.radius(), weight});
+            area_ += weight * bar.area;
+            const Vec3 z = bar.area * Vec3(bar.centre.y(), -bar.centre.x(), 1);
+            weighted_ += weight * z, total_ += 2 * (bar.compression - fc) / fc * z;
+        }
+    }
     bool halved[2];  // by the axis through the centroid
     for (int axis : {0, 1}) {
         Sums sums(axis == 0 ? Vec3(1, 0, 0) : Vec3(0, 1, 0));
         add_parts(sums);
-        modulus_[axis] = 2 * sums.positive[axis];
+        modulus_[axis] = 2 * sums.positive[axis] - weighted_[axis];
         halved[axis] = std::abs(2 * sums.positive[2] - area_) <= 1e-9 * area_;
     }
-    scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
-    const Eigen::Vector2d share(halved[0] ? 1 : contour(0, 0)[0], halved[1] ? 1 : contour(0, full_turn / 4)[1]);
+    set_scale();
+    const Eigen::Vector2d share(halved[0] ? 1 : slice(0, 0)[0], halved[1] ? 1 : slice(0, full_turn / 4)[1]);
     modulus_ = modulus_.cwiseProduct(share);
-    scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
+    set_scale();
     make_polyhedron();
-    make_ellipsoid();
+    if (concrete) make_ellipsoid_of_concrete();
+    else make_ellipsoid();
+}
+
+void PlasticDomain::set_scale() {
+    scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
+    if (!concrete()) return;
+    centre_ = (weighted_ - total_).cwiseProduct(scale_) / area_;
+    end_ = weighted_.cwiseProduct(scale_).head<2>() / area_;
 }
 
 void PlasticDomain::add_parts(Sums& sums) const {
@@ -146,23 +168,24 @@ void PlasticDomain::add(const Polygon& part, Sums& sums) {
 }
 
 void PlasticDomain::add(const Circle& part, Sums& sums) {
-    const double R = part.radius, centre = sums.at(part.centre), whole = part.sign * std::numbers::pi * R * R;
+    const double R = part.radius, centre = sums.at(part.centre), whole = part.weight * std::numbers::pi * R * R;
     if (std::abs(centre) >= R * sums.slope) {
         if (centre > 0) sums.add_positive(whole, whole * part.centre);
         return;
     }
     const double d = centre / sums.slope, half = std::sqrt(R * R - d * d);
-    const double area = whole / 2 + part.sign * (R * R * std::asin(d / R) + d * half);
-    sums.add_positive(area, area * part.centre + part.sign * 2.0 / 3 * half * half * half / sums.slope * sums.gradient);
+    const double area = whole / 2 + part.weight * (R * R * std::asin(d / R) + d * half);
+    sums.add_positive(area,
+                      area * part.centre + part.weight * 2.0 / 3 * half * half * half / sums.slope * sums.gradient);
     const double t = (part.centre - sums.origin).dot(sums.axis);
-    sums.add_crossing(part.sign, t + half);
-    sums.add_crossing(-part.sign, t - half);
+    sums.add_crossing(part.weight, t + half);
+    sums.add_crossing(-part.weight, t - half);
 }
 
 double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature) const {
     Sums sums(v.cwiseProduct(scale_));
     add_parts(sums);
-    const Vec3 z = (2 * sums.positive - Vec3(0, 0, area_)) / area_;
+    const Vec3 z = (2 * sums.positive - total_) / area_;
     point = z.cwiseProduct(scale_);
     if (curvature) {
         if (sums.slope > 0) *curvature = scale_.asDiagonal() * (sums.of_axis() / area_) * scale_.asDiagonal();
@@ -257,16 +280,23 @@ Eigen::Vector2d PlasticDomain::contour(double n, double angle) const {
     return point.head<2>();
 }
 
+/// The contour about the centre: n of it is 0, and the line between the ends of N is the axis of all contours.
+Eigen::Vector2d PlasticDomain::slice(double n, double angle) const {
+    if (!concrete()) return contour(n, angle);
+    return contour(n + centre_[2], angle) - centre_.head<2>() - n * end_;
+}
+
 namespace {
 
 /// The contour of one axial force as a convex polygon of its points; sides longer than `coarse` are halved.
-void add_points(const PlasticDomain& of, double n, double from, double to, const Eigen::Vector2d& a,
+template <class Slice>
+void add_points(const Slice& slice, double n, double from, double to, const Eigen::Vector2d& a,
                 const Eigen::Vector2d& b, int depth, std::vector<Eigen::Vector2d>& points) {
     if (depth > 0 && (b - a).norm() > coarse * (1 - n)) {
         const double middle = 0.5 * (from + to);
-        const Eigen::Vector2d m = of.contour(n, middle);
-        add_points(of, n, from, middle, a, m, depth - 1, points);
-        add_points(of, n, middle, to, m, b, depth - 1, points);
+        const Eigen::Vector2d m = slice(n, middle);
+        add_points(slice, n, from, middle, a, m, depth - 1, points);
+        add_points(slice, n, middle, to, m, b, depth - 1, points);
     } else {
         points.push_back(a);
     }
@@ -287,11 +317,11 @@ void PlasticDomain::make_polyhedron() {
         const double n = double(level) / levels;
         std::vector<Eigen::Vector2d> points;
         Eigen::Vector2d start[first + 1];
-        for (int k = 0; k < first; ++k) start[k] = contour(n, full_turn * k / first);
+        for (int k = 0; k < first; ++k) start[k] = slice(n, full_turn * k / first);
         start[first] = start[0];
         for (int k = 0; k < first; ++k)
-            add_points(*this, n, full_turn * k / first, full_turn * (k + 1) / first, start[k], start[k + 1], 12,
-                       points);
+            add_points([this](double at, double angle) { return slice(at, angle); }, n, full_turn * k / first,
+                       full_turn * (k + 1) / first, start[k], start[k + 1], 12, points);
         for (int ray = 0; ray < rays; ++ray) {
             const Eigen::Vector2d to(std::cos(full_turn * ray / rays), std::sin(full_turn * ray / rays));
             double radius = 0;
@@ -310,7 +340,9 @@ void PlasticDomain::make_polyhedron() {
 
 /// At axial force n and in the direction of m the radius is a mean of those of two levels, each on the side between two
 /// rays.
-bool PlasticDomain::surely_inside(const Vec3& q, Vec3* normal) const {
+bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal) const {
+    Vec3 q = forces;
+    if (concrete()) q -= centre_, q.head<2>() -= q[2] * end_;
     const double side = q[2] < 0 ? -1 : 1, n = levels * std::abs(q[2]);
     const Eigen::Vector2d m = side * q.head<2>();
     if (normal) *normal = q;
@@ -340,6 +372,7 @@ bool PlasticDomain::surely_inside(const Vec3& q, Vec3* normal) const {
         Eigen::Vector2d of_m = (1 - part) * radius[0] * radius[0] * slope[0];
         if (radius[1] > 0) of_m += part * radius[1] * radius[1] * slope[1];
         *normal << side * of_m, side * levels * (radius[0] - radius[1]);
+        if (concrete()) (*normal)[2] -= end_.dot(normal->head<2>());
     }
     return (1 - part) * radius[0] + part * radius[1] >= 1;
 }
@@ -360,6 +393,32 @@ void PlasticDomain::make_ellipsoid() {
     }
     const double axis = 0.98 * std::sqrt(std::max(0.0, least));
     ellipsoid_ = {axis, axis, pressed_axis};
+}
+
+/// The same about a point that is not the centre, so that both signs of e count. The half axis N is shortened until
+/// enough is left for moments: where bars lie on one side, N at one end of its range has a moment beside it.
+void PlasticDomain::make_ellipsoid_of_concrete() {
+    constexpr int turns = 120, steps = 80, beyond = 30;
+    std::vector<Eigen::Vector2d> supports;  // e and h, at |k| = 1
+    for (int i = 0; i < turns; ++i) {
+        const double c = std::cos(full_turn * i / turns), s = std::sin(full_turn * i / turns);
+        const double most = farthest() * std::hypot(c * scale_[0], s * scale_[1]);
+        for (int k = -steps - beyond; k <= steps + beyond; ++k) {
+            const int past = std::max(0, std::abs(k) - steps);
+            const double e = most * k / std::max(steps, std::abs(k)) * std::pow(1.25, past);
+            Vec3 point;
+            supports.emplace_back(e, support({c, s, e}, point));
+        }
+    }
+    double axis = pressed_axis * (1 - std::abs(centre_[2])), least = 0;
+    for (int tries = 0; tries < 30; ++tries, axis *= 0.7) {
+        least = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector2d& of : supports)
+            least = std::min(least, of[1] > 0 ? of[1] * of[1] - axis * axis * of[0] * of[0] : -1.0);
+        if (least > 0.25 * axis * axis) break;
+    }
+    const double moment = 0.9 * std::sqrt(std::max(0.0, least));
+    ellipsoid_ = {moment, moment, 0.9 * axis};
 }
 
 }  // namespace hinge::beam

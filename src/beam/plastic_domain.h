@@ -1,4 +1,5 @@
-// The forces that a cross-section can carry at its yield stress: the exact interaction of N, Mx and My.
+// The forces that a cross-section can carry at its strength: the exact interaction of N, Mx and My, of steel and of
+// reinforced concrete.
 //
 // A section flows at the plastic strain e + kx y - ky x, where it yields in tension on one side of the neutral axis and
 // in compression on the other. The work of that, per length, is the support function
@@ -12,10 +13,22 @@
 // Forces are normalised: N/N0, Mx/Mx0, My/My0, with N0 = fy A, Mx0 = fy Zx, My0 = fy Zy; strains are what does work on
 // them. Zx and Zy are those of the neutral axis along x and along y that halves the area: moments at N = 0. Where the
 // section has no symmetry, the other moment is not zero there.
+//
+// Concrete has the stress -fc where it shortens and none where it lengthens. Its work fc max(0, -strain) is that of a
+// material of the yield stress fc / 2 in tension and in compression, less fc / 2 times the strain. So is that of a bar:
+// it has the mean of its two strengths, and a stress that is always there. Hence
+//
+//   h = (fc / 2) (integral of |strain| over the outline and, weighted, over the bars) + centre . strain
+//
+// The domain is that of an outline with heavier parts, moved to `centre`: symmetric about that point, not about zero.
+// A bar is a disc of its area. A line without breadth would make flat faces on the surface, where the flow could not
+// tell the point. The concrete that bars displace carries nothing. N0 is half of the range of N, and Mx0 and My0 are
+// the moments beyond those of the centre at its N.
 #pragma once
 
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 #include "core/types.h"
@@ -42,10 +55,21 @@ struct Outline {
     void move(const Eigen::Vector2d& by);
 };
 
+/// Strengths of concrete, none of them in tension, and of the bars in it. Pa, m^2, m.
+struct Reinforcement {
+    struct Bar {
+        Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+        double area = 0, tension = 0, compression = 0;
+        double radius() const;
+    };
+    double concrete = 0;    ///< compression
+    std::vector<Bar> bars;  ///< each is stronger in compression than the concrete, and lies within the outline
+};
+
 class PlasticDomain {
 public:
-    /// `outline`: its centroid is the origin.
-    explicit PlasticDomain(const Outline& outline);
+    /// `outline`: its centroid is the origin. `concrete`: null for a material of one yield stress.
+    explicit PlasticDomain(const Outline& outline, const Reinforcement* concrete = nullptr);
 
     /// h of the strain v = (kx, ky, e); `point`: its gradient (Mx, My, N); `curvature`, unless null: its second
     /// derivatives, positive semidefinite, zero along v.
@@ -57,8 +81,8 @@ public:
     /// the direction of a force may have too few digits for that.
     double gauge(const Vec3& q, Vec3* normal = nullptr, double* error = nullptr) const;
 
-    /// The point of the contour at axial force n = N/N0, -1 < n < 1, for a curvature in the direction `angle` (0: about
-    /// x; pi/2: about y).
+    /// The point of the contour at axial force n = N/N0, between the least and the largest, for a curvature in the
+    /// direction `angle` (0: about x; pi/2: about y).
     Eigen::Vector2d contour(double n, double angle) const;
 
     /// True only if q is inside: a polyhedron within the surface, quick to ask. For n up to 0.95 it reaches to within
@@ -66,12 +90,18 @@ public:
     /// strain whose point is near q.
     bool surely_inside(const Vec3& q, Vec3* normal = nullptr) const;
 
-    /// An ellipsoid within the surface: its half axes (Mx, My, N).
+    /// An ellipsoid about zero within the surface: its half axes (Mx, My, N).
     const Vec3& ellipsoid() const { return ellipsoid_; }
 
-    /// Area, m^2, and fully plastic moduli about x and y, m^3.
+    /// Area, m^2, and fully plastic moduli about x and y, m^3. Of concrete: with the bars by their weight.
     double area() const { return area_; }
     const Eigen::Vector2d& moduli() const { return modulus_; }
+
+    bool concrete() const { return stress_ > 0; }
+    /// Of concrete: Mx0, My0 (N m), N0 (N), by which its forces are normalised.
+    Vec3 strength() const { return stress_ * Vec3(modulus_[0], modulus_[1], area_); }
+    /// The point about which the domain is symmetric: (Mx, My, N), zero but for concrete.
+    const Vec3& centre() const { return centre_; }
 
 private:
     struct Sums;
@@ -82,37 +112,48 @@ private:
     };
     struct Circle {
         Eigen::Vector2d centre;
-        double radius, sign;
+        double radius, weight;  ///< -1: a hole
     };
     static void add(const Polygon& part, Sums& sums);
     static void add(const Circle& part, Sums& sums);
     void add_parts(Sums& sums) const;
     double find_gauge(const Vec3& to, Vec3& v, double& missed) const;
+    void set_scale();
+    Eigen::Vector2d slice(double n, double angle) const;
     void make_polyhedron();
     void make_ellipsoid();
+    void make_ellipsoid_of_concrete();
     double farthest() const;  ///< of the outline from the centroid, m
 
     std::vector<Polygon> polygons_;
     std::vector<Circle> circles_;
     double area_ = 0;
+    Vec3 total_ = Vec3::Zero();     ///< twice the sums that are left on the positive side at pure compression
+    Vec3 weighted_ = Vec3::Zero();  ///< sums over the area
+    double stress_ = 0;             ///< Pa, half of the concrete's strength; 0: no concrete
     Eigen::Vector2d modulus_ = Eigen::Vector2d::Zero();
     Vec3 scale_ = Vec3::Ones();    ///< from normalised strains to 1/m, and from moments to normalised ones
     std::vector<double> inverse_;  ///< 1 over the radius, of each ray of each level
     Vec3 ellipsoid_ = Vec3::Zero();
+    Vec3 centre_ = Vec3::Zero();
+    Eigen::Vector2d end_ = Eigen::Vector2d::Zero();  ///< moments beyond the centre's at pure tension
 };
 
 /// An outline whose domain is computed when it is first asked for, and once.
 class SectionOutline {
 public:
-    explicit SectionOutline(Outline outline) : outline_(std::move(outline)) {}
+    explicit SectionOutline(Outline outline, std::optional<Reinforcement> concrete = {})
+        : outline_(std::move(outline)), concrete_(std::move(concrete)) {}
     const Outline& outline() const { return outline_; }
+    const Reinforcement* concrete() const { return concrete_ ? &*concrete_ : nullptr; }  ///< null: it is of steel
     std::shared_ptr<const PlasticDomain> domain() const {
-        std::call_once(once_, [this] { domain_ = std::make_shared<const PlasticDomain>(outline_); });
+        std::call_once(once_, [this] { domain_ = std::make_shared<const PlasticDomain>(outline_, concrete()); });
         return domain_;
     }
 
 private:
     Outline outline_;
+    std::optional<Reinforcement> concrete_;
     mutable std::once_flag once_;
     mutable std::shared_ptr<const PlasticDomain> domain_;
 };

@@ -1,4 +1,5 @@
-// The exact interaction of N, Mx and My of a section's outline (beam/plastic_domain.h), with what the material adds.
+// The exact interaction of N, Mx and My of a section's outline (beam/plastic_domain.h), with what the material adds; of
+// steel or of reinforced concrete.
 // Torsion takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, where g is the gauge of N, Mx and My.
 #include <cmath>
 
@@ -22,7 +23,7 @@ public:
     Exact(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength, SectionMaterial material)
         : PotentialLaw(screen_of(*domain, strength), strength, std::move(material), true), domain_(std::move(domain)) {}
 
-    const char* name() const override { return "exact"; }
+    const char* name() const override { return domain_->concrete() ? "concrete" : "exact"; }
 
 protected:
     double shape_function(const Vec4& q) const override {

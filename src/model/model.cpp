@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beam/plastic_domain.h"
 #include "core/errors.h"
 #include "core/text.h"
 
@@ -43,6 +44,12 @@ int Model::add_member(MemberData m) {
         throw InputError(
             "elements per member is " + std::to_string(m.elements) +
             "; formulation 'asi-gauss' places its points in pairs of elements and needs an even number (2, 4, ...)");
+    if (m.section->outline && m.section->outline->concrete() && std::isfinite(m.material->yield_stress))
+        throw InputError(
+            "member has a section of concrete, which has its own strengths, and a material with a yield "
+            "stress of " +
+            number_text(m.material->yield_stress) +
+            " Pa; give a material without yield_stress, such as hinge.material.concrete 'C30/37'");
     must_be_finite(m.up, "up", "");
     if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
         throw InputError("up is " + vector_text(m.up) + ", parallel to the member (" + vector_text(chord) +

@@ -50,10 +50,16 @@ std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const b
                                                const ModelOptions& options, double length) {
     if (w.elastic()) return nullptr;
     const Section& section = *member.section;
+    const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
     beam::SectionMaterial adds = material_of(member, w, zone);
+    if (section.outline && section.outline->concrete()) {  // its strengths are its own
+        const auto domain = section.outline->domain();
+        Vec4 of;
+        of << domain->strength(), strength(w.z);
+        return beam::exact_law(domain, of, std::move(adds));
+    }
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
-    const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
     if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
         return beam::paper_law(w, std::move(adds));
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},

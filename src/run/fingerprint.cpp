@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "beam/material_law.h"
+#include "beam/plastic_domain.h"
 #include "core/archive.h"
 
 namespace hinge {
@@ -60,6 +61,10 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
           section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.N0, section.Mx0,
           section.My0, section.Mz0, section.width, section.depth, section.interaction);
+        if (!section.outline || !section.outline->concrete()) return;
+        a(section.outline->concrete()->concrete);
+        for (const auto& bar : section.outline->concrete()->bars)
+            a(bar.centre.x(), bar.centre.y(), bar.area, bar.tension, bar.compression);
     }));
     parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
     parts.back().count = model.groups().size();

@@ -150,8 +150,79 @@ case("wrong materials and sections are refused", function()
   wrong("hinge.section.box: field 'width' is -1 m; must be a number above 0 m",
     function() hinge.section.box { width = -1, depth = 1, thickness = 0.1 } end)
   wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?); there are angle, box, channel, "
-    .. "general, h, named, names, pipe, round, solid",
+    .. "concrete, general, h, named, names, pipe, round, solid",
     function() hinge.section.bxo {} end)
+end)
+
+case("wrong sections of concrete are refused", function()
+  local function concrete(change)
+    local options = { width = 0.4, depth = 0.4, concrete = 30e6, steel = 500e6,
+      bars = { { 0.15, 0.15, diameter = 0.02 }, { -0.15, -0.15, diameter = 0.02 } } }
+    for k, v in pairs(change) do options[k] = v end
+    return function() hinge.section.concrete(options) end
+  end
+  wrong("hinge.section.concrete: field 'concrete' is 'C31/37'; must be a number above 0 Pa or 'C12/15' or ...",
+    concrete { concrete = "C31/37" })
+  wrong("hinge.section.concrete: field 'steel' is -1 Pa; must be a number above 0 Pa or ...", concrete { steel = -1 })
+  wrong("hinge.section.concrete: field 'effectiveness' is 1.1; must be a number above 0 and of at most 1",
+    concrete { effectiveness = 1.1 })
+  wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or "
+    .. "'gross' or "
+    .. "'cracked'", concrete { stiffness = "craked" })
+  wrong("hinge.section.concrete: it has no bars; give 'bars' = { {x, y, diameter = d}, ... } or 'layers' = ...",
+    concrete { bars = {} })
+  wrong("hinge.section.concrete, bar 1 is {0.1}; must be {x, y, diameter = d}, two numbers in m and a diameter or ...",
+    concrete { bars = { { 0.1 } } })
+  wrong("hinge.section.concrete, bar 1: give either 'diameter' (m) or 'area' (m^2)", concrete { bars = { { 0, 0 } } })
+  wrong("hinge.section.concrete, bar 1: give either 'diameter' (m) or 'area' (m^2); both are given",
+    concrete { bars = { { 0, 0, diameter = 0.02, area = 1e-4 } } })
+  wrong("hinge.section.concrete, bar 1: unknown field 'diametre' (did you mean 'diameter'?); there are area, diameter",
+    concrete { bars = { { 0, 0, diametre = 0.02 } } })
+  wrong("hinge.section.concrete, reinforcement, bar 2 at {0.195, 0} m is not within the outline; its radius is 0.01 m, "
+    .. "and all of the bar must be in the concrete",
+    concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.195, 0, diameter = 0.02 } } })
+  wrong("hinge.section.concrete, reinforcement, bar 2 at {0.01, 0} m overlaps bar 1; two bars must be apart by the sum "
+    .. "of their radii", concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.01, 0, diameter = 0.02 } } })
+  wrong("hinge.section.concrete, reinforcement, bar 1: field 'compression' is 20000000 Pa; a bar must be as "
+    .. "strong as the "
+    .. "concrete it displaces, 28500000 Pa", concrete { bar_compression = 20e6 })
+  wrong("hinge.section.concrete: field 'reinforcement' is too little; the bars leave less than 0.001 of the "
+    .. "strength in "
+    .. "some direction of N, Mx and My; give more of them, on more sides",
+    concrete { bars = { { 0, 0, diameter = 0.001 } } })
+  wrong("hinge.section.concrete: field 'cover' is missing; give the concrete between the surface and the bars "
+    .. "of layers, "
+    .. "a number above 0 m", concrete { layers = { { y = "top", count = 2, diameter = 0.02 } } })
+  wrong("hinge.section.concrete: field 'cover' is 0.3 m; with bars of 0.02 m it must be below half of the "
+    .. "smaller side, "
+    .. "0.19 m", concrete { cover = 0.3, layers = { { y = "top", count = 2, diameter = 0.02 } } })
+  wrong("hinge.section.concrete, layer 1: field 'count' is 1.5; must be a whole number of at least 1",
+    concrete { cover = 0.03, layers = { { y = "top", count = 1.5, diameter = 0.02 } } })
+  local square = { { corners = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.1 }, { 0, 0.1 } } } }
+  local function general(change)
+    local options = { area = 0.01, Ix = 1e-5, Iy = 1e-5, J = 1e-5, outline = square,
+      reinforcement = { concrete = 30e6, bars = { { 0.05, 0.05, area = 3e-4, tension = 500e6 } } } }
+    for k, v in pairs(change) do options[k] = v or nil end
+    return function() hinge.section.general(options) end
+  end
+  wrong("hinge.section.general: field 'N0' is given beside reinforcement; from which it follows; give one of the two",
+    general { N0 = 1 })
+  wrong("hinge.section.general: field 'reinforcement' is given; needs the section's shape: give 'outline' as well",
+    general { outline = false })
+  wrong("hinge.section.general, reinforcement: field 'bars' is empty; must be a list of bars: { { x, y, area =, "
+    .. "tension =, "
+    .. "compression = }, ... }; without bars the section has no strength in tension",
+    general { reinforcement = { concrete = 30e6, bars = {} } })
+  wrong("model:member: member has a section of concrete, which has its own strengths, and a material with a "
+    .. "yield stress "
+    .. "of ...", function(s)
+    s.model:member { s.wall, s.tip, section = hinge.section.concrete { width = 0.1, depth = 0.1, concrete = 30e6,
+      steel = 500e6, bars = { { 0, 0, diameter = 0.01 } } }, material = hinge.material { E = 1, yield_stress = 1 } }
+  end)
+  wrong("section:plastic_moments: N is 1e+99; must be a number from ...", function()
+    hinge.section.concrete { width = 0.1, depth = 0.1, concrete = 30e6, steel = 500e6,
+      bars = { { 0, 0, diameter = 0.01 } } }:plastic_moments(1e99)
+  end)
 end)
 
 case("wrong members are refused", function()

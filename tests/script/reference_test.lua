@@ -200,7 +200,12 @@ local calls = {
   ["hinge.section.pipe"] = function(x) hinge.section.pipe(x) end,
   ["hinge.section.solid"] = function(x) hinge.section.solid(x) end,
   ["hinge.section.round"] = function(x) hinge.section.round(x) end,
+  ["hinge.section.concrete"] = function(x) hinge.section.concrete(with(x, square)) end,
   ["hinge.section.general"] = function(x) hinge.section.general(x) end,
+  ["hinge.section.general.reinforcement"] = function(x)
+    hinge.section.general { area = 0.01, Ix = 1, Iy = 1, J = 1, reinforcement = x,
+      outline = { { corners = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.1 }, { 0, 0.1 } } } } }
+  end,
   ["hinge.section.general.plastic"] = function(x)
     hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, plastic = x }
   end,

@@ -192,8 +192,9 @@ int add_member(lua_State* L) {
         if (m->options().formulation == Formulation::conventional)
             o.complain("backbone", "given",
                        "needs hinges at the ends of elements: hinge.model{ formulation = 'asi-gauss' } or 'asi'");
-        if (!std::isfinite(data.material->yield_stress))
-            o.complain("backbone", "given", "needs a material with yield_stress (Pa)");
+        const auto& outline = data.section->outline;
+        if (!std::isfinite(data.material->yield_stress) && !(outline && outline->concrete()))
+            o.complain("backbone", "given", "needs a material with yield_stress (Pa), or a section of concrete");
         data.backbone = b->value;
     }
     lua_pop(L, 3);

@@ -1,7 +1,9 @@
 // hinge.material and hinge.section.general: the material and section of members.
 #include <cmath>
+#include <numbers>
 
 #include "beam/material_law.h"
+#include "beam/plastic_domain.h"
 #include "model/plastic_shape.h"
 #include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"
@@ -65,10 +67,34 @@ int material_text(lua_State* L) {
     return 1;
 }
 
+/// Resultants of concrete and its bars, N and N m: the larger of both signs; moments beside no axial force.
+void add_strengths(Options& o, Section& s) {
+    for (const char* field : {"N0", "Mx0", "My0", "plastic", "interaction"})
+        if (o.has(field)) o.complain(field, "given beside reinforcement", "from which it follows; give one of the two");
+    const auto domain = s.outline->domain();
+    const Vec3 strength = domain->strength();
+    s.N0 = strength[2] * (1 + std::abs(domain->centre()[2]));
+    const auto moment = [&](int axis) {
+        const double there = domain->contour(0, axis * std::numbers::pi / 2)[axis],
+                     back = domain->contour(0, std::numbers::pi * (1 + axis / 2.0))[axis];
+        return strength[axis] * std::max(std::abs(there), std::abs(back));
+    };
+    s.Mx0 = moment(0), s.My0 = moment(1);
+}
+
+/// hinge.section.concrete makes its section here, and its errors about bars are found here.
+const char* maker_of(lua_State* L) {
+    if (!lua_istable(L, 1)) return "hinge.section.general";
+    lua_getfield(L, 1, "kind");
+    const bool concrete = lua_type(L, -1) == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "concrete";
+    lua_pop(L, 1);
+    return concrete ? "hinge.section.concrete" : "hinge.section.general";
+}
+
 int section(lua_State* L) {
-    Options o(L, 1, "hinge.section.general");
+    Options o(L, 1, maker_of(L));
     o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0",
-              "plastic", "size", "kind", "outline", "interaction"});
+              "plastic", "size", "kind", "outline", "interaction", "reinforcement"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);
@@ -108,6 +134,9 @@ int section(lua_State* L) {
             o.complain("area", show(s.area) + " m^2",
                        "the outline has " + show(area) + " m^2, and the two may differ by 2 % of it");
     }
+    if (s.outline && s.outline->concrete()) add_strengths(o, s);
+    else if (!s.outline && o.has("reinforcement"))
+        o.complain("reinforcement", "given", "needs the section's shape: give 'outline' as well");
     if (const std::string asked = o.word("interaction", {"", "paper", "exact"}, ""); !asked.empty())
         s.interaction = asked == "exact" ? Interaction::exact : Interaction::paper;
     if (s.interaction == Interaction::exact && !s.outline)
@@ -128,6 +157,27 @@ int reduced_moments(lua_State* L) {
     const auto shape = PlasticShape::of(s);
     if (!shape) return lua_pushnil(L), 1;
     for (int axis : {0, 1}) lua_pushnumber(L, shape->moment(axis, n));
+    return 2;
+}
+
+/// section:plastic_moments(N, angle)
+int plastic_moments(lua_State* L) {
+    const Section& s = *self<SectionBox>(L, "section:plastic_moments").value;
+    const auto number = [L](int i) { return lua_type(L, i) == LUA_TNUMBER ? lua_tonumber(L, i) : std::nan(""); };
+    if (!s.outline || !s.outline->concrete()) return lua_pushnil(L), 1;
+    const auto domain = s.outline->domain();
+    const Vec3 strength = domain->strength();
+    const double N = number(2), angle = lua_isnoneornil(L, 3) ? 0 : number(3),
+                 least = strength[2] * (domain->centre()[2] - 1), most = strength[2] * (domain->centre()[2] + 1),
+                 rounding = 1e-9 * strength[2];
+    if (!(N >= least - rounding && N <= most + rounding))
+        throw InputError("section:plastic_moments: N is " + show(L, 2) + "; must be a number from " + show(least) +
+                         " to " + show(most) + " N, tension positive");
+    if (!std::isfinite(angle))
+        throw InputError("section:plastic_moments: the angle is " + show(L, 3) + "; must be a number, in rad");
+    const double normalised = std::atan2(strength[1] * std::sin(angle), strength[0] * std::cos(angle));
+    const Eigen::Vector2d m = domain->contour(N / strength[2], normalised).cwiseProduct(strength.head<2>());
+    for (int axis : {0, 1}) lua_pushnumber(L, m[axis]);
     return 2;
 }
 
@@ -187,7 +237,9 @@ void open_values(lua_State* L, int module) {
     make_metatable(L, MaterialBox::lua_name, of_material, guarded<material_fields>, collect<MaterialBox>,
                    guarded<material_text>, same<MaterialBox>);
     static const luaL_Reg of_section[] = {
-        {"reduced_moments", guarded<takes<"section:reduced_moments", 2, reduced_moments>>}, {nullptr, nullptr}};
+        {"reduced_moments", guarded<takes<"section:reduced_moments", 2, reduced_moments>>},
+        {"plastic_moments", guarded<takes<"section:plastic_moments", 3, plastic_moments>>},
+        {nullptr, nullptr}};
     make_metatable(L, SectionBox::lua_name, of_section, guarded<section_fields>, collect<SectionBox>,
                    guarded<section_text>, same<SectionBox>);
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress", "laws"});

@@ -1,6 +1,8 @@
 #include "script/bind/section_outline.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hinge::script {
 namespace {
@@ -55,6 +57,103 @@ void read_part(lua_State* L, const std::string& what, beam::Outline& outline) {
     part.finish();
 }
 
+/// Least part of the strength about the middle of the domain that must be left about zero.
+constexpr double least_strength = 1e-3;
+
+bool odd_crossings(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& at) {
+    bool odd = false;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        if ((a.y() > at.y()) != (b.y() > at.y()) &&
+            at.x() < a.x() + (at.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            odd = !odd;
+    }
+    return odd;
+}
+
+double distance(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& at) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector2d &a = corners[i], side = corners[(i + 1) % corners.size()] - a;
+        const double length = side.squaredNorm(),
+                     along = length > 0 ? std::clamp((at - a).dot(side) / length, 0.0, 1.0) : 0;
+        least = std::min(least, (at - a - along * side).norm());
+    }
+    return least;
+}
+
+bool holds(const beam::Outline& outline, const Eigen::Vector2d& at, double radius) {
+    bool in = false;
+    for (const auto& c : outline.circles) {
+        const double off = (at - c.centre).norm();
+        if (c.hole && off < c.radius + radius) return false;
+        in |= !c.hole && off <= c.radius - radius;
+    }
+    for (const auto& p : outline.polygons) {
+        const bool inside = odd_crossings(p.corners, at), clear = distance(p.corners, at) >= radius;
+        if (p.hole && (inside || !clear)) return false;
+        in |= !p.hole && inside && clear;
+    }
+    return in;
+}
+
+beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
+    lua_State* L = r.L();
+    beam::Reinforcement out;
+    r.expect({"concrete", "bars"});
+    out.concrete = r.number("concrete", "Pa", Range::positive);
+    const bool list = r.push_field("bars") == LUA_TTABLE;
+    const int count = list ? int(lua_rawlen(L, -1)) : 0;
+    if (count == 0)
+        r.complain(
+            "bars", list ? "empty" : show(L, -1),
+            "must be a list of bars: { { x, y, area =, tension =, compression = }, ... }; without bars the section "
+            "has no strength in tension");
+    for (int i = 1; i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        const std::string what = r.function() + ", bar " + std::to_string(i);
+        if (!lua_istable(L, -1)) throw InputError(what + " is " + show(L, -1) + "; must be a table");
+        beam::Reinforcement::Bar bar;
+        bar.centre = pair(L, what);
+        Options b(L, -1, what);
+        bar.area = b.number("area", "m^2", Range::positive);
+        bar.tension = b.number("tension", "Pa", Range::positive);
+        bar.compression = b.number("compression", "Pa", Range::positive, bar.tension);
+        b.finish(2);
+        if (!(bar.compression >= out.concrete))
+            b.complain("compression", show(bar.compression) + " Pa",
+                       "a bar must be as strong as the concrete it displaces, " + show(out.concrete) + " Pa");
+        const std::string place = "{" + show(bar.centre.x()) + ", " + show(bar.centre.y()) + "} m";
+        if (!holds(outline, bar.centre, (1 - 1e-9) * bar.radius()))
+            throw InputError(what + " at " + place + " is not within the outline; its radius is " + show(bar.radius()) +
+                             " m, and all of the bar must be in the concrete");
+        for (std::size_t k = 0; k < out.bars.size(); ++k)
+            if ((out.bars[k].centre - bar.centre).norm() < (1 - 1e-9) * (out.bars[k].radius() + bar.radius()))
+                throw InputError(what + " at " + place + " overlaps bar " + std::to_string(k + 1) +
+                                 "; two bars must be apart by the sum of their radii");
+        out.bars.push_back(bar);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return out;
+}
+
+std::shared_ptr<const beam::SectionOutline> with_bars(Options& section, beam::Outline outline) {
+    lua_State* L = section.L();
+    Options r(L, -1, section.function() + ", reinforcement");
+    beam::Reinforcement concrete = read_bars(r, outline);
+    const Eigen::Vector2d centroid = outline.centroid();
+    outline.move(-centroid);
+    for (auto& bar : concrete.bars) bar.centre -= centroid;
+    const auto made = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
+    const Vec3 left = made->domain()->ellipsoid();
+    if (!(left.minCoeff() > least_strength))
+        section.complain("reinforcement", "too little",
+                         "the bars leave less than " + show(least_strength) +
+                             " of the strength in some direction of N, Mx and My; give more of them, on more sides");
+    return made;
+}
+
 }  // namespace
 
 std::shared_ptr<const beam::SectionOutline> read_outline(Options& section) {
@@ -74,6 +173,10 @@ std::shared_ptr<const beam::SectionOutline> read_outline(Options& section) {
     if (!(outline.area() > 0))
         section.complain("outline", "with an area of " + show(outline.area()) + " m^2",
                          "the area must be above 0: a hole (hole = true) lies within a part that is none");
+    const bool concrete = section.push_field("reinforcement") != LUA_TNIL;
+    const auto reinforced = concrete ? with_bars(section, outline) : nullptr;
+    lua_pop(L, 1);
+    if (reinforced) return reinforced;
     outline.move(-outline.centroid());
     return std::make_shared<const beam::SectionOutline>(std::move(outline));
 }

@@ -1,0 +1,204 @@
+-- Sections of reinforced concrete: columns carry the moment beside N that closed forms give; strengths and stiffness
+-- follow from the options; the energy balance closes in all integrators; a run resumes to the same bytes.
+--
+-- Run: lua5.4 tests/script/concrete_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "concrete"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local L = 3
+local material = hinge.material.concrete "C30/37"
+local b, d, edge, As = 0.4, 0.5, 0.05, math.pi / 4 * 0.02 ^ 2
+local fc, fy, fyc = 30e6, 500e6, 400e6
+
+local function with(options, more)
+  local all = {}
+  for _, of in ipairs { options, more or {} } do
+    for k, v in pairs(of) do all[k] = v end
+  end
+  return all
+end
+
+-- Bars: `top` and `bottom` of them in two layers.
+local function section(top, bottom, more)
+  local bars = {}
+  for side, count in pairs { [1] = top, [-1] = bottom } do
+    for i = 1, count do
+      bars[#bars + 1] = { (b - 2 * edge) * ((i - 1) / (count - 1) - 0.5), side * (d / 2 - edge), diameter = 0.02 }
+    end
+  end
+  return hinge.section.concrete(with({ width = b, depth = d, concrete = fc, steel = fy, effectiveness = 1,
+    bars = bars }, more))
+end
+
+-- By hand, where both layers yield: a, depth of the block that is pressed, from the side `side` (1: the top). N, M.
+local function by_hand(a, side, top, bottom)
+  local pressed, pulled = side == 1 and top or bottom, side == 1 and bottom or top
+  local arm = d / 2 - edge
+  return -fc * b * a - (fyc - fc) * pressed * As + fy * pulled * As,
+    fc * b * a * (d - a) / 2 + (fyc - fc) * pressed * As * arm + fy * pulled * As * arm
+end
+
+-- A cantilever along x that N stretches or presses, with a push {y, z} at its tip.
+local function cantilever(of, N, push)
+  local model = hinge.model { displacement = "small" }
+  local a, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  local member = model:member { a, tip, section = of, material = material, up = { 0, 0, 1 } }
+  model:fix(a, "all")
+  model:case "axial":load { node = tip, force = { N, 0, 0 } }
+  model:case "push":load { node = tip, force = { 0, push[1], push[2] } }
+  return { model = model, tip = tip, member = member }
+end
+
+local function limit(c)
+  local held = c.model:static { loads = { axial = 1 }, steps = 4 }
+  held:finish()
+  local run = c.model:static { from = held, loads = { push = 1 }, steps = 20, to_limit = true }
+  run:finish()
+  expect(run.reason:find "limit load" ~= nil, "ends at a limit load: %s", run.reason)
+  return run.factor, run
+end
+
+case("a column carries M(N) / L, of closed forms, with the top pressed and with the bottom pressed", function()
+  local of = section(2, 4)
+  for _, side in ipairs { 1, -1 } do
+    for _, a in ipairs { 0.09, 0.2, 0.32, 0.4 } do
+      local N, M = by_hand(a, side, 2, 4)
+      local Mx = of:plastic_moments(N, side == 1 and math.pi or 0)
+      near(math.abs(Mx) / M, 1, 1e-9, ("plastic_moments, side %d, a %g"):format(side, a))
+      -- a push upwards presses the top at the wall
+      local factor, run = limit(cantilever(of, N, { 0, side * 1.2 * M / L }))
+      near(1.2 * factor, 1, 1e-3, ("a run, side %d, a %g"):format(side, a))
+      near(run.energy_error, 0, 1e-3, "energy error")
+    end
+  end
+end)
+
+case("about the weak axis, in tension and in biaxial bending a run ends on the surface", function()
+  local of = section(3, 3)
+  for _, c in ipairs { { -1.5e6, 0.5 }, { 2e5, 0.5 }, { 0, 0.25 }, { -2e6, 0.15 } } do
+    local N, angle = c[1], c[2] * math.pi
+    local Mx, My = of:plastic_moments(N, angle)
+    local scene = cantilever(of, N, { 1.2 * My / L, -1.2 * Mx / L })
+    local factor, run = limit(scene)
+    near(1.2 * factor, 1, 1e-3, ("N %g, angle %g"):format(N, angle))
+    near(scene.member:forces(run).f_y, 1, 1e-3, "f_y")
+  end
+end)
+
+case("of all moments beside N those of a curvature do the most work on it", function()
+  local of = section(2, 4)
+  for _, N in ipairs { 3e5, -1e6, -4e6 } do
+    for _, angle in ipairs { 0.3, 1, 2.5, 4 } do
+      local x, y = of:plastic_moments(N, angle)
+      for i = 1, 24 do
+        local X, Y = of:plastic_moments(N, angle + i * math.pi / 12.5)
+        local less = math.cos(angle) * (x - X) + math.sin(angle) * (y - Y)
+        expect(less > -1e-6 * of.Mx0, "N %g, angle %g: another point has %g N m more", N, angle, -less)
+      end
+    end
+  end
+end)
+
+case("N0 and the moments beside no axial force", function()
+  local of = section(2, 4)
+  near(of.N0 / (fc * (b * d - 6 * As) + fyc * 6 * As), 1, 1e-9, "N0, in compression")
+  near(of.Mx0, support.largest_of(math.abs((of:plastic_moments(0, 0))),
+    math.abs((of:plastic_moments(0, math.pi)))), 1e-3, "Mx0")
+  near(select(2, of:plastic_moments(0, math.pi / 2)) / of.My0, 1, 1e-9, "My0")
+  equal(of:reduced_moments(0.3), nil, "reduced_moments")
+  equal(hinge.section.solid({ width = 1, depth = 1 }):plastic_moments(0), nil, "plastic_moments of steel")
+  local pulled = of:plastic_moments(6 * As * fy)
+  near(math.abs(pulled) / (2 * As * fy * (d / 2 - edge)), 1, 1e-6, "moment beside pure tension, of two more bars")
+end)
+
+case("grades by their names; the effectiveness; the bars in compression", function()
+  local by_name = section(3, 3, { concrete = "C30/37", steel = "B500B" })
+  equal(by_name.N0, section(3, 3).N0, "C30/37 and B500B")
+  local less = section(3, 3, { effectiveness = 0.9 })
+  near(section(3, 3).N0 - less.N0, 0.1 * fc * (b * d - 6 * As), 1, "effectiveness 0.9")
+  near(section(3, 3, { bar_compression = 500e6 }).N0 - section(3, 3).N0, 100e6 * 6 * As, 1, "bars of 500 MPa")
+  local default = hinge.section.concrete { width = b, depth = d, concrete = fc, steel = fy,
+    bars = { { 0, 0, area = 6 * As } } }
+  near(default.N0 / (0.95 * fc * (b * d - 6 * As) + fyc * 6 * As), 1, 1e-9, "the defaults")
+end)
+
+case("layers stand behind their cover", function()
+  local layered = hinge.section.concrete { width = b, depth = d, concrete = fc, steel = fy, effectiveness = 1,
+    cover = edge - 0.01, layers = { { y = "top", count = 2, diameter = 0.02 }, { y = "bottom", count = 4,
+      diameter = 0.02 } } }
+  for _, N in ipairs { 3e5, 0, -1e6, -4e6 } do
+    for _, angle in ipairs { 0, 0.7, 2, 4 } do
+      local x, y = layered:plastic_moments(N, angle)
+      local X, Y = section(2, 4):plastic_moments(N, angle)
+      near(math.abs(x - X) + math.abs(y - Y), 0, 1, ("N %g, angle %g"):format(N, angle))
+    end
+  end
+end)
+
+case("stiffness is a factor on E I, and not on N or the mass", function()
+  local gross = section(3, 3)
+  for given, factor in pairs { gross = 1, cracked = 0.3, [0.5] = 0.5 } do
+    local of = section(3, 3, { stiffness = given })
+    local c = cantilever(of, 0, { 0, 1e3 })
+    local run = c.model:static { loads = { push = 1 } }
+    run:finish()
+    local _, _, uz = c.tip:displacement(run)
+    local G = material.E / 2.4
+    local wanted = 1e3 * L ^ 3 / (3 * material.E * factor * b * d ^ 3 / 12) + 1e3 * L / (G * of.shear_area_y)
+    near(uz / wanted, 1, 1e-9, "deflection, stiffness " .. tostring(given))
+    equal(of.area, gross.area, "area")
+  end
+end)
+
+-- A portal with a blow at its corners that makes hinges.
+local function portal(bars)
+  local model = hinge.model()
+  local col, beam = section(3, bars or 3, { stiffness = 0.5 }), section(2, 4, { stiffness = "cracked" })
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
+  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
+    model:member { n[pair[1]], n[pair[2]], section = col, material = material, up = { 0, 1, 0 } }
+  end
+  model:member { n[2], n[3], section = beam, material = material, up = { 0, 0, 1 }, elements = 4 }
+  model:fix(n[1], "all")
+  model:fix(n[4], "all")
+  for i = 2, 3 do
+    model:mass { node = n[i], mass = 20000 }
+    model:velocity(n[i], { 3, 0.7, -1 })
+  end
+  return model
+end
+
+case("in dynamics the energy balance closes, and three integrators dissipate the same", function()
+  local work = {}
+  for name, options in pairs { newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
+    ["energy-momentum"] = { integrator = "energy-momentum", dt = 2e-4 } } do
+    local run = portal():dynamic(with({ duration = 0.1 }, options))
+    run:finish()
+    equal(run.verdict, "completed", name)
+    near(run.energy_error, 0, 2e-3, name .. ": energy error")
+    work[name] = run.energy.plastic
+    expect(work[name] > 1e4, "%s: dissipates %g J", name, work[name])
+  end
+  near(work.newmark / work.explicit, 1, 0.02, "newmark over explicit")
+  near(work["energy-momentum"] / work.explicit, 1, 0.02, "energy-momentum over explicit")
+end)
+
+case("a run that was saved while hinges turn goes on to the same bytes, and not with other bars", function()
+  local path = os.tmpname()
+  local settings = { dt = 2e-4, duration = 0.06 }
+  local run = portal():dynamic(settings)
+  for _ = 1, 150 do run:step() end
+  run:checkpoint(path)
+  run:finish()
+  local resumed = portal():dynamic(settings):resume(path)
+  resumed:finish()
+  equal(resumed.hash, run.hash, "state")
+  local ok, message = pcall(function() portal(4):dynamic(settings):resume(path) end)
+  expect(not ok and tostring(message):find "sections", "other bars are refused: %s", message)
+  os.remove(path)
+end)
+
+checks.done()
