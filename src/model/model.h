@@ -81,6 +81,12 @@ struct NodeData {
 /// (undecided: not yet; see script/checks/element_count.h).
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
+/// Which axial forces a member carries: both signs, tension alone (cables, slender braces) or compression alone (props,
+/// bearings).
+enum class Carries : std::uint8_t { both, tension, compression };
+/// "both", "tension" or "compression"
+const char* carries_word(Carries carries);
+
 /// A declared member.
 struct MemberData {
     int node[2];
@@ -89,6 +95,7 @@ struct MemberData {
     Vec3 up;
     int elements;
     std::vector<int> groups;  ///< the first one colours it
+    Carries carries = Carries::both;
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed

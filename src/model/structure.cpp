@@ -42,8 +42,11 @@ beam::SectionMaterial material_of(const Section& s, const Material& m, const bea
 
 /// The law of a section, null where it cannot yield.
 std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Material& material,
-                                               const beam::YieldSurface& w, const ModelOptions& options,
-                                               double length) {
+                                               const beam::YieldSurface& w, const ModelOptions& options, double length,
+                                               Carries carries) {
+    if (carries != Carries::both)
+        return beam::one_way_law(carries == Carries::tension ? 1 : -1,
+                                 w.n > 0 ? 1 / std::sqrt(w.n) : std::numeric_limits<double>::infinity());
     if (w.elastic()) return nullptr;
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
     beam::SectionMaterial adds = material_of(section, material, w, zone);
@@ -102,6 +105,7 @@ struct Structure::KindKey {
     const Material* material;
     double length, s;  ///< m; normal position of the integration point
     int middle;        ///< the end (0, 1) at the middle of the pair
+    Carries carries;
     std::array<double, 4> rotation;
     auto operator<=>(const KindKey&) const = default;
 };
@@ -162,16 +166,18 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                                           int middle, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {&section, &material, length,
-                         s,        middle,    {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const KindKey key = {&section, &material,      length,
+                         s,        middle,         member.carries,
+                         {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
     const beam::Rigidity rigidity = rigidity_of(section, material);
-    const beam::YieldSurface strength =
+    beam::YieldSurface strength =
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
-    can_yield_ |= !strength.elastic();
+    if (member.carries != Carries::both) strength = {0, 0, strength.n, 0};
+    can_yield_ |= !strength.elastic() || member.carries != Carries::both;
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
-                      strength, law_of(section, material, strength, model_->options(), length)});
+                      strength, law_of(section, material, strength, model_->options(), length, member.carries)});
     at->second = &kinds_.back();
     return kinds_.back();
 }

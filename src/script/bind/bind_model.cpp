@@ -169,7 +169,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements"}, 2);
+    o.expect({"section", "material", "up", "group", "elements", "carries"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -194,6 +194,9 @@ int add_member(lua_State* L) {
                                             {m->options().elements_per_member, m->options().automatic_elements});
     data.elements = elements.number;
     if (elements.automatic) data.elements_by = ElementsBy::undecided;
+    const std::string carries = o.word("carries", {"both", "tension", "compression"}, "both");
+    for (const Carries c : {Carries::tension, Carries::compression})
+        if (carries == carries_word(c)) data.carries = c;
     std::vector<std::string> fresh;
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);

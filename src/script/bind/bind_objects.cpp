@@ -230,6 +230,7 @@ int member_fields(lua_State* L) {
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "up") push_triple(L, data.up);
+    else if (key == "carries") push_text(L, carries_word(data.carries));
     else if (key == "elements")
         data.elements_by == ElementsBy::undecided ? (void)push_text(L, "auto") : lua_pushinteger(L, data.elements);
     else refuse_field(L, "member", key);
@@ -377,7 +378,7 @@ void open_objects(lua_State* L) {
                    nullptr);
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
     name_fields(L, MemberBox::lua_name,
-                {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements"});
+                {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements", "carries"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment", "case"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);
