@@ -166,8 +166,12 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                                           int middle, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {&section, &material,      length,
-                         s,        middle,         member.carries,
+    const KindKey key = {&section,
+                         &material,
+                         length,
+                         s,
+                         middle,
+                         member.carries,
                          {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
