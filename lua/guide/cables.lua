@@ -14,7 +14,7 @@ local function cycle(name, carries, yield_stress)
     model:fix(foot[i], "all")
     model:fix(head[i], "y,rx,rz")
     model:member { foot[i], head[i], section = hinge.section.named "HEB 160", material = steel, up = { 0, 1, 0 } }
-    model:member { foot[i], head[3 - i], section = flat, material = steel:with { yield_stress = yield_stress },
+    model:member { foot[i], head[3 - i], section = flat, material = yield_stress and hinge.material { E = E, density = 7850, yield_stress = yield_stress } or steel,
       up = { 0, 1, 0 }, carries = carries, group = "braces" }
   end
   model:member { head[1], head[2], section = hinge.section.named "IPE 300", material = steel, up = { 0, 0, 1 } }

@@ -52,11 +52,6 @@ public:
     virtual void commit(const ElementFlow& flow, int section, double dt, double* history) const {
         (void)flow, (void)section, (void)dt, (void)history;
     }
-    /// Part of an element's plastic elongation that is slack (ElementFlow::slack), m. `history`: of its first section.
-    virtual double slack(const double* history) const { return (void)history, 0; }
-    /// False: the elements of such members do not form pairs whose bending depends on N (beam_column.h); the return of
-    /// a pair and its tangent are never asked for.
-    virtual bool forms_pairs() const { return true; }
     /// Energy that hardening has stored in a section, J: part of its plastic work. `history`: of that section.
     virtual double stored(const double* history) const { return (void)history, 0; }
 
@@ -100,6 +95,12 @@ public:
     /// does not flow; `at`: of both.
     virtual Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
                                const SectionConditions* at) const = 0;
+
+    /// Part of an element's plastic elongation that is slack (ElementFlow::slack), m. `history`: of its first section.
+    virtual double slack(const double* history) const { return (void)history, 0; }
+    /// False: the elements of such members do not form pairs whose bending depends on N (beam_column.h); the return of
+    /// a pair and its tangent are never asked for.
+    virtual bool forms_pairs() const { return true; }
 
 private:
     YieldSurface screen_;

@@ -95,10 +95,10 @@ struct MemberData {
     Vec3 up;
     int elements;
     std::vector<int> groups;  ///< the first one colours it
-    Carries carries = Carries::both;
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed
+    Carries carries = Carries::both;
 };
 
 /// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,

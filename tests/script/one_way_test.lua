@@ -11,6 +11,11 @@ local case, near, equal, expect = checks.case, checks.near, checks.equal, checks
 
 local E, g = 206e9, 9.80665
 local steel = hinge.material { E = E, density = 7850 }
+local function yielding(stress, options)
+  local all = { E = E, density = 7850, yield_stress = stress }
+  for k, v in pairs(options or {}) do all[k] = v end
+  return hinge.material(all)
+end
 -- A section without bending stiffness to speak of, so that sums by hand have the axial force alone.
 local function wire(area) return hinge.section.general { area = area, Ix = 1e-12, Iy = 1e-12, J = 1e-12 } end
 
@@ -105,7 +110,7 @@ local function swinging(yield_stress, carries)
     model:fix(n[i + 2], "y,rx,rz")
     model:member { n[i], n[i + 2], section = column, material = steel, up = { 0, 1, 0 } }
     model:member { n[i], n[5 - i], section = hinge.section.round { diameter = 0.024 },
-      material = steel:with { yield_stress = yield_stress }, carries = carries or "tension", up = { 0, 1, 0 },
+      material = yield_stress and yielding(yield_stress) or steel, carries = carries or "tension", up = { 0, 1, 0 },
       group = "braces" }
     model:mass { node = n[i + 2], mass = 15000 }
     model:velocity(n[i + 2], { yield_stress and 1 or 0.4, 0, 0 })
@@ -203,7 +208,7 @@ case("slack is no strain for fracture, and no hinge", function()
   for limit, breaks in pairs { [0.01] = false, [1e-4] = true } do
     local model = hinge.model {}
     local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:member { a, b, section = wire(1e-4), material = steel:with { yield_stress = 400e6 }, carries = "tension",
+    model:member { a, b, section = wire(1e-4), material = yielding(400e6), carries = "tension",
       group = "cable" }
     model:fix({ a, b }, "all")
     model:fracture { axial_strain = limit, curvature_x = 1e9, curvature_y = 1e9 }
@@ -236,9 +241,9 @@ case("wrong input", function()
   end
   refused("field 'carries' is 'tensile'", "tensile")
   refused("carries is 'tension', and its material has hardening", "tension",
-    steel:with { yield_stress = 235e6, hardening = { tangent = 2e9 } })
+    yielding(235e6, { hardening = { tangent = 2e9 } }))
   refused("carries is 'compression', and its material has strain rate", "compression",
-    steel:with { yield_stress = 235e6, rate = { D = 40.4, q = 5 } })
+    yielding(235e6, { rate = { D = 40.4, q = 5 } }))
 end)
 
 checks.done()
