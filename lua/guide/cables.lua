@@ -3,19 +3,20 @@ local hinge = require "hinge"
 
 local E, fy, h, bay = 210e9, 235e6, 3.5, 5
 local steel = hinge.material { E = E, density = 7850 }
+local mild = hinge.material { E = E, density = 7850, yield_stress = fy }
 local flat = hinge.section.solid { width = 0.08, depth = 0.008 }
 
 -- The force at the head of a frame over its drift, while it is pushed from one of `drifts` (m) to the next.
-local function cycle(name, carries, yield_stress)
-  local model = hinge.model()
+local function cycle(name, carries, material)
+  local model = hinge.model { displacement = "small" }
   local foot, head = {}, {}
   for i = 1, 2 do foot[i], head[i] = model:node { (i - 1) * bay, 0, 0 }, model:node { (i - 1) * bay, 0, h } end
   for i = 1, 2 do
     model:fix(foot[i], "all")
     model:fix(head[i], "y,rx,rz")
     model:member { foot[i], head[i], section = hinge.section.named "HEB 160", material = steel, up = { 0, 1, 0 } }
-    model:member { foot[i], head[3 - i], section = flat, material = yield_stress and hinge.material { E = E, density = 7850, yield_stress = yield_stress } or steel,
-      up = { 0, 1, 0 }, carries = carries, group = "braces" }
+    model:member { foot[i], head[3 - i], section = flat, material = material, up = { 0, 1, 0 },
+      carries = carries, group = "braces" }
   end
   model:member { head[1], head[2], section = hinge.section.named "IPE 300", material = steel, up = { 0, 0, 1 } }
   model:load { node = head[1], force = { 1e5, 0, 0 } }
@@ -31,9 +32,9 @@ local function cycle(name, carries, yield_stress)
   return curve, run
 end
 
-local elastic = cycle("tension only, elastic", "tension")
-local yields, run = cycle("tension only, yields", "tension", fy)
-local both = cycle("both, yields", "both", fy)
+local elastic = cycle("tension only, elastic", "tension", steel)
+local yields, run = cycle("tension only, yields", "tension", mild)
+local both = cycle("both, yields", "both", mild)
 print "                        force (kN) at 10 mm   at -10 mm   at 20 mm, last   on the way back, at 10 mm"
 for _, c in ipairs { elastic, yields, both } do
   print(("%-22s %20.1f %11.1f %16.1f %27.1f"):format(c.name, c.y[41], c.y[81], c.y[#c.y], c.y[131]))
