@@ -46,7 +46,6 @@ return {
   ["rigid link"] = rigid, ["rigid body"] = rigid, ["rigid offset"] = rigid,
   truss = there({ "model:connector", "model:fix" }, released.how),
   cable = one_way, ["tension only"] = one_way, ["compression only"] = one_way, strut = one_way,
-  prestress = missing({ "model:member" }, "a member has no force before the first load"),
   prestress = missing({ "model:connector" }, "a curve of a connector may have a force at zero deformation"),
   utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
   imperfection = missing({ "model:node", "model:load" }, "nodes out of line, or a small load to the side"),

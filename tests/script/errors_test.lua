@@ -185,7 +185,7 @@ case("wrong members are refused", function()
   wrong("model:member: field 'group' is 5; must be a name, or a table of names",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
   wrong("model:member: field 'carries' is 'tensile'; must be one of 'both', 'tension', 'compression'",
-    function(s) s.model:member { s.tip, s.far, section = bar, material = steel, carries = "tensile", group = "new" } end)
+    function(s) s.model:member { s.tip, s.far, section = bar, material = steel, carries = "tensile" } end)
   wrong("model:member: carries is 'tension', and its material has hardening; a member that carries axial force of one "
     .. "sign yields at a constant force: give it a material without hardening and rate",
     function(s)
