@@ -692,9 +692,10 @@ function model:member(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one sets its colour
 ---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
 ---which axial forces it carries. both (default). tension: a cable or slender brace. It shortens without force, and
----carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No energy is dissipated by that. With a yield stress the member yields at N0 in the sense that it carries; its bending
----and torsion stay elastic, and a material with hardening or rate is refused. The axial force acts on the chords of its
----elements (as p_delta = "chord"): a compression member that may buckle takes eight elements
+---carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No
+---energy is dissipated by that. With a yield stress the member yields at N0 in the sense that it carries; its bending
+---and torsion stay elastic, and a material with hardening or rate is refused. The axial force acts on the chords of
+---its elements (as p_delta = "chord"): a compression member that may buckle takes eight elements
 ---@field carries? "both"|"tension"|"compression"
 
 ---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two

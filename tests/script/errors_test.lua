@@ -184,7 +184,8 @@ case("wrong members are refused", function()
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = -1 } end)
   wrong("model:member: field 'group' is 5; must be a name, or a table of names",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
-  wrong("model:member: field 'carries' is 'tensile'; must be one of 'both', 'tension', 'compression'",
+  wrong("model:member: field 'carries' is 'tensile'; must be one of 'both', 'tension', 'compression' (did "
+    .. "you mean 'tension'?)",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, carries = "tensile" } end)
   wrong("model:member: carries is 'tension', and its material has hardening; a member that carries axial force of one "
     .. "sign yields at a constant force: give it a material without hardening and rate",
