@@ -598,6 +598,7 @@ function node:position(run) end
 ---@field backbone hinge.backbone? nil: none
 ---@field up vec3 direction of the section's y axis, as given
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
+---@field carries "both"|"tension"|"compression" as given
 ---@field index integer from 1, in the order of declaration
 local member = {}
 
@@ -766,6 +767,7 @@ function model:fix(node, what) end
 ---```lua
 ---local column = model:member { wall, model:node { 0, 0, 3 }, section = square, material = steel,
 ---  up = { 1, 0, 0 }, group = "columns", elements = 4 }
+---model:member { wall, tip, section = hinge.section.round { diameter = 0.02 }, material = steel, carries = "tension" }
 ---```
 ---@param options hinge.member_options
 ---@return hinge.member
@@ -783,6 +785,12 @@ function model:member(options) end
 ---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
 ---strength of its ends over their plastic rotation; default: constant. Not with the conventional element
 ---@field backbone? hinge.backbone
+---which axial forces it carries. both (default). tension: a cable or slender brace. It shortens without force, and
+---carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No
+---energy is dissipated by that. With a yield stress the member yields at N0 in the sense that it carries; its bending
+---and torsion stay elastic, and a material with hardening or rate is refused. The axial force acts on the chords of
+---its elements (as p_delta = "chord"): a compression member that may buckle takes eight elements
+---@field carries? "both"|"tension"|"compression"
 
 ---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two
 ---arguments: the time at the end of the step (s), and the run as it is at the beginning of the step (dynamics only). It

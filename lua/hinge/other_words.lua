@@ -13,6 +13,7 @@ local no_law = missing({ "hinge.material", "model:fracture" },
   "members yield at one strength, with hardening of their material, and break")
 local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
 local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
+local one_way = there({ "model:member" }, "the option carries = \"tension\" or \"compression\"")
 local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
 local released = there({ "model:connector", "model:fix" },
@@ -46,7 +47,7 @@ return {
   diagram = there({ "hinge.picture", "member:forces" }, "show = \"Mx\" of a view draws moments along the members"),
   ["rigid link"] = rigid, ["rigid body"] = rigid, ["rigid offset"] = rigid,
   truss = there({ "model:connector", "model:fix" }, released.how),
-  cable = missing({ "model:connector" }, "a curve of a connector may resist in tension alone"),
+  cable = one_way, ["tension only"] = one_way, ["compression only"] = one_way, strut = one_way,
   prestress = missing({ "model:connector" }, "a curve of a connector may have a force at zero deformation"),
   utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
   imperfection = missing({ "model:node", "model:load" }, "nodes out of line, or a small load to the side"),

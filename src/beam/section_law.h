@@ -99,6 +99,12 @@ public:
     virtual Mat12 pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
                                const SectionConditions* at) const = 0;
 
+    /// Part of an element's plastic elongation that is slack (ElementFlow::slack), m. `history`: of its first section.
+    virtual double slack(const double* history) const { return (void)history, 0; }
+    /// False: the elements of such members do not form pairs whose bending depends on N (beam_column.h); the return of
+    /// a pair and its tangent are never asked for.
+    virtual bool forms_pairs() const { return true; }
+
 private:
     YieldSurface screen_;
 };

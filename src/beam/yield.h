@@ -72,11 +72,17 @@ struct ElementFlow {
     /// What a law that is not eq 14 keeps of each section: its plastic rotations about x and y (rad), elongation (m)
     /// and twist (rad).
     Vec4 section[2] = {Vec4::Zero(), Vec4::Zero()};
+    /// Part of the growth of the plastic elongation that takes no work, m: slack of members that carry tension alone
+    /// or compression alone.
+    double slack = 0;
     /// What the work on the way of the step is more than that of its last forces, J: with hardening they grow on it.
     double path_work = 0;
     double potential =
         0;  ///< the same of what the step minimises: with rate, which is that of the whole step, it differs
-    bool flows() const { return lambda[0] > 0 || lambda[1] > 0; }
+    /// True if a section flows plastically.
+    bool yields() const { return lambda[0] > 0 || lambda[1] > 0; }
+    /// True if the plastic deformation changes, by flow or by slack.
+    bool flows() const { return yields() || slack != 0; }
 };
 
 /// Result of the return mapping of an element.
@@ -87,7 +93,7 @@ struct ReturnMapResult : ElementFlow {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.p, s.plastic, s.lambda, s.dissipation, s.elastic, s.section);
+        a(s.p, s.plastic, s.lambda, s.dissipation, s.elastic, s.section, s.slack);
     }
 };
 

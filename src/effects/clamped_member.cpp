@@ -5,6 +5,7 @@
 
 #include "beam/beam_column.h"
 #include "beam/tangent.h"
+#include "state/hinges.h"
 
 namespace hinge {
 namespace {
@@ -93,7 +94,7 @@ void MemberEnds::add_section_forces(int element, int end, double length, const V
 
 PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>& force) : l_(0), p_{0, 0} {
     const Element& e = s.elements()[first];
-    if (!s.p_delta() || e.partner != first + 1 || first + 1 >= int(force.size())) return;
+    if (!s.p_delta() || e.partner != first + 1 || first + 1 >= int(force.size()) || !e.forms_pairs) return;
     l_ = e.length;
     const double N = 0.5 * (force[first][4] + force[first + 1][4]), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
     if (!std::isfinite(N)) return;  // a step that has failed

@@ -166,6 +166,7 @@ private:
     void list_news();
     Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 deformation_before(int element) const;
+    Vec6 without_slack(Vec6 deformation, int element, const beam::ReturnMapResult* flow = nullptr) const;
     int weaker_end(int element, const beam::ReturnMapResult* flow) const;
     /// Resultants in the places of p, with those of loads between the nodes; f_y of them.
     bool flows_at(const beam::ReturnMapResult* flow, int end, int weaker) const;
@@ -246,7 +247,7 @@ void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (rule_of(e) < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = rules_[rule_of(e)];
-    if (ever_within_reach(rule, e, flowed(w_.state, index), w_.structure.p_delta()) ||
+    if (ever_within_reach(rule, e, without_slack(flowed(w_.state, index), index), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
@@ -266,7 +267,7 @@ void Fracture::list_news() {
         if (w_.state.broken[i]) continue;
         if (w_.structure.model().options().shift == Shift::elastic_and_plastic)
             w = watch_strains(i);  // its point may have moved
-        const Vec6 &p = w_.force[i], plastic = flowed(w_.state, i);
+        const Vec6 &p = w_.force[i], plastic = without_slack(flowed(w_.state, i), i);
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
                                   std::abs(w.axial * p[4] + w.per_length * plastic[4])};
@@ -337,10 +338,19 @@ Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::R
     return stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
 }
 
-/// The whole deformation at the start of the step.
+/// The whole deformation at the start of the step, without slack.
 Vec6 Fracture::deformation_before(int index) const {
-    if (w_.structure.p_delta()) return element_deformation(w_.structure, index, w_.state) + taken_up(w_.state, index);
-    return stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + flowed(w_.state, index);
+    const Vec6 d =
+        w_.structure.p_delta()
+            ? Vec6(element_deformation(w_.structure, index, w_.state) + taken_up(w_.state, index))
+            : Vec6(stiffness_now(w_.structure, w_.state, index).solve(w_.state.force[index]) + flowed(w_.state, index));
+    return without_slack(d, index);
+}
+
+/// A deformation less the slack at the start of the step and that of `flow`: slack strains nothing.
+Vec6 Fracture::without_slack(Vec6 deformation, int index, const beam::ReturnMapResult* flow) const {
+    deformation[4] -= slack_of(w_.structure, w_.state, index) + (flow ? flow->slack : 0);
+    return deformation;
 }
 
 /// Whether the section at an end flows in the step.
@@ -388,6 +398,8 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
         !now_within_reach(rule, e, plastic, w_.force[index], w_.force[e.partner]))
         return;
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
+    plastic = without_slack(plastic, index, flow);
+    if (flow && !flow->yields()) flow = nullptr;
     if (const Break b = at_limit(index, elastic, plastic, flow); b.end > 0) return step_->breaks.push_back(b);
     if (!rule.hook) return;
     if (!asked_.empty() && rule_of(w_.structure.elements()[asked_.back().element]) != rule_of(e)) ask_sections();
@@ -488,14 +500,15 @@ const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part)
         const beam::ReturnMapResult* flow = flows.of(index);
         Vec6 d = Vec6::Zero();
         if (part != rate || of_.w_.structure.p_delta()) {
-            d = flowed(state, index);
-            if (flow) d += flow->plastic;
-            if (part != plastic) d += of_.elastic_deformation(index, d, flow);
+            Vec6 whole = flowed(state, index);
+            if (flow) whole += flow->plastic;
+            d = of_.without_slack(whole, index, flow);
+            if (part != plastic) d += of_.elastic_deformation(index, whole, flow);
             if (part == rate) d = (d - of_.deformation_before(index)) / of_.step_->dt;
         } else {
             d = stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index] - state.force[index]) /
                 of_.step_->dt;
-            if (flow) d += flow->plastic / of_.step_->dt;
+            if (flow) d += flow->plastic / of_.step_->dt, d[4] -= flow->slack / of_.step_->dt;
         }
         const beam::FractureStrains s = beam::fracture_strains(d, e.length);
         list.push_back({s.curvature_x, s.curvature_y, s.axial, s.twist});

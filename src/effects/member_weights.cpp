@@ -5,6 +5,7 @@
 #include <map>
 
 #include "effects/joined_bodies.h"
+#include "state/hinges.h"
 
 namespace hinge {
 namespace {
@@ -109,7 +110,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         for (int c : {0, 1, 2}) block.span[c][i] = span[c], block.y[c][i] = y[c];
         block.c[i] = kinds_[kind_[m]].c;
         block.first[i] = ends.first;
-        block.pairs[i] = s.p_delta() && a.partner == ends.first + 1 ? ends.count / 2 : 0;
+        block.pairs[i] = s.p_delta() && a.partner == ends.first + 1 && a.forms_pairs ? ends.count / 2 : 0;
         block.most_pairs = std::max(i == 0 ? 0 : block.most_pairs, block.pairs[i]);
         block.flexible[0][i] = a.length * a.length / a.rigidity.EIx;
         block.flexible[1][i] = a.length * a.length / a.rigidity.EIy;

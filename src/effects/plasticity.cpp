@@ -76,8 +76,9 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
     const auto& elements = s.elements();
     const bool could =
         std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
+    const char* yields = could ? "a material has a yield stress" : "members carry tension or compression alone";
     return {{"plasticity", s.can_yield(),
-             s.can_yield() ? "a material has a yield stress" + laws_text(s)
+             s.can_yield() ? yields + laws_text(s)
              : could       ? "plasticity = false"
                            : "no section can yield",
              s.model().asked_at("plasticity")}};

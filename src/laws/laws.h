@@ -16,6 +16,10 @@ std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength, Sectio
 std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength,
                                             SectionMaterial material = {});
 
+/// A section that carries axial force of one sign (laws/one_way.cpp). `sign`: 1 tension only, -1 compression only;
+/// `N0`: axial force at which it yields, N, infinite for none. Its bending and torsion are elastic.
+std::unique_ptr<const SectionLaw> one_way_law(int sign, double N0);
+
 /// Stress beyond yield (laws/hardening.cpp). Pa.
 struct Hardening {
     double kinematic = 0;   ///< plastic modulus by which the yield surface moves

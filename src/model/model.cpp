@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "beam/material_law.h"
 #include "beam/plastic_domain.h"
 #include "core/errors.h"
 #include "core/text.h"
@@ -26,6 +27,10 @@ int Model::add_node(const Vec3& position) {
 }
 
 void Model::fix(int node, std::uint8_t mask) { check_open(), nodes_[node].fixed |= mask; }
+
+const char* carries_word(Carries carries) {
+    return carries == Carries::both ? "both" : carries == Carries::tension ? "tension" : "compression";
+}
 
 int Model::add_member(MemberData m) {
     check_open();
@@ -54,6 +59,15 @@ int Model::add_member(MemberData m) {
     if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
         throw InputError("up is " + vector_text(m.up) + ", parallel to the member (" + vector_text(chord) +
                          " m); it gives the direction of the section's y axis and must point across the member");
+    if (m.carries != Carries::both && !m.material->laws.empty())
+        throw InputError(std::string("carries is '") + carries_word(m.carries) + "', and its material has " +
+                         m.material->laws[0]->name() +
+                         "; a member that carries axial force of one sign yields at a constant force: give it a "
+                         "material without hardening and rate");
+    if (m.carries != Carries::both && m.backbone)
+        throw InputError(
+            std::string("carries is '") + carries_word(m.carries) +
+            "', and a backbone is given; such a member has no hinges at its ends: leave one of the two out");
     members_.push_back(std::move(m));
     return int(members_.size()) - 1;
 }

@@ -81,6 +81,12 @@ struct NodeData {
 /// (undecided: not yet; see script/checks/element_count.h).
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
+/// Which axial forces a member carries: both signs, tension alone (cables, slender braces) or compression alone (props,
+/// bearings).
+enum class Carries : std::uint8_t { both, tension, compression };
+/// "both", "tension" or "compression"
+const char* carries_word(Carries carries);
+
 /// A declared member.
 struct MemberData {
     int node[2];
@@ -94,6 +100,7 @@ struct MemberData {
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed
+    Carries carries = Carries::both;
 };
 
 /// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,

@@ -48,6 +48,9 @@ beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSur
 /// The law of a member's section, null where it cannot yield.
 std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const beam::YieldSurface& w,
                                                const ModelOptions& options, double length) {
+    if (member.carries != Carries::both)
+        return beam::one_way_law(member.carries == Carries::tension ? 1 : -1,
+                                 w.n > 0 ? 1 / std::sqrt(w.n) : std::numeric_limits<double>::infinity());
     if (w.elastic()) return nullptr;
     const Section& section = *member.section;
     const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
@@ -114,6 +117,7 @@ struct Structure::KindKey {
     const beam::MaterialLaw* backbone;
     double length, s;  ///< m; normal position of the integration point
     int middle;        ///< the end (0, 1) at the middle of the pair
+    Carries carries;
     std::array<double, 4> rotation;
     auto operator<=>(const KindKey&) const = default;
 };
@@ -165,7 +169,8 @@ void Structure::add_member(int index, KindMap& alike) {
                              kind.inertia,
                              kind.yield,
                              kind.law.get(),
-                             radius});
+                             radius,
+                             !kind.law || kind.law->forms_pairs()});
         left = right;
     }
 }
@@ -174,19 +179,16 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                                           int middle, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {&section,
-                         &material,
-                         member.backbone.get(),
-                         length,
-                         s,
-                         middle,
-                         {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const KindKey key = {
+        &section, &material, member.backbone.get(), length,
+        s,        middle,    member.carries,        {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
     const beam::Rigidity rigidity = rigidity_of(section, material);
-    const beam::YieldSurface strength =
+    beam::YieldSurface strength =
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
-    can_yield_ |= !strength.elastic();
+    if (member.carries != Carries::both) strength = {0, 0, strength.n, 0};
+    can_yield_ |= !strength.elastic() || member.carries != Carries::both;
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
                       strength, law_of(member, strength, model_->options(), length)});
     at->second = &kinds_.back();

@@ -31,6 +31,7 @@ struct Element {
     const beam::YieldSurface& yield;   ///< fully plastic resultants
     const beam::SectionLaw* law;       ///< null: no section can yield
     double radius;                     ///< half the smaller side of the section, m
+    bool forms_pairs;                  ///< SectionLaw::forms_pairs
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 

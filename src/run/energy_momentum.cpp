@@ -175,6 +175,15 @@ double EnergyMomentum::work_beyond_means(int first, const AtEnd (&b)[2]) const {
     return work + beam::pair_energy(kind, after[0], after[1]) - beam::pair_energy(kind, before[0], before[1]);
 }
 
+/// Work of the mean axial force on the slack of an element in the step, J: it is neither stored nor dissipated.
+double EnergyMomentum::work_on_slack(int index) const {
+    if (w_.yielding.empty()) return 0;
+    const auto at = std::lower_bound(w_.yielding.begin(), w_.yielding.end(), index,
+                                     [](const PlasticIncrement& y, int element) { return y.element < element; });
+    if (at == w_.yielding.end() || at->element != index) return 0;
+    return 0.5 * (first_[index].p[4] + w_.force[index][4]) * at->flow.slack;
+}
+
 /// Mean forces of an element over the step, on its nodes.
 Vec12 EnergyMomentum::mean_forces(int index, const AtEnd& b, double beyond) const {
     const AtEnd& a = first_[index];
@@ -207,7 +216,7 @@ void EnergyMomentum::find_elements_forces() {
     if (!w_.structure.p_delta()) {
         w_.pool.share(int(first_.size()), some_elements, [&](int first, int end, int) {
             for (int i = first; i < end; ++i)
-                if (!w_.state.broken[i]) of_element_[i] = mean_forces(i, at_end(i, w_.trial), 0);
+                if (!w_.state.broken[i]) of_element_[i] = mean_forces(i, at_end(i, w_.trial), -work_on_slack(i));
         });
         return;
     }
@@ -217,7 +226,7 @@ void EnergyMomentum::find_elements_forces() {
             const AtEnd b[2] = {at_end(i, w_.trial), at_end(i + 1, w_.trial)};
             const double way[2] = {(b[0].s - first_[i].s).squaredNorm(), (b[1].s - first_[i + 1].s).squaredNorm()};
             const double beyond = way[0] + way[1] > 0 ? work_beyond_means(i, b) / (way[0] + way[1]) : 0;
-            for (int k : {0, 1}) of_element_[i + k] = mean_forces(i + k, b[k], beyond * way[k]);
+            for (int k : {0, 1}) of_element_[i + k] = mean_forces(i + k, b[k], beyond * way[k] - work_on_slack(i + k));
         }
     });
 }
@@ -406,7 +415,7 @@ void EnergyMomentum::recovered_last() {
     const int n = w_.assembly.sections(section);
     for (PlasticIncrement& y : w_.yielding) {
         const beam::FixedEnd& fixed = w_.assembly.fixed_end(y.element);
-        y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) +
+        y.flow.dissipation = 0.5 * (first_[y.element].p + y.flow.p).dot(y.flow.plastic) - work_on_slack(y.element) +
                              w_.structure.elements()[y.element].law->work_of(fixed, y.flow, section, n, fixed);
     }
 }

@@ -63,6 +63,7 @@ private:
     void begin_elements();
     static Products on_products(const AtEnd& end, double L, const Vec6& p);
     double work_beyond_means(int first, const AtEnd (&b)[2]) const;
+    double work_on_slack(int index) const;
     Vec12 mean_forces(int element, const AtEnd& b, double beyond) const;
     void find_elements_forces();
     void mark_changed(int iteration);

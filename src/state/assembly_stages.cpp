@@ -248,7 +248,7 @@ template <bool p_delta>
         Vec6 trial;
         for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
         if (!trial.allFinite()) continue;  // the step names the culprit
-        if (p_delta && b.whole >> (i ^ 1) & 1) {
+        if (p_delta && b.whole >> (i ^ 1) & 1 && e.forms_pairs) {
             return_pair(element, i & ~1, kind, state, d, p, found);
             i |= 1;
             continue;

@@ -53,10 +53,11 @@ void record_flow(const Structure& structure, const std::vector<PlasticIncrement>
         if (found == list.end() || found->place() != fresh.place()) found = list.insert(found, fresh);
         now = std::size_t(found - list.begin());
         for (int plane : {0, 1}) found->rotation[plane] += part.rotation[plane];
-        found->elongation += part.share * flow.plastic[4];
+        found->elongation += part.share * (flow.plastic[4] - flow.slack);
         found->work += part.share * flow.dissipation;
     };
     for (const PlasticIncrement& y : yielding) {
+        if (!y.flow.yields()) continue;
         if (structure.conventional()) add(middle_of(y), y.flow);
         for (int end : {1, 2})
             if (!structure.conventional() && y.flow.lambda[end - 1] > 0) add(part_of(structure, y, end), y.flow);

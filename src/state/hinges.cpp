@@ -61,7 +61,7 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
         if (const int size = law.history_size(); size > 0)
             for (int i = 0, n = structure.conventional() ? 1 : 2; i < n; ++i)
                 law.commit(y.flow, i, dt, &state.history[structure.history_at(y.element) + i * size]);
-        std::uint8_t bits = hinge_at_middle;
+        std::uint8_t bits = y.flow.yields() ? hinge_at_middle : 0;
         if (!structure.conventional())
             bits = std::uint8_t((y.flow.lambda[0] > 0) * hinge_at_1 + (y.flow.lambda[1] > 0) * hinge_at_2);
         state.hinge[y.element] = bits;

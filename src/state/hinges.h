@@ -26,8 +26,18 @@ inline const double* section_history(const Structure& structure, const State& st
     return all && law && law->history_size() > 0 ? all + (r > 0 ? law->history_size() : 0) : nullptr;
 }
 
-/// Pair stiffness of an element whose bending follows its axial force. Pairs are elements 2 i and 2 i + 1.
-inline beam::PairKind<double> pair_kind_of(const Element& e) { return beam::pair_kind(e.rigidity, e.length); }
+/// Slack of an element, m: part of its plastic elongation (SectionLaw::slack).
+inline double slack_of(const Structure& structure, const State& state, int element) {
+    const double* history = section_history(structure, state, element, -1);
+    return history ? structure.elements()[element].law->slack(history) : 0;
+}
+
+/// Pair stiffness of an element whose bending follows its axial force. Pairs are elements 2 i and 2 i + 1. Where they
+/// form none, it adds nothing to the element's own.
+inline beam::PairKind<double> pair_kind_of(const Element& e) {
+    if (!e.forms_pairs) return {.axial = e.rigidity.EA / e.length, .length = 0, .b = {0, 0}, .c = {0, 0}};
+    return beam::pair_kind(e.rigidity, e.length);
+}
 
 /// Present stiffness k(s) of the element.
 inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element) {
@@ -37,7 +47,8 @@ inline beam::Stiffness stiffness_now(const Structure& structure, const State& st
 
 /// True if the element is one of a pair whose bending follows its axial force, and both are whole.
 inline bool in_pair(const Structure& structure, const State& state, int element) {
-    return structure.p_delta() && !state.broken[element] && !state.broken[structure.elements()[element].partner];
+    const Element& e = structure.elements()[element];
+    return structure.p_delta() && !state.broken[element] && !state.broken[e.partner] && e.forms_pairs;
 }
 
 /// Tangent dp/dd of such a pair, 12 x 12. `first`: first element. `flow`: of both, null if one does not flow.

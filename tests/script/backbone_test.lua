@@ -171,6 +171,8 @@ case("wrong input", function()
   expect(not ok and tostring(message):find "yield_stress", "an elastic material: %s", message)
   ok, message = member({ material = steel, backbone = b }, { formulation = "conventional" })
   expect(not ok and tostring(message):find "ends of elements", "the conventional element: %s", message)
+  ok, message = member { material = steel, backbone = b, carries = "tension" }
+  expect(not ok and tostring(message):find "no hinges at its ends", "a cable: %s", message)
 end)
 
 checks.done()

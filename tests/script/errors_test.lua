@@ -255,6 +255,15 @@ case("wrong members are refused", function()
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = -1 } end)
   wrong("model:member: field 'group' is 5; must be a name, or a table of names",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
+  wrong("model:member: field 'carries' is 'tensile'; must be one of 'both', 'tension', 'compression' (did "
+    .. "you mean 'tension'?)",
+    function(s) s.model:member { s.tip, s.far, section = bar, material = steel, carries = "tensile" } end)
+  wrong("model:member: carries is 'tension', and its material has hardening; a member that carries axial force of one "
+    .. "sign yields at a constant force: give it a material without hardening and rate",
+    function(s)
+      local hardens = hinge.material { E = 2e11, yield_stress = 2e8, hardening = { modulus = 1e9 } }
+      s.model:member { s.tip, s.far, section = bar, material = hardens, carries = "tension", group = "new" }
+    end)
   wrong("model:member: item [3] is not expected", function(s)
     s.model:member { s.tip, s.far, s.wall, section = bar, material = steel }
   end)

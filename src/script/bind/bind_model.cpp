@@ -1,6 +1,7 @@
 // hinge.model, and how a script adds nodes, supports, members, loads and velocities to it.
 #include <algorithm>
 
+#include "beam/plastic_domain.h"
 #include "effects/gravity.h"
 #include "script/lua/objects.h"
 #include "script/checks/size_notice.h"
@@ -169,7 +170,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements", "backbone"}, 2);
+    o.expect({"section", "material", "up", "group", "elements", "backbone", "carries"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -205,6 +206,9 @@ int add_member(lua_State* L) {
                                             {m->options().elements_per_member, m->options().automatic_elements});
     data.elements = elements.number;
     if (elements.automatic) data.elements_by = ElementsBy::undecided;
+    const std::string carries = o.word("carries", {"both", "tension", "compression"}, "both");
+    for (const Carries c : {Carries::tension, Carries::compression})
+        if (carries == carries_word(c)) data.carries = c;
     std::vector<std::string> fresh;
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);

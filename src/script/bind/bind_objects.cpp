@@ -231,6 +231,7 @@ int member_fields(lua_State* L) {
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "backbone") data.backbone ? (void)push<BackboneBox>(L, data.backbone) : lua_pushnil(L);
     else if (key == "up") push_triple(L, data.up);
+    else if (key == "carries") push_text(L, carries_word(data.carries));
     else if (key == "elements")
         data.elements_by == ElementsBy::undecided ? (void)push_text(L, "auto") : lua_pushinteger(L, data.elements);
     else refuse_field(L, "member", key);
@@ -377,8 +378,9 @@ void open_objects(lua_State* L) {
     make_metatable(L, GroupBox::lua_name, group, guarded<group_fields>, collect<GroupBox>, guarded<group_text>,
                    nullptr);
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
-    name_fields(L, MemberBox::lua_name,
-                {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements", "backbone"});
+    name_fields(
+        L, MemberBox::lua_name,
+        {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements", "backbone", "carries"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment", "case"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);

@@ -87,6 +87,7 @@ std::vector<Compressed> compressed_members(const RunRecord& record, const Linear
     const auto& elements = structure.elements();
     for (int i = 0; i < int(elements.size()); ++i) {
         const int member = elements[i].member;
+        if (model.members()[member].carries == Carries::tension) continue;  // a linear solution compresses it
         const auto& ends = model.members()[member].node;
         const bool stands_free = is_free[ends[0]] != is_free[ends[1]];
         const double length = (model.nodes()[ends[1]].position - model.nodes()[ends[0]].position).norm(),

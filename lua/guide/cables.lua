@@ -1,0 +1,82 @@
+-- A braced frame is pushed to and fro, with braces that carry tension alone; a cable sags from slack. See cables.md.
+local hinge = require "hinge"
+
+local E, fy, h, bay = 210e9, 235e6, 3.5, 5
+local steel = hinge.material { E = E, density = 7850 }
+local mild = hinge.material { E = E, density = 7850, yield_stress = fy }
+local flat = hinge.section.solid { width = 0.08, depth = 0.008 }
+
+-- The force at the head of a frame over its drift, while it is pushed from one of `drifts` (m) to the next.
+local function cycle(name, carries, material)
+  local model = hinge.model { displacement = "small" }
+  local foot, head = {}, {}
+  for i = 1, 2 do foot[i], head[i] = model:node { (i - 1) * bay, 0, 0 }, model:node { (i - 1) * bay, 0, h } end
+  for i = 1, 2 do
+    model:fix(foot[i], "all")
+    model:fix(head[i], "y,rx,rz")
+    model:member { foot[i], head[i], section = hinge.section.named "HEB 160", material = steel, up = { 0, 1, 0 } }
+    model:member { foot[i], head[3 - i], section = flat, material = material, up = { 0, 1, 0 },
+      carries = carries, group = "braces" }
+  end
+  model:member { head[1], head[2], section = hinge.section.named "IPE 300", material = steel, up = { 0, 0, 1 } }
+  model:load { node = head[1], force = { 1e5, 0, 0 } }
+  local curve, run = { name = name, x = { 0 }, y = { 0 } }, nil
+  for _, drift in ipairs { 0.01, -0.01, 0.02, -0.02, 0.02 } do
+    run = model:static { from = run, steps = 40, control = { node = head[1], "ux", to = drift } }
+    while run:step() do
+      table.insert(curve.x, 1e3 * head[1]:displacement(run))
+      table.insert(curve.y, 100 * run.factor)
+    end
+    assert(run.verdict == "completed", run.reason)
+  end
+  return curve, run
+end
+
+local elastic = cycle("tension only, elastic", "tension", steel)
+local yields, run = cycle("tension only, yields", "tension", mild)
+local both = cycle("both, yields", "both", mild)
+print "                        force (kN) at 10 mm   at -10 mm   at 20 mm, last   on the way back, at 10 mm"
+for _, c in ipairs { elastic, yields, both } do
+  print(("%-22s %20.1f %11.1f %16.1f %27.1f"):format(c.name, c.y[41], c.y[81], c.y[#c.y], c.y[131]))
+end
+print(("%d hinges in the braces, which dissipated %.1f kJ"):format(#run:hinges { group = "braces" },
+  run.energy.plastic / 1e3))
+hinge.plot({ series = { both, yields, elastic }, title = "A frame with crossed braces, pushed to and fro",
+  x_label = "drift (mm)", y_label = "force (kN)", width = 1000, height = 700 }, "cables.png")
+
+-- A cable of 10 m is laid out straight. Its ends are moved together by 2 m: it is slack, and sags.
+local length, span, pieces = 10, 8, 20
+local cable, node = hinge.model(), {}
+local rope = hinge.section.round { diameter = 0.012 }
+for i = 0, pieces do
+  node[i] = cable:node { length * (i / pieces - 0.5), 0, 0 }
+  cable:fix(node[i], "y,rx,rz")
+end
+local middle
+for i = 1, pieces do
+  local piece = cable:member { node[i - 1], node[i], section = rope, material = steel, up = { 0, 1, 0 },
+    carries = "tension" }
+  if i == pieces // 2 then middle = piece end
+end
+for i, side in pairs { [0] = 1, [pieces] = -1 } do
+  cable:fix(node[i], "xz")
+  cable:move { node = node[i], x = { { 0, 0 }, { 2, side * (length - span) / 2 } } }
+end
+cable:gravity { 0, 0, -9.80665 }
+cable:damping { alpha = 2 }
+local hung = cable:dynamic { dt = 5e-3, duration = 8 }:finish()
+assert(hung.verdict == "completed", hung.reason)
+local _, _, uz = node[pieces // 2]:displacement(hung)
+local N = middle:forces(hung).N
+
+-- y = a cosh(x / a), with 2 a sinh(span / 2 a) = length
+local function sinh(x) return (math.exp(x) - math.exp(-x)) / 2 end
+local low, high = 1, 100
+for _ = 1, 60 do
+  local a = (low + high) / 2
+  if 2 * a * sinh(span / 2 / a) > length then low = a else high = a end
+end
+local sag = low * (math.sqrt(1 + sinh(span / 2 / low) ^ 2) - 1)
+print(("\nthe cable sags by %.3f m and is pulled by %.2f N in the middle; the catenary: %.3f m, %.2f N"):format(-uz, N,
+  sag, low * rope.area * 7850 * 9.80665))
+return { last_force = yields.y[#yields.y], sag = -uz, catenary = sag }
