@@ -81,6 +81,26 @@ case("in biaxial bending a rectangle carries what its neutral axis gives", funct
   end
 end)
 
+-- Its one history is that of the middle, and holds at its ends too.
+case("a conventional element with hardening counts it at both ends", function()
+  local of = section("HEB", "exact")
+  local Mp = fy * of.Zx
+  local hard = hinge.material { E = 210e9, density = 7850, yield_stress = fy, hardening = { tangent = 10e9 } }
+  local model = hinge.model { displacement = "small", formulation = "conventional" }
+  local n = { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 3, 0, 0 } }
+  local root = model:member { n[1], n[2], section = of, material = hard, up = { 0, 0, 1 }, elements = 1 }
+  model:member { n[2], n[3], section = of, material = hard, up = { 0, 0, 1 }, elements = 1 }
+  model:fix(n[1], "all")
+  model:load { node = n[3], force = { 0, 0, Mp } }
+  local run = model:static { steps = 20, control = { node = n[3], "uz", to = 0.2 } }:finish()
+  local at = { root:forces(run) }
+  local middle = math.abs(at[1].Mx + at[2].Mx) / 2
+  expect(middle > 1.05 * Mp, "the middle has hardened: %g", middle / Mp)
+  for i, side in ipairs(at) do
+    near(side.f_y, (1 + (math.abs(side.Mx) - middle) / Mp) ^ 2, 1e-4, "end " .. i)
+  end
+end)
+
 case("the model's option holds for the sections that do not say theirs", function()
   local general = hinge.section.general { area = 0.01, Ix = 1e-4, Iy = 1e-4, J = 1e-5,
     plastic = { A = 0.01, Zx = 5e-4, Zy = 5e-4 } }
