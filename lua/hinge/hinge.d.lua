@@ -953,7 +953,7 @@ function model:fracture(rule) end
 ---@field My number N m
 ---@field N number N
 ---@field Mz number N m
----@field f_y number eq 14
+---@field f_y number yield function of the section's law, 1 where it is fully plastic
 ---@field plastic_work number J, of the element up to now
 ---@field shear_x number elastic: Q / (G A), mean over the element; Q = dM_y/dz
 ---@field shear_y number Q = dM_x/dz
@@ -1674,7 +1674,8 @@ function run:reaction(node) end
 ---@return number x, number y, number z where it is now, m
 function run:position(node) end
 
----N and N m in the section's axes; f_y of eq 14
+---N and N m in the section's axes. f_y: yield function of the section's law (eq 14 or exact), with the hardening so far
+---and without the strain rate; 1 where the section is fully plastic
 ---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number }
 
 ---As member:forces.
@@ -1784,7 +1785,7 @@ function hinges:write(filename) end
 ---@field demand number
 ---@field elongation number m, plastic, now: its part of the member's
 ---@field work number J, dissipated in it
----@field f_y number eq 14, now
+---@field f_y number yield function of the section's law, now
 ---@field utilisation number the square root of f_y, which grows with the forces; 1 where fully plastic
 ---@field first_yield number when it first yielded: s, in statics the load factor
 ---@field first_kind "static"|"dynamic" the kind of run in which it did
@@ -1803,7 +1804,7 @@ function hinges:write(filename) end
 function run:momentum() end
 
 ---Returns how many members of a group are in a state. A member is broken if one of its elements is broken. Else it is
----yielded if one of them has ever been fully plastic (eq 14), else elastic. It is touched, in addition to its other
+---yielded if one of them has ever been fully plastic, else elastic. It is touched, in addition to its other
 ---state, if it has ever been in contact.
 ---```lua
 ---print(run:count { group = "arm", state = "yielded" }, run:count { state = "broken" })
