@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "laws/laws.h"
+#include "model/section_laws.h"
 
 namespace hinge {
 namespace {
@@ -31,26 +32,35 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
 
 namespace {
 
+bool is_omitted(const std::vector<OmittedLaw>& omitted, const std::string& name) {
+    return std::ranges::any_of(omitted, [&](const OmittedLaw& law) { return law.name == name; });
+}
+
 /// What a material adds to the law of a section. `length`: of the part of an element that yields with it, m.
-beam::SectionMaterial material_of(const Section& s, const Material& m, const beam::YieldSurface& w, double length) {
-    if (m.laws.empty()) return {};
+beam::SectionMaterial material_of(const Section& s, const Material& m, const beam::YieldSurface& w, double length,
+                                  const std::vector<OmittedLaw>& omitted) {
+    beam::MaterialLaws laws = m.laws;
+    std::erase_if(laws, [&](const auto& law) { return is_omitted(omitted, law->name()); });
+    if (laws.empty()) return {};
     beam::PlasticZone zone;
     zone.energy = (w.n > 0 ? 1 / std::sqrt(w.n) : m.yield_stress * s.area) * length;
     zone.per_modulus = Vec4(w.x * s.Ix, w.y * s.Iy, w.n * s.area, w.z * s.J / 3) / length;
-    return {m.laws, zone};
+    return {std::move(laws), zone};
 }
 
 /// The law of a section, null where it cannot yield.
 std::unique_ptr<const beam::SectionLaw> law_of(const Section& section, const Material& material,
-                                               const beam::YieldSurface& w, const ModelOptions& options,
-                                               double length) {
+                                               const beam::YieldSurface& w, const Model& model, double length) {
     if (w.elastic()) return nullptr;
+    const ModelOptions& options = model.options();
+    const auto& omitted = model.declared<OmittedLaw>(omitted_laws);
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
-    beam::SectionMaterial adds = material_of(section, material, w, zone);
+    beam::SectionMaterial adds = material_of(section, material, w, zone, omitted);
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
     const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
-    if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
-        return beam::paper_law(w, std::move(adds));
+    const bool exact =
+        (asked == Interaction::exact) != is_omitted(omitted, asked == Interaction::exact ? "exact" : "eq 14");
+    if (!exact || !has_exact_law(section, w)) return beam::paper_law(w, std::move(adds));
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
                            std::move(adds));
 }
@@ -171,7 +181,7 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
     can_yield_ |= !strength.elastic();
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
-                      strength, law_of(section, material, strength, model_->options(), length)});
+                      strength, law_of(section, material, strength, *model_, length)});
     at->second = &kinds_.back();
     return kinds_.back();
 }
