@@ -1,6 +1,6 @@
 -- All that the README and its pages name and that ctest leaves out because it takes long: the main job, the hard
 -- suite, the bench, the limits of the page of hinge report, the tests under ASan and UBSan, the paper's figures and
--- tables, and what accuracy costs in the five scenes of scripts/cost.
+-- tables, and what accuracy costs in the scenes of scripts/cost.
 --
 -- Run     cmake --build build --target everything
 --         or: lua5.4 tests/everything.lua BUILD [only=NAME] [list] [jobs=FILE]

@@ -1055,7 +1055,7 @@ function model:fracture(rule) end
 ---@field My number N m
 ---@field N number N
 ---@field Mz number N m
----@field f_y number eq 14
+---@field f_y number yield function of the section's law, 1 where it is fully plastic
 ---@field plastic_work number J, of the element up to now
 ---@field shear_x number elastic: Q / (G A), mean over the element; Q = dM_y/dz
 ---@field shear_y number Q = dM_x/dz
@@ -1776,7 +1776,8 @@ function run:reaction(node) end
 ---@return number x, number y, number z where it is now, m
 function run:position(node) end
 
----N and N m in the section's axes; f_y of eq 14
+---N and N m in the section's axes. f_y: yield function of the section's law (eq 14 or exact), with the hardening so far
+---and without the strain rate; 1 where the section is fully plastic
 ---@alias hinge.resultants { N: number, Mx: number, My: number, Mz: number, Qx: number, Qy: number, f_y: number }
 
 ---As member:forces.
@@ -1886,7 +1887,7 @@ function hinges:write(filename) end
 ---@field demand number
 ---@field elongation number m, plastic, now: its part of the member's
 ---@field work number J, dissipated in it
----@field f_y number eq 14, now
+---@field f_y number yield function of the section's law, now
 ---@field utilisation number the square root of f_y, which grows with the forces; 1 where fully plastic
 ---@field first_yield number when it first yielded: s, in statics the load factor
 ---@field first_kind "static"|"dynamic" the kind of run in which it did
@@ -1905,7 +1906,7 @@ function hinges:write(filename) end
 function run:momentum() end
 
 ---Returns how many members of a group are in a state. A member is broken if one of its elements is broken. Else it is
----yielded if one of them has ever been fully plastic (eq 14), else elastic. It is touched, in addition to its other
+---yielded if one of them has ever been fully plastic, else elastic. It is touched, in addition to its other
 ---state, if it has ever been in contact.
 ---```lua
 ---print(run:count { group = "arm", state = "yielded" }, run:count { state = "broken" })
@@ -2130,7 +2131,9 @@ function hinge.study(scenario, options) end
 ---that the scenario returns, and the probes of its runs (as histories). The scenario prints and draws nothing
 ---meanwhile. `hinge cost SCRIPT` prints the result. With effects = true the settings do not change. The scenario
 ---runs with its parameters, and once more without each effect that its models declare (gravity, large displacement,
----plasticity, fracture, contact, friction). `hinge cost SCRIPT --effects` prints this result.
+---plasticity, fracture, contact, friction). Where sections can yield it runs with other laws of sections too: the exact
+---interaction in the place of eq 14 or the other way round, without hardening, without the strain rate. `hinge cost
+---SCRIPT --effects` prints this result.
 ---```lua
 ---local scenario = hinge.scenario {
 ---  accuracy = { dt = { 2e-4, 4e-4 } },
@@ -2175,7 +2178,7 @@ function hinge.cost(scenario, options) end
 ---@field perturbation? number
 ---@field progress? boolean prints lines on stderr; default false
 ---true: leave out effects instead; default false. `accuracy` then serves only for one finer run, to show the error of
----the setting itself. `out` gets effects.csv in place of cost.csv and cost.png
+---the setting itself. `out` gets effects.csv and laws.csv in place of cost.csv and cost.png
 ---@field effects? boolean
 
 ---@class hinge.cost_result
@@ -2245,8 +2248,10 @@ function hinge.cost(scenario, options) end
 
 ---@class hinge.effects_result
 ---@field effects hinge.effect_cost[] effects of the scenario that can be left out
+---@field laws hinge.law_cost[] other laws of its sections; empty if none can yield
+---@field values table<string, number|{ x: number[], y: number[] }> the answers of the scenario as it is
 ---@field absent string[] effects that can be left out, and that the scenario does not have
----@field left_out string[] effects that were not tried, because of the budget
+---@field left_out string[] effects and laws that were not tried, because of the budget
 ---for answers that are the same from run to run. scatter: its change when every number changes slightly. error: its
 ---difference from the answer of a setting twice as fine
 ---@field answers table<string, { scatter?: number, error?: number }>
@@ -2279,6 +2284,24 @@ function hinge.cost(scenario, options) end
 ---@field energy_error? number the energy error without it
 ---@field answers? table<string, number|{ x: number[], y: number[] }> without it
 ---@field failed? string why the scenario has no answer without it: the error's first line
+
+---As hinge.effect_cost, with the change of the law in the place of the effect that is left out.
+---@class hinge.law_cost
+---"exact in the place of eq 14", "eq 14 in the place of exact", "without hardening", "without strain rate"
+---@field name string
+---@field law "eq 14"|"exact"|"hardening"|"strain rate" the law that is left out
+---@field change? number
+---@field worst? string
+---@field changes table<string, number>
+---@field same boolean
+---@field lost boolean
+---@field slower? number time over that of the scenario as it is, less 1; negative: it is faster
+---@field spread? number half the width of the middle half of the rounds, for `slower`
+---@field seconds? number
+---@field times? number[]
+---@field energy_error? number
+---@field answers? table<string, number|{ x: number[], y: number[] }>
+---@field failed? string
 
 ---@class hinge.cost_setting
 ---@field values table<string, any>

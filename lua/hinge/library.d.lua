@@ -21,9 +21,10 @@ local job = {}
 function job:frame(run) end
 
 ---Draws the structure as it is now into a PNG in the output folder. Members have their true sections. Six colours along
----each element tell f_y (eq 14): five for its fifths, and red where the section is fully plastic. Readers who are
----colour-blind can tell them apart. Broken elements are black, as in figure 17. A plastic hinge is a red dot whose area
----grows with its plastic rotation, up to 0.2 rad. If no picture can be drawn, the job notes this and the run continues.
+---each element tell f_y, the yield function of its section's law: five for its fifths, and red where the section is
+---fully plastic. Readers who are colour-blind can tell them apart. Broken elements are black, as in figure 17. A
+---plastic hinge is a red dot whose area grows with its plastic rotation, up to 0.2 rad. If no picture can be drawn, the
+---job notes this and the run continues.
 ---```lua
 ---job:picture(run, { title = "under 1 kN", from = { 0, -1, 0.2 }, width = 800, height = 600 }, "cantilever.png")
 ---job:picture(run, { view = "front", scale = "auto", ghost = true, loads = true, labels = true }, "deformed.png")

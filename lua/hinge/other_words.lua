@@ -21,7 +21,7 @@ local released = there({ "model:connector", "model:fix" },
 local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
 local shaken = there({ "hinge.ground", "model:move" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
-local used = missing({ "run:read", "member:state" }, "f_y of a section, eq 14, is 1 where it is fully plastic")
+local used = missing({ "run:read", "member:state" }, "f_y of a section is 1 where it is fully plastic")
 local utilised = there({ "run:read", "member:state" }, used.how)
 local named = there({ "section.named", "section.names" }, "a section by its name in tables, such as HEB 300 or W14X90")
 local grade = there({ "material.steel", "material.names" }, "a material by its name in standards, such as S355 or A992")

@@ -91,8 +91,8 @@ void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
              (others > 0
                   ? ", and so do " + count_text(others, "more member") + " by more than " + excess_text(unsafe_excess)
                   : ""),
-         "eq 14 is unsafe there, and the strength found is too high; give the section, or hinge.model, interaction = "
-         "\"exact\"",
+         "eq 14, the default yield surface, is unsafe there: this run finds too high a strength; give hinge.model, "
+         "or the section, interaction = \"exact\"",
          member});
 }
 

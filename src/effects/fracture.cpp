@@ -174,8 +174,9 @@ private:
     Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.assembly.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
         const beam::SectionLaw* law = w_.structure.elements()[element].law;
-        return law ? law->yield_function(resultants_at(element, r), r,
-                                         section_history(w_.structure, w_.state, element, r))
+        return law ? law->yield_function(
+                         resultants_at(element, r), r,
+                         section_history(w_.structure, w_.state, element, w_.structure.conventional() ? 0 : r))
                    : 0;
     }
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,

@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "laws/laws.h"
+#include "model/section_laws.h"
 
 namespace hinge {
 namespace {
@@ -31,13 +32,19 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m) {
 
 namespace {
 
+bool is_omitted(const std::vector<OmittedLaw>& omitted, const std::string& name) {
+    return std::ranges::any_of(omitted, [&](const OmittedLaw& law) { return law.name == name; });
+}
+
 /// What its material and its backbone add to the law of a member's section. `length`: of the part of an element that
 /// yields with it, m.
-beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSurface& w, double length) {
+beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSurface& w, double length,
+                                  const std::vector<OmittedLaw>& omitted) {
     const Section& s = *member.section;
     const Material& m = *member.material;
     beam::MaterialLaws laws = m.laws;
     if (member.backbone) laws.push_back(member.backbone);
+    std::erase_if(laws, [&](const auto& law) { return is_omitted(omitted, law->name()); });
     if (laws.empty()) return {};
     beam::PlasticZone zone;
     zone.energy = (w.n > 0 ? 1 / std::sqrt(w.n) : m.yield_stress * s.area) * length;
@@ -47,15 +54,17 @@ beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSur
 
 /// The law of a member's section, null where it cannot yield.
 std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const beam::YieldSurface& w,
-                                               const ModelOptions& options, double length) {
+                                               const Model& model, double length) {
     if (member.carries != Carries::both)
         return beam::one_way_law(member.carries == Carries::tension ? 1 : -1,
                                  w.n > 0 ? 1 / std::sqrt(w.n) : std::numeric_limits<double>::infinity());
     if (w.elastic()) return nullptr;
     const Section& section = *member.section;
+    const ModelOptions& options = model.options();
+    const auto& omitted = model.declared<OmittedLaw>(omitted_laws);
     const auto strength = [](double inverse_square) { return 1 / std::sqrt(inverse_square); };
     const double zone = options.formulation == Formulation::conventional ? length : length / 2;
-    beam::SectionMaterial adds = material_of(member, w, zone);
+    beam::SectionMaterial adds = material_of(member, w, zone, omitted);
     if (section.outline && section.outline->concrete()) {  // its strengths are its own
         const auto domain = section.outline->domain();
         Vec4 of;
@@ -63,8 +72,9 @@ std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const b
         return beam::exact_law(domain, of, std::move(adds));
     }
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
-    if (asked != Interaction::exact || !section.outline || w.x == 0 || w.y == 0 || w.n == 0)
-        return beam::paper_law(w, std::move(adds));
+    const bool exact =
+        (asked == Interaction::exact) != is_omitted(omitted, asked == Interaction::exact ? "exact" : "eq 14");
+    if (!exact || !has_exact_law(section, w)) return beam::paper_law(w, std::move(adds));
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
                            std::move(adds));
 }
@@ -190,7 +200,7 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
     if (member.carries != Carries::both) strength = {0, 0, strength.n, 0};
     can_yield_ |= !strength.elastic() || member.carries != Carries::both;
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
-                      strength, law_of(member, strength, model_->options(), length)});
+                      strength, law_of(member, strength, *model_, length)});
     at->second = &kinds_.back();
     return kinds_.back();
 }

@@ -37,6 +37,8 @@ std::string remarks(const CaptionInput& told) {
     if (view.ghost) notes.push_back("grey lines: at the start");
     if (view.above > -1e299) note("above %g m", view.above);
     if (view.leave_out_broken) notes.push_back("without fractured elements");
+    if (view.show == Show::yield && told.snapshot.laws.size() == 1)
+        notes.push_back("yield law: " + told.snapshot.laws[0]);
     std::string line;
     for (const std::string& text : notes) line += (line.empty() ? "" : ", ") + text;
     return line;

@@ -27,7 +27,7 @@ struct Shape {
 /// One element as drawn: a straight bar. A broken element runs from its node to a virtual node (paper, section 2.3).
 struct Bar {
     int point[2];  ///< indices into Snapshot::points
-    double yield;  ///< f_y of eq 14, 0 to 1 (larger of the two ends)
+    double yield;  ///< f_y of the section's law, 0 to 1 (larger of the two ends)
     BarState state;
     int group;     ///< index into Snapshot::groups: the member's first group; -1 if it has none
     int member;    ///< declared member, counted from 1
@@ -43,6 +43,9 @@ struct Bar {
     std::array<double, 3> up = {};  ///< direction of the section's y axis now, of unit length; zero: not known
     int shape = -1;                 ///< index into Snapshot::shapes; -1: a square of its width
     int node[2] = {-1, -1};         ///< its declared end points, also of a broken end; -1: not known
+    /// f_y at its first end, in its middle and at its second end by a law that is not eq 14; negative: eq 14, which
+    /// follows from the forces.
+    double yield_along[3] = {-1, -1, -1};
 };
 
 /// A load that acts at this instant.
@@ -77,6 +80,7 @@ struct Snapshot {
     std::vector<std::string> groups;
     std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
     std::vector<std::array<int, 2>> connected;    ///< points that connectors join, as declared
+    std::vector<std::string> laws;                ///< of its sections; empty if all have eq 14 alone
 };
 
 /// Quantity shown on the members: by their colour, or as a diagram along them.

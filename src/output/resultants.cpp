@@ -100,6 +100,10 @@ double Resultants::at(Show which, double t) const {
 
 double Resultants::yield_at(double t) const {
     if (!has_forces(*bar_)) return bar_->yield;
+    if (const auto& f = bar_->yield_along; f[0] >= 0) {
+        const double course = f[0] * (1 - t) * (1 - 2 * t) + 4 * f[1] * t * (1 - t) + f[2] * t * (2 * t - 1);
+        return std::clamp(course, 0.0, std::max({f[0], f[1], f[2]}));
+    }
     const auto part = [](double force, double limit) { return limit > 0 ? square(force / limit) : 0; };
     const double f_y = part(bar_->N, bar_->N0) + part(at(Show::Mx, t), bar_->Mx0) + part(at(Show::My, t), bar_->My0) +
                        part(bar_->Mz, bar_->Mz0);

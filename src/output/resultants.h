@@ -16,7 +16,8 @@ public:
 
     /// Value of one of N to Mz, N or N m, at a share t of the length, 0 to 1. Moments have the shear forces as slopes.
     double at(Show which, double t) const;
-    /// f_y of eq 14 at t, or the larger of the ends' values if the snapshot has no forces.
+    /// f_y at t: of eq 14; of another law a parabola through its values at the ends and in the middle; or the larger of
+    /// the ends' values if the snapshot has no forces.
     double yield_at(double t) const;
     /// Colour class at t.
     int class_at(double t) const;

@@ -122,6 +122,18 @@ void add_directions(vtkFieldData* to, const std::vector<Bar>& bars) {
     to->AddArray(array);
 }
 
+constexpr const char *along_name = "f_y along", *laws_name = "section laws";
+
+/// f_y of laws that are not eq 14, along the bars; nothing where there is none.
+void add_yield_along(vtkFieldData* to, const std::vector<Bar>& bars) {
+    if (std::ranges::none_of(bars, [](const Bar& b) { return b.yield_along[0] >= 0; })) return;
+    const vtkNew<vtkFloatArray> array;
+    array->SetName(along_name);
+    array->SetNumberOfComponents(3);
+    for (const Bar& bar : bars) array->InsertNextTuple(bar.yield_along);
+    to->AddArray(array);
+}
+
 constexpr const char *width_name = "width [m]", *old_width_name = "width";  // the latter in frames of earlier versions
 
 void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
@@ -160,6 +172,7 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     add_column<vtkUnsignedCharArray>(cells, "touched", bars, [](const Bar& b) { return b.touched; });
     add_column<vtkIntArray>(cells, "section", bars, [](const Bar& b) { return b.shape; });
     add_directions(cells, bars);
+    add_yield_along(cells, bars);
     cells->SetActiveScalars("f_y");
 }
 
@@ -249,6 +262,12 @@ void add_field(vtkPolyData* data, const Snapshot& snapshot) {
         for (const auto& [a, b] : snapshot.connected) connected->InsertNextTuple2(a, b);
         data->GetFieldData()->AddArray(connected);
     }
+    if (!snapshot.laws.empty()) {
+        const vtkNew<vtkStringArray> laws;
+        laws->SetName(laws_name);
+        for (const std::string& law : snapshot.laws) laws->InsertNextValue(law);
+        data->GetFieldData()->AddArray(laws);
+    }
     add_surroundings(data->GetFieldData(), snapshot);
 }
 
@@ -325,6 +344,10 @@ void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     each("section", [](Bar& bar, double value) { bar.shape = static_cast<int>(value); });
     const auto up = read_vectors(cells, up_name, n);
     for (std::size_t i = 0; i < up.size(); ++i) snapshot.bars[i].up = (1 / 127.0) * up[i];
+    const auto along = read_vectors(cells, along_name, n);
+    for (std::size_t i = 0; i < along.size(); ++i) std::ranges::copy(along[i], snapshot.bars[i].yield_along);
+    auto* laws = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(laws_name));
+    for (vtkIdType i = 0; laws && i < laws->GetNumberOfValues(); ++i) snapshot.laws.push_back(laws->GetValue(i));
     auto* members = vtkIntArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("memberships"));
     for (vtkIdType i = 0; members && i + 1 < members->GetNumberOfValues(); i += 2)
         snapshot.memberships.push_back({members->GetValue(i), members->GetValue(i + 1)});

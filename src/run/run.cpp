@@ -162,9 +162,10 @@ double Run::yield_value(int element, double r) const {
         fixed.add(end, there.Mx, there.My, there.N, there.Mz);
     }
     const beam::SectionLaw* law = structure_->elements()[element].law;
-    return law ? law->yield_function(state_.force[element] + fixed.at(r), r,
-                                     section_history(*structure_, state_, element, r))
-               : 0;
+    if (!law) return 0;
+    const double of_history = structure_->conventional() ? 0 : r;  // conventional elements have one, of their middle
+    return law->yield_function(state_.force[element] + fixed.at(r), r,
+                               section_history(*structure_, state_, element, of_history));
 }
 
 double Run::yield_value(int element) const {

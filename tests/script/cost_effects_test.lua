@@ -145,6 +145,90 @@ case("leaving out an effect gives the bits of a script that never asked for it",
   equal(scene {}.hash, scene {}.hash, "a comparison leaves nothing behind")
 end)
 
+-- Laws of sections ----------------------------------------------------------------------------------------------------
+
+-- A cantilever of HEB 300 beside N / N0 = 0.5, pushed far beyond its limit: its moment is that of its law.
+local fy, reach = 235e6, 0.15
+local function pushed(p)
+  local of = hinge.section.named("HEB 300", { interaction = p.own or nil })
+  local steel = hinge.material { E = E, density = 7850, yield_stress = fy,
+    hardening = p.tangent > 0 and { tangent = p.tangent } or nil, rate = p.D > 0 and { D = p.D, q = 5 } or nil }
+  local model = hinge.model { displacement = "small", interaction = p.interaction }
+  local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+  local member = model:member { a, b, section = of, material = steel, up = { 0, 0, 1 } }
+  model:fix(a)
+  model:case("axial"):load { node = b, force = { -0.5 * of.plastic_area * fy, 0, 0 } }
+  model:case("push"):load { node = b, force = { 0, 0, of.Zx * fy / 3 } }
+  local held = model:static { loads = { axial = 1 } }:finish()
+  local run = model:static { from = held, loads = { push = 1 }, steps = 10, control = { node = b, "uz", to = reach } }
+  run:finish()
+  return { m = math.abs(member:forces(run).Mx) / (of.Zx * fy) }
+end
+local function compared(parameters)
+  return hinge.cost(hinge.scenario { parameters = parameters, run = pushed }, { effects = true, repeats = 3,
+    accuracy = { own = { parameters.own } } })
+end
+local function law(result, name)
+  for _, row in ipairs(result.laws) do
+    if row.name == name then return row end
+  end
+  expect(false, "%s is not among the laws", name)
+  return { changes = {}, answers = {} }
+end
+
+case("other laws of sections change the answer by what closed forms say", function()
+  local exact, of_eq14 = hinge.section.named "HEB 300":reduced_moments(0.5), math.sqrt(0.75)
+  local plain = { tangent = 0.0, D = 0.0, interaction = "paper", own = false }
+  r = compared(plain)
+  equal(#r.laws, 1, "laws of a scene with eq 14")
+  local row = law(r, "exact in the place of eq 14")
+  equal(row.law, "eq 14", "the law that is left out")
+  near(r.values.m, of_eq14, 1e-4, "as it is")
+  near(row.answers.m or 0, exact, 1e-4, "with the exact interaction")
+  near(row.changes.m, 1 - exact / of_eq14, 2e-4, "the change")
+  expect(row.slower and #row.times >= 3 and row.saves == nil and not row.same, "its time")
+  local parts = {}
+  for i = 1, math.min(#row.times, #r.times) do parts[i] = row.times[i] / r.times[i] - 1 end
+  equal(row.slower, compare.median(parts), "the time, round by round")
+  for _, given in ipairs { { interaction = "exact", own = false }, { interaction = "paper", own = "exact" } } do
+    r = compared { tangent = 0.0, D = 0.0, interaction = given.interaction, own = given.own }
+    equal(#r.laws, 1, "laws of a scene with the exact interaction")
+    row = law(r, "eq 14 in the place of exact")
+    near(r.values.m, exact, 1e-4, "as it is")
+    near(row.answers.m or 0, of_eq14, 1e-4, "by eq 14")
+  end
+end)
+
+case("hardening and strain rate are left out each by itself", function()
+  local given = { tangent = 5e9, D = 40.0, interaction = "exact", own = false }
+  r = compared(given)
+  equal(#r.laws, 3, "laws")
+  for name, without in pairs { ["without hardening"] = { tangent = 0.0 }, ["without strain rate"] = { D = 0.0 },
+    ["eq 14 in the place of exact"] = { interaction = "paper" } } do
+    local p = {}
+    for key, value in pairs(given) do p[key] = value end
+    for key, value in pairs(without) do p[key] = value end
+    equal(law(r, name).answers.m, pushed(p).m, name .. ": the bits of a script that never asked for it")
+  end
+  expect(law(r, "without hardening").change > 0.1, "hardening changes it: %s", law(r, "without hardening").change)
+  expect(law(r, "without strain rate").same, "statics have no rate")
+  equal(pushed(given).m, r.values.m, "a comparison leaves nothing behind")
+end)
+
+case("sections that cannot yield, or of unknown shape, have no other law", function()
+  local function elastic()
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(a)
+    model:member { a, b, section = hinge.section.solid { width = side, depth = side },
+      material = hinge.material { E = E } }
+    model:load { node = b, force = { 0, 0, 1 } }
+    return { uz = select(3, b:displacement(model:static {}:finish())) }
+  end
+  equal(#hinge.cost(hinge.scenario { parameters = { own = 1 }, run = elastic }, { effects = true, repeats = 1,
+    accuracy = { own = { 1 } } }).laws, 0, "laws of an elastic scene")
+end)
+
 -- Idle, chaotic, failing, chosen --------------------------------------------------------------------------------------
 
 local function falling(p)
@@ -199,8 +283,9 @@ case("a budget leaves out effects and says so", function()
       return answers
     end }
   r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
-  expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.left_out == 6, "left out: %s",
+  expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.laws + #r.left_out == 7, "left out: %s",
     table.concat(r.left_out, ", "))
+  equal(r.left_out[#r.left_out], "exact in the place of eq 14", "laws come last")
   r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
   equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
   local _, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
@@ -247,9 +332,55 @@ return hinge.scenario {
     "effect,change,worst,same,lost,saves,spread,seconds,timings,energy_error,failed,change of vz",
     "head of effects.csv")
   equal(select(2, csv:gsub("\n", "")), 4, "lines of effects.csv")
+  equal(support.read(folder .. "/p/laws.csv"), nil, "laws.csv of a scene that cannot yield")
   local before = support.read(folder .. "/p/finished.lua")
   equal(support.run(command), 0, "a second call")
   equal(support.read(folder .. "/p/finished.lua"), before, "what it runs again: nothing")
+end)
+
+case("hinge cost --effects prints what other laws change, and writes laws.csv", function()
+  local folder, program = support.temporary_folder(), support.quote(arg[1] .. "/hinge")
+  local script = folder .. "/script.lua"
+  support.write(script, [[
+local hinge = require "hinge"
+return hinge.scenario {
+  parameters = { n = 0.5 },
+  run = function(p)
+    local of = hinge.section.named "HEB 300"
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+    model:fix(a)
+    model:member { a, b, section = of, up = { 0, 0, 1 },
+      material = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 } }
+    local N0, M0 = of.plastic_area * 235e6, of.Zx * 235e6
+    model:case("axial"):load { node = b, force = { -p.n * N0, 0, 0 } }
+    model:case("push"):load { node = b, force = { 0, 0, M0 / 3 } }
+    local held = model:static { loads = { axial = 1 } }:finish()
+    local run = model:static { from = held, loads = { push = 1 }, control = { node = b, "uz", to = 0.15 } }
+    run:probe { node = b, "uz", name = "tip" }
+    return { strength = run:finish().factor }
+  end,
+}
+]])
+  local status, printed, complaint = support.run(("%s cost %s --effects --out %s/p"):format(program,
+    support.quote(script), folder))
+  equal(status, 0, "status: " .. complaint)
+  local exact, of_eq14 = hinge.section.named "HEB 300":reduced_moments(0.5), math.sqrt(0.75)
+  local number = "([%d.]+)"
+  local cells = "\n  exact in the place of eq 14 +[+-][%%d.]+ %%%% +[%%d.]+ +%s %%%% +strength +%s +%s"
+  local change, from, to = printed:match(cells:format(number, number, number))
+  near(tonumber(change) or 0, 100 * (1 - exact / of_eq14), 0.1, "what it prints of the change, %:\n" .. printed)
+  near(tonumber(from) or 0, of_eq14, 2e-4, "from")
+  near(tonumber(to) or 0, exact, 2e-4, "to")
+  expect(printed:find "\nEach answer with another law\n  answer +as it is +exact in the place of eq 14\n",
+    "the table of answers:\n%s", printed)
+  local csv = support.read(folder .. "/p/laws.csv") or ""
+  equal(csv:match "^[^\n]*", "with,law,change,worst,same,lost,slower,spread,seconds,timings,energy_error,failed,"
+    .. "change of strength,strength,strength as it is,change of tip,tip,tip as it is", "head of laws.csv")
+  local row = csv:match "\n(exact in the place of eq 14,eq 14,[^\n]*)\n" or ""
+  near(tonumber(row:match ",([%d.]+),[%d.]+,[^,]*,[^,]*,[^,]*$") or 0, exact, 1e-4, "strength in laws.csv: " .. row)
+  local summary = support.json(support.read(folder .. "/p/summary.json") or "{}")
+  expect(#(summary.laws or {}) == 1 and summary.laws[1].law == "eq 14" and summary.values == nil, "summary.json")
 end)
 
 checks.done()

@@ -1,4 +1,4 @@
--- The five scenes whose accuracy and time stand in tests/README.md: each runs as its head says,
+-- The scenes whose accuracy and time stand in tests/README.md: each runs as its head says,
 -- and has the errors that it says.
 --
 -- Run: lua5.4 tests/script/cost_scenes_test.lua
@@ -26,6 +26,10 @@ local scenes = {
       method = { "asi-gauss", "asi-gauss, cubic", "conventional" } },
     errors = { { "plastic", { 5e-5, 2, "asi-gauss" }, 1.46, 0.1 }, { "ux", { 5e-5, 2, "asi-gauss" }, 0.66, 0.05 },
       { "plastic", { 5e-5, 8, "conventional" }, 23, 0.2 } },
+  },
+  column_loss = {
+    accuracy = { dt = { 4e-3, 8e-3 } }, parameters = { duration = 0.3 },
+    errors = { { "drift_mm", { 4e-3 }, 1.41, 0.1 }, { "plastic_kJ", { 4e-3 }, 0.51, 0.1 } },
   },
   two_beam_impact = {
     accuracy = { beta = { 0.25, 0.4 }, dt = { 2.5e-6, 5e-6 } },
@@ -63,7 +67,7 @@ case("the scenes of scripts/cost compare the settings and have the errors that t
       end
     end
   end
-  checks.equal(seen, 5, "scenes")
+  checks.equal(seen, 6, "scenes")
 end)
 
 checks.done()

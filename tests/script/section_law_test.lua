@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local core = require "hinge.core"
 local checks = support.checks "section law"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -58,7 +59,9 @@ case("the moment beside N is that of closed forms, about both axes, in tension a
           local factor, run = limit(cantilever(of, n, push))
           near(1.2 * factor, wanted, 2e-5, ("%s, axis %d, n %g, %s"):format(name, axis, n, law))
           local told = false
-          for _, w in ipairs(run.warnings) do told = told or tostring(w):find "eq 14 is unsafe" ~= nil end
+          for _, w in ipairs(run.warnings) do
+            told = told or tostring(w):find "eq 14, the default yield surface, is unsafe" ~= nil
+          end
           if law == "exact" then equal(told, false, "a warning of eq 14") end
         end
       end
@@ -76,6 +79,90 @@ case("in biaxial bending a rectangle carries what its neutral axis gives", funct
     near(1.3 * factor, 1, 2e-5, ("t %g"):format(t))
     local at_wall = c.member:forces(run)
     near(at_wall.f_y, 1, 5e-5, "f_y of a section that flows")
+  end
+end)
+
+-- What of the member's first end is read, drawn and listed: sqrt(f_y).
+local function utilisations(c, run)
+  local piece = core.pieces(run).bars[1]
+  local of = { forces = c.member:forces(run).f_y, state = select(2, c.member:state(run)), read = run:read("f_y")[1],
+    picture = piece.f_y, ["picture, first end"] = (piece.f_y_along or {})[1],
+    hinges = run:hinges()[1] and run:hinges()[1].f_y }
+  for name, f_y in pairs(of) do of[name] = math.sqrt(f_y) end
+  return of, core.pieces(run)
+end
+
+case("utilisation is that of the section's law, not of eq 14: beside N / N0 = 0.5", function()
+  local of = section("rolled HEB", "exact")
+  local m = of:reduced_moments(0.5)
+  local c = cantilever(of, -0.5, { 0, 1.2 * fy * of.Zx / L })
+  local factor, run = limit(c)
+  near(1.2 * factor, m, 2e-5, "the exact plastic moment beside N")
+  local values, pieces = utilisations(c, run)
+  for _, name in ipairs { "forces", "state", "read", "picture", "picture, first end" } do -- nothing has flowed yet
+    near(values[name] or math.huge, 1, 5e-5, name .. ": utilisation at the surface")
+  end
+  -- the middle of the first of two elements has 3/4 of the moment: all of its forces over their utilisation are on the
+  -- surface
+  local low, high = 0.5, 1
+  for _ = 1, 40 do
+    local u = (low + high) / 2
+    if 0.75 * m / u > of:reduced_moments(0.5 / u) then low = u else high = u end
+  end
+  near(math.sqrt(pieces.bars[1].f_y_along[2]), low, 5e-5, "utilisation in the middle of the first element")
+  equal(table.concat(pieces.laws, "; "), "exact", "the law that pictures name")
+  -- the same forces by eq 14
+  local other = cantilever(section("rolled HEB", "paper"), -0.5, { 0, m * fy * of.Zx / L })
+  local held = other.model:static { loads = { axial = 1 } }:finish()
+  run = other.model:static { from = held, loads = { push = 1 } }:finish()
+  values, pieces = utilisations(other, run)
+  near(values.forces, math.sqrt(0.25 + m ^ 2), 1e-5, "by eq 14")
+  expect(values.forces < 0.8, "clearly below 1: %g", values.forces)
+  equal(values["picture, first end"], nil, "pictures have what follows from the forces")
+  equal(#pieces.laws, 0, "and name no law")
+end)
+
+-- Bent beyond yield and back: the surface has moved, and at its border eq 14 has another value.
+case("utilisation counts hardening: a section that flows has 1", function()
+  for _, law in ipairs { "exact", "paper" } do
+    local of = section("rolled HEB", law)
+    local hard = hinge.material { E = 210e9, density = 7850, yield_stress = fy, hardening = { tangent = 10e9 } }
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+    local member = model:member { a, b, section = of, material = hard, up = { 0, 0, 1 } }
+    model:fix(a, "all")
+    model:load { node = b, force = { 0, 0, fy * of.Zx / L } }
+    local run
+    for _, to in ipairs { 0.2, 0.1 } do
+      run = model:static { from = run, steps = 20, control = { node = b, "uz", to = to } }:finish()
+      local values, pieces = utilisations({ member = member }, run)
+      local of_eq14 = math.abs(member:forces(run).Mx) / (fy * of.Zx)
+      expect(math.abs(of_eq14 - 1) > 0.1, "%s: eq 14 would have %g", law, of_eq14)
+      for _, name in ipairs { "forces", "state", "read", "picture", "picture, first end", "hinges" } do
+        near(values[name] or math.huge, 1, 1e-4, ("%s, %s at %g m"):format(law, name, to))
+      end
+      equal(table.concat(pieces.laws, "; "), (law == "exact" and "exact" or "eq 14") .. ", hardening", "laws")
+    end
+  end
+end)
+
+-- Its one history is that of the middle, and holds at its ends too.
+case("a conventional element with hardening counts it at both ends", function()
+  local of = section("HEB", "exact")
+  local Mp = fy * of.Zx
+  local hard = hinge.material { E = 210e9, density = 7850, yield_stress = fy, hardening = { tangent = 10e9 } }
+  local model = hinge.model { displacement = "small", formulation = "conventional" }
+  local n = { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 3, 0, 0 } }
+  local root = model:member { n[1], n[2], section = of, material = hard, up = { 0, 0, 1 }, elements = 1 }
+  model:member { n[2], n[3], section = of, material = hard, up = { 0, 0, 1 }, elements = 1 }
+  model:fix(n[1], "all")
+  model:load { node = n[3], force = { 0, 0, Mp } }
+  local run = model:static { steps = 20, control = { node = n[3], "uz", to = 0.2 } }:finish()
+  local at = { root:forces(run) }
+  local middle = math.abs(at[1].Mx + at[2].Mx) / 2
+  expect(middle > 1.05 * Mp, "the middle has hardened: %g", middle / Mp)
+  for i, side in ipairs(at) do
+    near(side.f_y, (1 + (math.abs(side.Mx) - middle) / Mp) ^ 2, 1e-4, "end " .. i)
   end
 end)
 

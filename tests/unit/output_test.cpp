@@ -18,6 +18,12 @@ TEST_CASE("a snapshot comes back as it was written", "[output]") {
     SECTION("odd names of groups") { snapshot.groups = {"", "a b <&\">", "\xCF\x84\xCE\xB1"}; }
     SECTION("no bars") { snapshot = Snapshot{}; }
     SECTION("of statics") { snapshot.factor = 0.625; }
+    SECTION("laws that are not eq 14") {
+        snapshot.laws = {"eq 14", "exact, hardening"};
+        for (Bar& bar : snapshot.bars)
+            for (int k = 0; k < 3; ++k)
+                if (bar.element % 2 == 0) bar.yield_along[k] = 0.25 * k + 0.125 * bar.element;
+    }
 
     REQUIRE(write(folder / "a.vtp", snapshot) == "");
     Snapshot back;
@@ -25,6 +31,11 @@ TEST_CASE("a snapshot comes back as it was written", "[output]") {
     REQUIRE(read(folder / "a.vtp", back) == "");
     check_same(snapshot, back);
     CHECK(back.factor == snapshot.factor);
+    CHECK(back.laws == snapshot.laws);
+    for (std::size_t i = 0; i < snapshot.bars.size(); ++i)
+        for (int k = 0; k < 3; ++k) CHECK(back.bars[i].yield_along[k] == snapshot.bars[i].yield_along[k]);
+    // frames of eq 14 alone are what they were
+    CHECK((contents(folder / "a.vtp").find("f_y along") != std::string::npos) == !snapshot.laws.empty());
     CHECK(folder.files() == 1);  // nothing is left beside it
 }
 

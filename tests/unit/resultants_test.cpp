@@ -149,3 +149,27 @@ TEST_CASE("f_y between the ends is that of the moment there") {
     s.bar.Mx[0] = std::numeric_limits<double>::quiet_NaN();
     CHECK(s.carries().class_at(0.5) == 0);
 }
+
+// N / N0 = 0.5 beside the exact plastic moment of an HEB 300 at its second end, 0.575 Mx0: eq 14 has 0.58 there.
+TEST_CASE("f_y of a law that is not eq 14 is its own at the ends and in the middle") {
+    Supported s;
+    s.bar.Mx0 = 200, s.bar.N0 = 1e3, s.bar.N = -500, s.bar.Mx[1] = 115, s.bar.yield = 1;
+    CHECK(s.carries().yield_at(1) == Approx(0.25 + 0.575 * 0.575));
+    CHECK(s.carries().class_at(1) == 2);
+    const double own[3] = {0.25, 0.55, 1};
+    std::copy(own, own + 3, s.bar.yield_along);
+    const Resultants r = s.carries();
+    for (const int k : {0, 1, 2}) CHECK(r.yield_at(0.5 * k) == Approx(own[k]).epsilon(1e-12));
+    CHECK(r.class_at(1) == 5);
+    CHECK(r.class_at(0.5) == 2);
+    SECTION("it is not above the largest of them, nor below 0") {
+        for (const bool turned : {false, true}) {
+            const double steep[3] = {turned ? 1.0 : 0.0, turned ? 0.95 : 0.01, turned ? 0.0 : 1.0};
+            std::copy(steep, steep + 3, s.bar.yield_along);
+            for (int k = 0; k <= 20; ++k) {
+                CHECK(s.carries().yield_at(0.05 * k) <= 1);
+                CHECK(s.carries().yield_at(0.05 * k) >= 0);
+            }
+        }
+    }
+}

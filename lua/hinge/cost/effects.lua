@@ -1,12 +1,13 @@
--- What effects cost: a scenario is run without one of its effects at a time. The change of its answers and of its time
--- is measured.
+-- What effects and laws of sections cost: a scenario is run without one of its effects at a time, and with another law
+-- in the place of one. The change of its answers and of its time is measured.
 --
--- The script does not change. While it runs, the engine removes the declarations of the effect from its models
--- (core.leave_out).
+-- The script does not change. While it runs, the engine removes the declarations of the effect from its models, or the
+-- law (core.leave_out).
 local check = require "hinge.check"
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
+local laws = require "hinge.cost.laws"
 
 local effects = {}
 local where = "hinge.cost"
@@ -85,25 +86,29 @@ function effects.compare(bench, inputs, o)
     s.without, s.label = name, label
     return s
   end
-  local all, notes, absent, settings, left_out, measured = without("nothing", "all effects"), {}, {}, {}, {}, {}
+  local all, notes, absent, settings, left_out, measured = without("nothing", "as it is"), {}, {}, {}, {}, {}
   all.record = bench:run(all)
   if not all.record then
     check.fail("%s: the budget ended before the scenario was finished; give a larger one", where)
   end
   if all.record.failed then check.fail("%s: the scenario has no answer: %s", where, all.record.failed) end
-  local optional = core.optional_effects()
-  for i, name in ipairs(optional) do
-    local s = without(name, "without " .. name)
+  local optional = {}
+  for _, name in ipairs(core.optional_effects()) do
+    if all.record.effects[name] then optional[#optional + 1] = without(name, "without " .. name)
+    else absent[#absent + 1] = name end
+  end
+  for _, name in ipairs(check.keys(all.record.laws or {})) do
+    optional[#optional + 1] = without(name, laws.change(name))
+    optional[#optional].is_law = true
+  end
+  for i, s in ipairs(optional) do
     bench:progress(s.label, i - 1, #optional, (#optional - i + 1) * bench:estimate(all))
-    if not all.record.effects[name] then absent[#absent + 1] = name
+    s.record = (bench:record(s) or bench:fits(bench:estimate(s))) and bench:run(s)
+    if not s.record then left_out[#left_out + 1] = s.is_law and s.label or s.without
     else
-      s.record = (bench:record(s) or bench:fits(bench:estimate(s))) and bench:run(s)
-      if not s.record then left_out[#left_out + 1] = name
-      else
-        settings[#settings + 1] = s
-        s.failed = s.record.failed and s.record.failed:match "^[^\n]*"
-        if not s.failed then measured[#measured + 1] = s end
-      end
+      settings[#settings + 1] = s
+      s.failed = s.record.failed and s.record.failed:match "^[^\n]*"
+      if not s.failed then measured[#measured + 1] = s end
     end
   end
   local scatter, silent = bench:scatter(all)
@@ -121,10 +126,14 @@ function effects.compare(bench, inputs, o)
   if o.quantity and not answers[o.quantity] then
     check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(answers))
   end
-  local rows = {}
-  for i, s in ipairs(settings) do rows[i] = compare_one(s, all, moving, scatter or {}, o) end
+  local rows, of_laws = {}, {}
+  for _, s in ipairs(settings) do
+    local row = compare_one(s, all, moving, scatter or {}, o)
+    if s.is_law then of_laws[#of_laws + 1] = laws.row(row, all) else rows[#rows + 1] = row end
+  end
   local result = {
-    effects = rows, absent = absent, left_out = left_out, answers = answers, finer = finer, notes = notes,
+    effects = rows, laws = of_laws, values = all.record.answers, absent = absent, left_out = left_out,
+    answers = answers, finer = finer, notes = notes,
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
     seconds = compare.median(all.record.seconds), times = all.record.seconds, energy_error = all.record.energy_error,
     complete = #left_out == 0, elapsed = bench:elapsed(),

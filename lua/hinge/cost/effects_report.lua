@@ -1,6 +1,7 @@
--- The results of leaving out effects: a printed table, effects.csv and summary.json.
+-- The results of leaving out effects: a printed table, effects.csv and summary.json. Those of laws: laws_report.lua.
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
+local laws_report = require "hinge.cost.laws_report"
 local paper = require "hinge.paper"
 local text = require "hinge.cost.text"
 
@@ -56,12 +57,16 @@ end
 function report.show(result)
   effects_table(result)
   answers_table(result)
+  laws_report.show(result)
   print ""
   if result.finer then print(("own error: difference from a setting twice as fine (%s)"):format(result.finer)) end
   print(("scatter: change of the answer when every number changes by a relative %g"):format(result.perturbation))
   for _, note in ipairs(result.notes) do print("note: " .. note) end
   for _, row in ipairs(result.effects) do
     if row.failed then print(("%s cannot be left out: %s"):format(row.name, row.failed)) end
+  end
+  for _, row in ipairs(result.laws) do
+    if row.failed then print(("%s: no answer: %s"):format(row.name, row.failed)) end
   end
   if #result.absent > 0 then print("not in this scenario: " .. table.concat(result.absent, ", ")) end
   if #result.left_out > 0 then print("not tried because of the budget: " .. table.concat(result.left_out, ", ")) end
@@ -91,18 +96,27 @@ local function csv(result)
   return table.concat(lines, "\n") .. "\n"
 end
 
---- Writes effects.csv and summary.json into a folder.
-function report.write(result, out)
-  core.write_text(out .. "/effects.csv", csv(result))
-  local summary = {}
-  for name, value in pairs(result) do summary[name] = value end
-  summary.effects = {}
-  for i, row in ipairs(result.effects) do
-    summary.effects[i] = {}
+-- Rows without their answers, which are long.
+local function short(rows)
+  local list = {}
+  for i, row in ipairs(rows) do
+    list[i] = {}
     for name, value in pairs(row) do
-      if name ~= "answers" then summary.effects[i][name] = value end
+      if name ~= "answers" then list[i][name] = value end
     end
   end
+  return list
+end
+
+--- Writes effects.csv, summary.json and, if a section can yield, laws.csv into a folder.
+function report.write(result, out)
+  core.write_text(out .. "/effects.csv", csv(result))
+  if #result.laws > 0 then core.write_text(out .. "/laws.csv", laws_report.csv(result)) end
+  local summary = {}
+  for name, value in pairs(result) do
+    if name ~= "values" then summary[name] = value end
+  end
+  summary.effects, summary.laws = short(result.effects), short(result.laws)
   summary.version = core.version
   core.write_json(out .. "/summary.json", summary)
 end

@@ -55,6 +55,7 @@ local function harvest(result, histories, run)
   for _, probe in ipairs(run.probes) do
     histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value }
   end
+  for _, law in ipairs(core.optional_laws(run)) do result.laws[law] = true end
   for _, effect in ipairs(run.effects) do
     result.effects[effect.name] = result.effects[effect.name] or effect.active or nil
   end
@@ -66,14 +67,15 @@ local function harvest(result, histories, run)
   if run.verdict == "failed" then result.failed = run.reason end
 end
 
---- Runs the scenario, without the effect `without` where one is named. Returns { answers = { name = number or { x =,
--- y = } }, seconds = in the steps of all its runs, outside = of the rest, stages = { name = seconds }, memory = bytes,
--- energy_error = the largest as a part of the energy brought in, effects = { name = true } that were in a step,
--- hashes = of the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = } of the
--- dynamic run with the most steps, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
--- Each call makes its own models.
+--- Runs the scenario, without the effect or the law of sections `without` where one is named. Returns
+-- { answers = { name = number or { x =, y = } }, seconds = in the steps of all its runs, outside = of the rest,
+-- stages = { name = seconds }, memory = bytes, energy_error = the largest as a part of the energy brought in,
+-- effects = { name = true } that were in a step, laws = { name = true } of sections that can be left out, hashes = of
+-- the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = } of the dynamic run
+-- with the most steps, failed = why it has no answer }; nil when `deadline` (of core.clock) came first. Each call makes
+-- its own models.
 function measure.once(scenario, parameters, case, deadline, without)
-  local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, hashes = {},
+  local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, laws = {}, hashes = {},
     warnings = {} }
   local runs, histories, expired, say = {}, {}, false, print
   collectgarbage()

@@ -7,6 +7,7 @@
 
 #include "core/files.h"
 #include "effects/all_effects.h"
+#include "model/section_laws.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -61,7 +62,17 @@ int list_optional_effects(lua_State* L) {
     return 1;
 }
 
-/// core.leave_out(name or nil): runs that are made from now on do without this effect.
+/// core.optional_laws(run): names of the laws of its sections that can be left out.
+int list_optional_laws(lua_State* L) {
+    const auto r = run_argument(L, 1, "optional_laws: this");
+    const std::vector<std::string> names = optional_laws(r->run->structure());
+    lua_createtable(L, int(names.size()), 0);
+    for (std::size_t i = 0; i < names.size(); ++i)
+        lua_pushstring(L, names[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    return 1;
+}
+
+/// core.leave_out(name or nil): runs that are made from now on do without this effect, or this law of sections.
 int leave_out(lua_State* L) {
     context(L)->mode.left_out = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : "";
     return 0;
@@ -90,6 +101,7 @@ void open_measure(lua_State* L, int module) {
                                          {"peak", guarded<peak>},
                                          {"on_run", guarded<on_run>},
                                          {"optional_effects", guarded<list_optional_effects>},
+                                         {"optional_laws", guarded<list_optional_laws>},
                                          {"leave_out", guarded<leave_out>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);

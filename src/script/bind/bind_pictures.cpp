@@ -105,7 +105,8 @@ int write_strip(lua_State* L) {
 
 /// core.pieces(run): what a picture of the run is made of, with the mass on each node (figs 4 and 5). An element's mass
 /// lies half on each of its nodes, a broken one's wholly on the node that carries it; its virtual node has none. With
-/// the loads that act: N and N m, of a spread one per m at the two ends of its bar.
+/// the loads that act: N and N m, of a spread one per m at the two ends of its bar. With f_y along bars whose law is
+/// not eq 14, and the laws of a structure that has such bars.
 int pieces(lua_State* L) {
     const Run& run = *run_argument(L, 1, "pieces: the run")->run;
     const Structure& structure = run.structure();
@@ -133,6 +134,11 @@ int pieces(lua_State* L) {
         whole("a", bar.point[0] + 1), whole("b", bar.point[1] + 1), whole("member", bar.member),
             whole("element", bar.element);
         flag("rigid", bar.state == output::BarState::broken), number("f_y", bar.yield);
+        if (bar.yield_along[0] >= 0) {
+            lua_createtable(L, 3, 0);
+            for (int k = 0; k < 3; ++k) lua_pushnumber(L, bar.yield_along[k]), lua_rawseti(L, -2, k + 1);
+            lua_setfield(L, -2, "f_y_along");
+        }
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
     lua_setfield(L, -2, "bars");
@@ -148,6 +154,10 @@ int pieces(lua_State* L) {
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
     lua_setfield(L, -2, "loads");
+    lua_createtable(L, int(snapshot.laws.size()), 0);
+    for (std::size_t i = 0; i < snapshot.laws.size(); ++i)
+        lua_pushstring(L, snapshot.laws[i].c_str()), lua_rawseti(L, -2, lua_Integer(i) + 1);
+    lua_setfield(L, -2, "laws");
     return 1;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/checks/chain.h"
 #include "script/checks/check.h"
@@ -50,7 +51,10 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadCho
     decide_elements(*copy);
     tell_size(*context(L), *copy);
     copy->choose(choice);
-    if (const std::string& effect = context(L)->mode.left_out; !effect.empty()) hinge::leave_out(effect, *copy);
+    if (const std::string& effect = context(L)->mode.left_out; !effect.empty()) {
+        hinge::leave_out(effect, *copy);
+        leave_out_law(effect, *copy);
+    }
     look_over(*context(L), *copy);
     return copy;
 }

@@ -136,6 +136,7 @@ private:
         for (const auto& [m, group] : first.memberships)
             of.push_back(std::uint32_t(m)), of.push_back(std::uint32_t(group));
         j_["groups"] = first.groups;
+        if (!first.laws.empty()) j_["laws"] = first.laws;
         j_["declared_nodes"] = first.declared;
         put("declared", at);
         put("held", held);
@@ -203,7 +204,24 @@ private:
         put("forces", part, 6 * bars);
         put("force_scale", scale);
         j_["f_y_unit"] = f_y_unit;
+        add_yield_along();
         add_sags();
+    }
+
+    /// f_y of laws that are not eq 14, at the ends and in the middle of each element; 65535: eq 14.
+    void add_yield_along() {
+        const auto has_own = [](const Bar& b) { return b.yield_along[0] >= 0; };
+        if (std::ranges::none_of(frames_, [&](const Snapshot* s) { return std::ranges::any_of(s->bars, has_own); }))
+            return;
+        constexpr double of_eq14 = 65535;
+        std::vector<std::uint16_t> along;
+        for (const Snapshot* s : frames_)
+            for (const Bar& b : s->bars)
+                for (const double f_y : b.yield_along) {
+                    const double steps = std::isfinite(f_y) ? std::round(f_y / f_y_unit) : 0;
+                    along.push_back(std::uint16_t(has_own(b) ? std::clamp(steps, 0.0, of_eq14 - 1) : of_eq14));
+                }
+        put("f_y_along", along, 3 * frames_[0]->bars.size());
     }
 
     /// How moments differ from a straight line between an element's ends, where loads or weight act there: of Mx, then

@@ -1,15 +1,19 @@
 // Snapshot of a run at one instant: positions, damage and section forces of its elements.
 #include "script/record/snapshot.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "beam/fracture_limits.h"
+#include "beam/material_law.h"
 #include "beam/plastic_domain.h"
 #include "beam/yield.h"
 #include "effects/declared.h"
 #include "run/statics.h"
 #include "state/configuration.h"
+#include "state/hinges.h"
 #include "state/turned_ends.h"
 
 namespace hinge::script {
@@ -28,6 +32,34 @@ void add_forces(output::Bar& bar, const Run& run, int element) {
     const Vec6 all = flowed(run.state(), element);
     for (const int end : {1, 2})
         bar.rotation[end - 1] = std::hypot(beam::hinge_rotation(all, end, 0), beam::hinge_rotation(all, end, 1));
+}
+
+/// "exact", "eq 14, hardening"
+std::string law_text(const beam::SectionLaw& law, const MemberData& member) {
+    std::string text = law.ignores_shape() ? "eq 14" : law.name();
+    if (!law.keeps_strength())
+        for (const auto& added : member.material->laws) text += std::string(", ") + added->name();
+    if (member.backbone) text += std::string(", ") + member.backbone->name();
+    return text;
+}
+
+/// f_y of a law that is not eq 14 at the ends and in the middle; there with the history of the end where it is larger.
+void add_yield_along(output::Bar& bar, const Run& run, int element) {
+    const Element& e = run.structure().elements()[element];
+    if (!e.law || (e.law->ignores_shape() && e.law->keeps_strength())) return;
+    for (const int end : {0, 1}) bar.yield_along[2 * end] = run.yield_value(element, end == 0 ? -1 : 1);
+    if (run.structure().conventional()) {
+        bar.yield_along[1] = bar.yield;
+        for (const int end : {0, 2}) bar.yield_along[end] = std::min(bar.yield_along[end], bar.yield);
+        return;
+    }
+    // The cubic with the moments and shear forces at the ends, as distributed loads make it: dMx/dz = Qy, dMy/dz = -Qx.
+    const double Mx = (bar.Mx[0] + bar.Mx[1]) / 2 + e.length * (bar.Qy[0] - bar.Qy[1]) / 8;
+    const double My = (bar.My[0] + bar.My[1]) / 2 - e.length * (bar.Qx[0] - bar.Qx[1]) / 8;
+    for (const int end : {-1, 1})
+        bar.yield_along[1] = std::max(
+            bar.yield_along[1], e.law->yield_function({Mx, My, bar.N, bar.Mz},
+                                                      section_history(run.structure(), run.state(), element, end)));
 }
 
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -88,6 +120,7 @@ output::Snapshot make_snapshot(const Run& run) {
     for (const NodeLink& link : node_links(structure.model()))
         if (link.a >= 0) snapshot.connected.push_back({link.a, link.b});
     std::map<const Section*, int> shape_at;
+    std::set<std::string> laws;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
         const Section* section = structure.model().members()[e.member].section.get();
@@ -109,6 +142,8 @@ output::Snapshot make_snapshot(const Run& run) {
         bar.shape = shape->second;
         bar.up = numbers(direction_up(run, int(i)));
         add_forces(bar, run, int(i));
+        add_yield_along(bar, run, int(i));
+        if (e.law) laws.insert(law_text(*e.law, structure.model().members()[e.member]));
         if (state.broken[i]) {
             const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
             const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
@@ -122,6 +157,7 @@ output::Snapshot make_snapshot(const Run& run) {
         }
         snapshot.bars.push_back(bar);
     }
+    if (!laws.empty() && laws != std::set<std::string>{"eq 14"}) snapshot.laws.assign(laws.begin(), laws.end());
     add_loads(snapshot, run);
     for (const DeclaredPlane& plane : declared_planes(structure.model()))
         snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});

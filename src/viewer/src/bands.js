@@ -1,6 +1,6 @@
 // Bands of colour along elements: the classes of pictures (src/output/bars.cpp), and the course of a value between the
 // two ends of an element. The shader (scene.js) computes the value and its class at each pixel.
-import { f_y, force } from "./run_data.js";
+import { along, f_y, force } from "./run_data.js";
 
 /// f_y in fifths, and f_y = 1: the colours of pictures, src/output/colours.h
 export const band_colours = ["#28428c", "#4688c8", "#96d4e2", "#fad650", "#ec7e2c", "#ac142c"];
@@ -25,9 +25,16 @@ function add_square(out, a, b) {
 /// between them. Under a spread load the moment is a parabola, which a picture shows and the player does not.
 export const bands_of = {
   // f_y of eq 14: N and Mz are the same all along. The element's own f_y is the most: N is that of the end where it is
-  // larger. An element without limits has its own f_y all along.
+  // larger. An element without limits has its own f_y all along. Of another law: a parabola through the values at the
+  // ends and in the middle.
   f_y: (frames, frame) => ({ from, course(b, out) {
-    const { limits } = frames, own = f_y(frames, frame, b);
+    const { limits } = frames, own = f_y(frames, frame, b), values = along(frames, frame, b);
+    if (values) {
+      const [first, middle, last] = values;
+      out[0] = first, out[1] = 4 * middle - 3 * first - last, out[2] = 2 * (first - 2 * middle + last);
+      out[3] = Math.max(first, middle, last);
+      return;
+    }
     const part = (c, limit) => (limits[4 * b + limit] > 0 ? force(frames, frame, b, c) / limits[4 * b + limit] : 0);
     out[0] = part(0, 0) ** 2 + part(5, 3) ** 2, out[1] = out[2] = 0, out[3] = own;
     add_square(out, part(1, 1), part(2, 1));

@@ -1,6 +1,6 @@
 // What members are coloured by: a colour for each element of a frame, or bands along it, and a legend.
 import { bands_of, band_colours, class_of } from "./bands.js";
-import { force, largest_force, state, state_of, touched_of, broken } from "./run_data.js";
+import { force, largest_force, law_text, state, state_of, touched_of, broken } from "./run_data.js";
 
 const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 const steps = band_colours.map(rgb);
@@ -23,7 +23,7 @@ const banded = (frames, frame) => (b) => (state_of(state(frames, frame, b)) === 
 /// has the bands of bands(frames, frame); legend: [colour, text] pairs.
 export const colourings = {
   f_y: {
-    name: "f_y, yield function (eq 14)",
+    name: "f_y, yield function",
     of: banded,
     bands: bands_of.f_y,
     legend: () => [...steps.map((c, i) => [hex(c), i < 5 ? `${(i / 5).toFixed(1)}–${((i + 1) / 5).toFixed(1)}` : "1.0"]),
@@ -85,6 +85,12 @@ export const colourings = {
     },
   },
 };
+
+/// The name of a colouring of these runs.
+export function name_of(colouring, runs) {
+  const laws = [...new Set(runs.flatMap(({ frames }) => (frames.laws.length ? frames.laws : ["eq 14"])))];
+  return colourings[colouring].name + (colouring === "f_y" ? ` (${law_text(laws)})` : "");
+}
 
 /// What scales colours where a section has no limit, and the largest displacement of what is attached to supports.
 /// first: the frames before it have been measured.

@@ -1,6 +1,6 @@
 // The player's buttons, sliders and lists.
 import { make, number, quantity } from "./page.js";
-import { colourings } from "./colouring.js";
+import { colourings, name_of } from "./colouring.js";
 import { diagrams, diagram_colours } from "./diagrams.js";
 import { hinge_colour } from "./scene.js";
 
@@ -69,7 +69,7 @@ export function controls_of(player) {
       choice("speed", [[0.25, "¼"], [0.5, "½"], [1, "1"], [2, "2"], [4, "4"]].map(([v, t]) => [String(v), t]), "1",
         (v) => { options.speed = Number(v); }), player.grows ? newest : null),
     make("div", { class: "row" },
-      choice("colour", Object.entries(colourings).map(([k, c]) => [k, c.name]), "f_y", (v) => {
+      choice("colour", Object.keys(colourings).map((k) => [k, name_of(k, player.views.map((v) => v.run))]), "f_y", (v) => {
         set("colouring")(v), show_legend();
       }),
       choice("diagram", [["", "none"], ...Object.entries(diagrams).map(([k, d]) => [k, d.name])], "", set("diagram")),

@@ -8,6 +8,7 @@ export function make_growing(read) {
   const bytes = 12 * read.nodes + 27 * read.bars, room = Math.round(Math.min(most_frames, Math.max(8, most_bytes / bytes)));
   const frames = { ...read, room, count: 0, times: [], factors: read.factors ? [] : null,
     positions: new Float32Array(room * 3 * read.nodes), f_y: new Uint16Array(room * read.bars),
+    f_y_along: read.f_y_along ? new Uint16Array(room * 3 * read.bars) : null,
     state: new Uint8Array(room * read.bars), forces: new Float32Array(room * 6 * read.bars),
     scale: new Float32Array(6 * read.bars).fill(1), largest: new Float32Array(6 * read.bars), loose: [],
     sags: null, pointed: new Set() };
@@ -28,12 +29,14 @@ export async function add_frame(frames, packed) {
 
 // The arrays that have so many numbers a frame.
 const arrays = (frames) => [[frames.positions, 3 * frames.nodes], [frames.f_y, frames.bars], [frames.state, frames.bars],
-  [frames.forces, 6 * frames.bars], ...(frames.sags ? [[frames.sags, 4 * frames.bars]] : [])];
+  [frames.forces, 6 * frames.bars], ...(frames.f_y_along ? [[frames.f_y_along, 3 * frames.bars]] : []),
+  ...(frames.sags ? [[frames.sags, 4 * frames.bars]] : [])];
 
 function put(frames, read) {
   const at = frames.count, { bars, largest } = frames;
   frames.positions.set(read.positions.subarray(0, 3 * frames.nodes), at * 3 * frames.nodes);
   frames.f_y.set(read.f_y.subarray(0, bars), at * bars);
+  if (frames.f_y_along && read.f_y_along) frames.f_y_along.set(read.f_y_along.subarray(0, 3 * bars), at * 3 * bars);
   frames.state.set(read.state.subarray(0, bars), at * bars);
   for (let c = 0; c < 6; ++c)
     for (let b = 0; b < bars; ++b) {

@@ -1,7 +1,7 @@
 // The member picked: what it is, and its history against the yield surface.
 import { make, number, quantity } from "./page.js";
 import { plot, surface_plot } from "./plot.js";
-import { f_y, force, frame_at, member_state, state, state_of, broken } from "./run_data.js";
+import { along, f_y, force, frame_at, law_text, member_state, state, state_of, broken } from "./run_data.js";
 
 const states = ["elastic", "yielded", "broken"];
 
@@ -53,7 +53,7 @@ function overview(run, choose) {
   };
   return {
     parts: [make("h3", {}, "The members at the time shown"), facts, make("p", { class: "hint" }, "Those with the largest f_y "
-      + "(eq 14; 1: fully plastic), without broken ones. Pick one here or in the picture, or give its number."),
+      + `(${law_text(frames.laws)}; 1: fully plastic), without broken ones. Pick one here or in the picture, or give its number.`),
     make("div", { class: "wide" }, make("table", {}, make("thead", {}, make("tr", {}, ["", "group", "", "f_y"].map((t) =>
       make("th", { scope: "col" }, t)))), rows))],
     cursor(time) {
@@ -86,7 +86,7 @@ export function member_panel(run, number_of, seek, choose) {
   const last = x.findIndex((_, f) => gone(f)); // it carries nothing from there on
   const surface = has_limits && last !== 0 ? surface_plot(history(frames, (f) => ({ n: part(f, 0, 0),
     m: Math.max(Math.hypot(part(f, 1, 1), part(f, 3, 2)), Math.hypot(part(f, 2, 1), part(f, 4, 2))) }))
-    .slice(0, last < 0 ? undefined : last)) : null;
+    .slice(0, last < 0 ? undefined : last), along(frames, 0, bar) ? "dashed: eq 14, which is not its law" : "") : null;
   const head = [`member ${member.number}`, member.groups.map((g) => frames.groups[g]).join(", "),
     member.storey >= 0 ? `storey ${member.storey + 1}` : "", `${member.bars.length} elements`].filter(Boolean).join(" · ");
   const capacity = has_limits ? `fully plastic: N0 ${quantity(limit(0), "N", 3)}, Mx0 ${quantity(limit(1), "N m", 3)}, `

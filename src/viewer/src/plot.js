@@ -110,8 +110,8 @@ export function plot({ label, x_label = "time, s", unit = "", series, width = 64
 }
 
 /// The yield surface of eq 14 in the plane of N/N0 and the bending of both axes: a path in it, and where it is now.
-/// points: [{ n, m }], m >= 0.
-export function surface_plot(points) {
+/// points: [{ n, m }], m >= 0. note: if not empty, the surface is dashed, and this is said of it.
+export function surface_plot(points, note) {
   const size = 280, tall = 180, middle = size / 2, most = Math.max(1.15, ...points.map((p) => Math.max(Math.abs(p.n), p.m))) * 1.05;
   const to_x = (n) => middle + (n / most) * (middle - 26), to_y = (m) => tall - 36 - (m / most) * (middle - 26);
   const arc = [];
@@ -121,13 +121,13 @@ export function surface_plot(points) {
     "aria-label": "axial force and bending against the yield surface" },
   svg("line", { class: "grid", x1: 10, x2: size - 10, y1: to_y(0), y2: to_y(0) }),
   svg("line", { class: "grid", x1: middle, x2: middle, y1: 12, y2: to_y(0) }),
-  svg("path", { d: arc.join(""), class: "surface" }),
+  svg("path", { d: arc.join(""), class: "surface", ...(note ? { "stroke-dasharray": "5 4" } : {}) }),
   svg("path", { class: "path", d: points.map((p, i) => `${i ? "L" : "M"}${to_x(p.n).toFixed(1)} ${to_y(p.m).toFixed(1)}`)
     .join("") }),
   svg("text", { x: middle, y: tall - 6, "text-anchor": "middle" }, "N / N0, tension to the right"),
   svg("text", { x: to_x(1), y: to_y(0) + 15, "text-anchor": "middle" }, "1"),
   svg("text", { x: to_x(-1), y: to_y(0) + 15, "text-anchor": "middle" }, "−1"),
-  svg("text", { x: middle + 5, y: 20 }, "M / M0"));
+  svg("text", { x: middle + 5, y: 20 }, "M / M0"), ...(note ? [svg("text", { x: 12, y: 10 }, note)] : []));
   const dot = svg("circle", { r: 5, class: "now" });
   drawing.append(dot);
   const figure = make("figure", { class: "plot surface-plot" }, drawing);

@@ -51,6 +51,7 @@ export async function read_changes(packed) {
     unpacked(packed.positions, 4, 3 * packed.nodes), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
     whole(packed.loose_at, 4), unpacked(packed.f_y, 2, bars), unpacked(packed.state, 1, bars),
     unpacked(packed.forces, 2, 6 * bars), whole(packed.force_scale, 4)]);
+  const f_y_along = packed.f_y_along ? await unpacked(packed.f_y_along, 2, 3 * bars) : null;
   const [sags, sag_scale, pointed] = await Promise.all(packed.sags ? [unpacked(packed.sags, 2, 4 * bars),
     whole(packed.sag_scale, 4), whole(packed.pointed, 4)] : [null, null, []]);
   const loose_from = [0];
@@ -58,7 +59,7 @@ export async function read_changes(packed) {
   return {
     count: packed.frames, times: list(packed.times), factors: packed.factors ? list(packed.factors) : null,
     positions: floats(positions), loose_from, loose_end: which, loose_at: floats(loose),
-    f_y, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
+    f_y, f_y_along, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
     sags: sags && new Int16Array(sags.buffer), sag_scale: sag_scale && floats(sag_scale), pointed: new Set(pointed),
   };
 }
@@ -70,7 +71,7 @@ export async function read_frames(packed) {
     whole(packed.width, 4), whole(packed.limits, 4), whole(packed.up, 1), whole(packed.memberships, 4),
     whole(packed.connected, 4), read_changes(packed)]);
   const frames = {
-    nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups),
+    nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups), laws: list(packed.laws || []),
     declared_nodes: packed.declared_nodes || packed.nodes, not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
     declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), up: new Int8Array(up.buffer), ...changes,
   };
@@ -253,6 +254,15 @@ export const sag = (frames, frame, bar, c) => (frames.sags ? frames.sags[(4 * fr
 export const largest_sag = (frames, bar, c) => (!frames.sags ? 0 : frames.largest_sag ? frames.largest_sag[4 * bar + c] :
   32767 * frames.sag_scale[4 * bar + c]);
 export const f_y = (frames, frame, bar) => frames.f_y[frame * frames.bars + bar] * frames.f_y_unit;
+/// f_y at the ends and in the middle of an element whose law is not eq 14; null where it is.
+export function along(frames, frame, bar) {
+  const { f_y_along, f_y_unit, bars } = frames, from = 3 * (frame * bars + bar);
+  if (!f_y_along || f_y_along[from] === 65535) return null;
+  return [0, 1, 2].map((i) => f_y_along[from + i] * f_y_unit);
+}
+/// The law that f_y is of, in words; `laws`: those of all sections, empty where all have eq 14.
+export const law_text = (laws) => (laws.length === 0 ? "eq 14" : laws.length === 1 ? laws[0] :
+  `each section's own law: ${laws.join("; ")}`);
 export const state = (frames, frame, bar) => frames.state[frame * frames.bars + bar];
 
 /// Worst state of a member: 0 elastic, 1 yielded, 2 broken; and whether it has been in contact.

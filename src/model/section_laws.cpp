@@ -1,0 +1,41 @@
+#include "model/section_laws.h"
+
+#include <algorithm>
+#include <set>
+
+#include "beam/material_law.h"
+#include "beam/section_law.h"
+#include "model/structure.h"
+
+namespace hinge {
+
+bool has_exact_law(const Section& section, const beam::YieldSurface& w) {
+    return section.outline && w.x != 0 && w.y != 0 && w.n != 0;
+}
+
+std::vector<std::string> optional_laws(const Structure& structure) {
+    std::set<std::string> names;
+    for (const Element& e : structure.elements()) {
+        if (!e.law) continue;
+        const MemberData& member = structure.model().members()[e.member];
+        if (std::string(e.law->name()) == "exact") names.insert("exact");
+        else if (e.law->ignores_shape() && has_exact_law(*member.section, e.yield)) names.insert("eq 14");
+        if (!e.law->keeps_strength())
+            for (const auto& law : member.material->laws) names.insert(law->name());
+        if (member.backbone && !e.law->keeps_strength()) names.insert(member.backbone->name());
+    }
+    for (const OmittedLaw& law : structure.model().declared<OmittedLaw>(omitted_laws)) names.erase(law.name);
+    return {names.begin(), names.end()};
+}
+
+void leave_out_law(const std::string& name, Model& model) {
+    const auto& members = model.members();
+    const bool known =
+        name == "exact" || name == "eq 14" || std::ranges::any_of(members, [&](const MemberData& m) {
+            return (m.backbone && name == m.backbone->name()) ||
+                   std::ranges::any_of(m.material->laws, [&](const auto& l) { return name == l->name(); });
+        });
+    if (known) model.declare<OmittedLaw>(omitted_laws, {name});
+}
+
+}  // namespace hinge
