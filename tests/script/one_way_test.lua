@@ -1,5 +1,6 @@
--- Members that carry tension alone or compression alone: a braced frame and a mass on a cable by hand, the energy balance of all integrators, the same bytes after a checkpoint in the slack, what hinges,
--- fracture and the plan say of slack; wrong input is refused.
+-- Members that carry tension alone or compression alone: a braced frame and a mass on a cable by hand, the energy
+-- balance of all integrators, the same bytes after a checkpoint in the slack, what hinges, fracture and the plan say of
+-- slack; wrong input is refused.
 --
 -- Run: lua5.4 tests/script/one_way_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
