@@ -9,7 +9,7 @@ return check.strict({
   model = core.model,
   material = require "hinge.material",
   section = require "hinge.section",
-  backbone = core.backbone,
+  backbone = require "hinge.backbone",
   units = require "hinge.units",
   resume = core.resume,
   ground = require "hinge.ground",

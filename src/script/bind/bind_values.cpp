@@ -196,7 +196,9 @@ int section_fields(lua_State* L) {
                                                       {"Zy", s.Zy},
                                                       {"Zz", s.Zz},
                                                       {"width", s.width},
-                                                      {"depth", s.depth}};
+                                                      {"depth", s.depth},
+                                                      {"web", s.web},
+                                                      {"flange", s.flange}};
     for (const auto& [name, value] : numbers)
         if (key == name) return lua_pushnumber(L, value), 1;
     if (key == "interaction") {
@@ -245,7 +247,7 @@ void open_values(lua_State* L, int module) {
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress", "laws"});
     name_fields(L, SectionBox::lua_name,
                 {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
-                 "N0", "Mx0", "My0", "Mz0", "width", "depth", "interaction"});
+                 "N0", "Mx0", "My0", "Mz0", "width", "depth", "web", "flange", "interaction"});
     lua_pushcfunction(L, (guarded<takes<"hinge.material", 1, material>>));
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));
