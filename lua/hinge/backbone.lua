@@ -163,13 +163,13 @@ function backbone.lignos(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { section = section, material = material, shear_span = length,
     unbraced_length = length, reduced = { "boolean", default = false }, cut = no_length,
-    beyond_tests = { "boolean", default = false } })
+    wear = { "boolean", default = true }, beyond_tests = { "boolean", default = false } })
   local m, fy = measures(where, o.section), yield_of(where, o.material)
   local x = ratios_of(m, o, fy)
   within_tests(where, o, m, x, fy)
   local row, Mp = lignos_row(m, o.reduced), fy * m.Zx
   local My = row.yield * left_by_cut(where, o, m, o.reduced) * Mp
-  return trilinear(where, row, x, My, 3 * o.material.E * m.Ix / o.shear_span, Mp, value(row.wear, x))
+  return trilinear(where, row, x, My, 3 * o.material.E * m.Ix / o.shear_span, Mp, o.wear and value(row.wear, x) or nil)
 end
 
 -- NIST ----------------------------------------------------------------------------------------------------------------
@@ -197,7 +197,10 @@ function backbone.nist(options, ...)
   local o = check.options(where, options, {
     kind = { "string", one_of = { "beam", "RBS", "column", "pre-Northridge" } }, section = section, material = material,
     monotonic = { "boolean", default = true }, shear_span = length, unbraced_length = some_length, axial_ratio = axial,
-    cut = no_length })
+    cut = no_length, wear = { "boolean", optional = true } })
+  if o.wear and not o.monotonic then
+    check.fail("%s: wear = true does not go with monotonic = false: the envelope of cycles has their wear in it", where)
+  end
   local row = published.nist[o.monotonic and "monotonic" or "cyclic"][o.kind]
   if not row then
     check.fail("%s: kind = 'pre-Northridge' has the envelope of the first cycles alone; give monotonic = false", where)
@@ -217,16 +220,17 @@ function backbone.nist(options, ...)
   if row.deep and x.inches >= row.deep_from then
     for name, law in pairs(row.deep) do laws[name] = law end
   end
-  local wear
+  local wears = o.monotonic and o.wear ~= false
   if o.kind == "column" then
     laws.residual, laws.ultimate = row.residual[1] + row.residual[2] * g, row.ultimate[1] + row.ultimate[2] * g
-    wear = row.wear and value(g > row.wear_changes_at and row.wear_above or row.wear, x)
-  elseif o.monotonic then
-    wear = value(lignos_row(m, o.kind == "RBS").wear, x)
+    wears = wears and (g > row.wear_changes_at and row.wear_above or row.wear)
+  elseif wears then
+    wears = lignos_row(m, o.kind == "RBS").wear
   end
   -- the strengths below are those without axial force: the section itself takes off what the axial force takes
   local left = row.yield * left_by_cut(where, o, m, o.kind == "RBS")
-  return trilinear(where, laws, x, left * moment * Mp, K, moment * Mp, wear)
+  return trilinear(where, laws, x, left * moment * Mp, K, moment * Mp,
+    wears and value(wears, x) or nil)
 end
 
 -- ASCE 41 -------------------------------------------------------------------------------------------------------------
@@ -236,8 +240,9 @@ local function between(slenderness, limits, root)
   return math.min(math.max((slenderness / root - limits[1]) / (limits[2] - limits[1]), 0), 1)
 end
 
--- Between a value of compact and one of slender sections: the lower one by flange and web.
+-- The value of slender sections where flange or web is one, else the lower one of those by flange and by web.
 local function blend(compact, slender, flange, web)
+  if flange >= 1 or web >= 1 then return slender end
   return math.min(compact + (slender - compact) * flange, compact + (slender - compact) * web)
 end
 

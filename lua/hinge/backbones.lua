@@ -123,7 +123,7 @@ backbones.joints = {
 
 -- Beams: AISC 342-22, table C2.2, to which ASCE 41-23 refers; its first row is that of ASCE 41-06 and FEMA 356. The
 -- tests of the public program steltic have the printed numbers. a and b in yield rotations; the limits in parts of a or
--- b. Between the two rows straight by the slenderness of flange and web, the lower value; flange and web: limits times
+-- b. The second row is for a slender flange or web; between them straight, the lower value of both; flange and web: limits times
 -- sqrt(E / Fy), AISC 341-22, table D1.1b.
 backbones.beam = {
   flange = { 0.30, 0.38 }, web = { 2.45, 3.76 },
