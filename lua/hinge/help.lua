@@ -193,6 +193,7 @@ local function name_of(value)
     if e.kind == "function" and type(value) == "function" then
       local owner = e.object == "hinge" and require "hinge" or e.object == "hinge.sections" and require "hinge".section
         or e.object == "hinge.materials" and require "hinge".material
+        or e.object == "hinge.backbones" and require "hinge".backbone
         or e.object == "hinge.job" and getmetatable(require "hinge.job".new(""))
         or e.separator == "." and module and package.loaded[module]
         or (debug.getregistry()[e.object] or {}).methods
@@ -215,6 +216,7 @@ local function tell(_, ...)
   local what = ...
   local name = type(what) == "string" and what or name_of(what)
   local call = type(what) == "string" or type(what) == "function" or rawequal(what, require "hinge".material)
+    or rawequal(what, require "hinge".backbone)
   local text = name and help.text(name, not call)
   if text then
     io.write(text)

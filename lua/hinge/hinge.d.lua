@@ -278,6 +278,132 @@ function material.bars(name, options) end
 ---@return string[]
 function material.names(kind) end
 
+-- Backbones by published formulas ------------------------------------------------------------------------------------
+
+---Backbones of steel hinges by published formulas. The section is an H; its root radius, and with it h / tw, follows
+---from its area. `material` is that of the member: its yield_stress is the expected one, and gives Mp, and its E gives
+---the yield rotation. lua/hinge/backbones.lua has the numbers, names the source of each table and says what was not
+---confirmed: no standard was at hand. The formulas of a rule hold for bending about the strong axis.
+---@class hinge.backbones
+local backbone = {}
+
+---Beams with reduced and with other sections, by Lignos and Krawinkler (2011): monotonic, with wear. The published
+---rotations are those of the chord of a beam in double curvature, 2 shear_span long. The plastic rotation at the cap is
+---less than published by the elastic one from yield to the cap, and that of the fall is more by the elastic one at the
+---cap. An error names what is outside of the tests: depth / web 20 to 55, unbraced_length / ry 20 to 80,
+---width / (2 flange) 4 to 8, shear_span / depth 2.5 to 7, depth 0.102 to 0.914 m, yield stress 240 to 450 MPa.
+---```lua
+---local w24 = hinge.section.named "W24X76"
+---local a992 = hinge.material.steel("A992", { expected = true })
+---local test = hinge.backbone.lignos { section = w24, material = a992, shear_span = 3.6, unbraced_length = 2.5 }
+---print(test.points[2][1], test.points[2][2]) -- the cap: rad, over Mp
+---```
+---@param options hinge.lignos_options
+---@return hinge.backbone
+function backbone.lignos(options) end
+
+---@class hinge.lignos_options
+---@field section hinge.section
+---@field material hinge.material
+---@field shear_span number from the hinge to the point of no moment, m: half the clear span in double curvature
+---@field unbraced_length number between braces against lateral buckling, m
+---@field reduced? boolean true: reduced beam section (RBS); default false
+---of an RBS, which must give it: depth of the cut at either side of the flanges, m, at most a quarter of the width. The
+---strengths are less by the plastic modulus that is cut. 0: the member's section is the reduced one
+---@field cut? number
+---false: without the wear of cycles, which a load that goes one way needs as little as tests that do; default true
+---@field wear? boolean
+---@field beyond_tests? boolean true: outside of the tests too; default false
+
+---Beams and columns by NIST GCR 17-917-46 (2017). monotonic = true has the wear of cycles apart: that of Lignos for
+---beams. monotonic = false is the envelope of the first cycles, without wear, for an analysis that counts none.
+---Rotations are those of the chord, as of hinge.backbone.lignos. The strengths of a column are those without axial
+---force: the section takes off what the axial force takes.
+---```lua
+---local w14 = hinge.section.named "W14X193"
+---local a992 = hinge.material.steel("A992", { expected = true })
+---local foot = hinge.backbone.nist { kind = "column", section = w14, material = a992, shear_span = 2,
+---  unbraced_length = 4, axial_ratio = 0.3 }
+---print(foot)
+---```
+---@param options hinge.nist_options
+---@return hinge.backbone
+function backbone.nist(options) end
+
+---@class hinge.nist_options
+---"beam": other than reduced sections; "RBS"; "column": an H about its strong axis; "pre-Northridge": beams whose welds
+---are those before 1994, the envelope alone
+---@field kind "beam"|"RBS"|"column"|"pre-Northridge"
+---@field section hinge.section
+---@field material hinge.material
+---@field monotonic? boolean default true; false: the envelope of the first cycles
+---@field shear_span number m, as of hinge.lignos_options
+---@field unbraced_length? number m; only "pre-Northridge" goes without
+---of a column: axial force under gravity over area times yield stress, 0 to 1; default 0
+---@field axial_ratio? number
+---@field cut? number m; of an RBS, as of hinge.lignos_options
+---@field wear? boolean false: without the wear of cycles; default true where monotonic
+
+---Members and connections by ASCE 41: strength falls at the plastic rotation a to the residual one, and all of it is
+---lost at b. "beam": AISC 342-22, table C2.2, to which ASCE 41-23 refers. "column": table C3.6, or table 9-7.1 of ASCE
+---41-17. Connections: ASCE 41-17. Up to a the slope is 3 % of the elastic one of a member in double curvature; of a
+---column with more than 0.2 of its axial strength 1 %. At a the strength falls straight over a tenth of b - a, and 0.001
+---rad at least; at b over 0.001 rad.
+---
+---The second result are the limits that go with it, for run:hinges. Those of the connections and of the columns of 2017
+---were not confirmed, and are nil.
+---```lua
+---local w24 = hinge.section.named "W24X76"
+---local a992 = hinge.material.steel("A992", { expected = true })
+---local ends, limits = hinge.backbone.asce41 { kind = "beam", section = w24, material = a992, length = 7.2 }
+---print(ends, limits.IO, limits.LS, limits.CP) -- rad
+---print(run:hinges { limit = limits })
+---```
+---@param options hinge.asce41_options
+---@return hinge.backbone ends
+---@return { IO: number, LS: number, CP: number }? limits rad
+function backbone.asce41(options) end
+
+---@class hinge.asce41_options
+---@field kind "beam"|"column"|"RBS"|"free flange"|"WUF" WUF: welded unreinforced flanges before 1994
+---@field section hinge.section
+---@field material hinge.material
+---@field length number clear length of the member, m: for the yield rotation Mp length / (6 E Ix), and length / depth
+---@field unbraced_length? number m; of a column, which must give it
+---@field axial_ratio? number of a column: axial force under gravity over area times yield stress; default 0
+---@field edition? "2017"|"2023" of a column; default "2023"
+---@field cut? number m; of an RBS, as of hinge.lignos_options
+---of a connection: false where continuity plates are needed and missing, 0.8 of a and b; default true. None are needed
+---with a column flange of 1 / 5.2 of the beam's width and more
+---@field continuity_plates? boolean
+---of a connection: shear of the panel zone at yield of the beams over its strength; outside of 0.6 to 0.9 it is 0.8 of a
+---and b; default: within
+---@field panel_zone? number
+
+---Connections by UFC 4-023-03, table 5-2, for the removal of a column: a and b by the depth of the beam; GSA's guidelines
+---of 2016 have the same. The second result is the rotation allowed, for run:hinges: a for primary members, b for
+---secondary ones. The falls at a and b are those of hinge.backbone.asce41.
+---```lua
+---local joint, limit = hinge.backbone.ufc { kind = "improved WUF", depth = 0.6 }
+---print(joint, limit) -- rad
+---```
+---@param options hinge.ufc_options
+---@return hinge.backbone joint
+---@return number limit rad
+function backbone.ufc(options) end
+
+---@class hinge.ufc_options
+---WUF: welded unreinforced flanges before 1994; "improved WUF": those since, with a bolted web
+---@field kind "RBS"|"WUF"|"improved WUF"|"SidePlate"|"shear tab"
+---@field depth number of the beam, m; of a shear tab that of its group of bolts
+---moment at which it yields, over Mp of the member; default 1. RBS (the plastic modulus that is left) and shear tab must
+---give it
+---@field strength? number
+---rotation at which the member yields, rad: Mp length / (6 E Ix); then the slope up to a is 3 % of the elastic one.
+---Default: no slope
+---@field yield_rotation? number
+---@field role? "primary"|"secondary" which rotation is allowed; default "primary"
+
 -- Sections -----------------------------------------------------------------------------------------------------------
 
 ---Cross-sections. The local z axis runs along the member. The local y axis is the direction of the member's `up`. The
@@ -502,6 +628,8 @@ function section.general(options) end
 ---@field Mz0? number N m
 ---@field width number m, along x; 0: the square root of the area; the same holds for depth
 ---@field depth number m, along y
+---@field web number m, thickness of the web of an H; 0: other sections; the same holds for flange
+---@field flange number m
 ---@field interaction? "paper"|"exact" nil: as the model's option says
 local any_section = {}
 

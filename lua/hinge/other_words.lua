@@ -12,6 +12,8 @@ local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natura
 local no_law = missing({ "hinge.material", "model:fracture" },
   "members yield at one strength, with hardening of their material, and break")
 local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
+local standard = there({ "hinge.backbone.asce41", "hinge.backbone.ufc", "hinge.backbone.nist", "hinge.backbone.lignos" },
+  "backbones of beams, columns and connections by published formulas, and the limits that go with them")
 local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
 local one_way = there({ "model:member" }, "the option carries = \"tension\" or \"compression\"")
 local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
@@ -39,6 +41,9 @@ return {
   pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
   mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
   hardening = hardens, ["kinematic hardening"] = hardens, ["strain rate"] = hardens,
+  rbs = standard, ["reduced beam section"] = standard, wuf = standard, ["moment connection"] = standard,
+  ["asce 41"] = standard, ["fema 356"] = standard, ["aisc 342"] = standard, ["ufc 4 023 03"] = standard, gsa = standard,
+  nist = standard, ["lignos krawinkler"] = standard, ["acceptance criteria"] = standard, ["shear tab"] = standard,
   softening = falls, degradation = falls, ["hinge property"] = falls, ["moment rotation"] = falls,
   fibre = no_law, fiber = no_law,
   temperature = temperature, fire = temperature, creep = temperature,
