@@ -93,8 +93,8 @@ local function from_chord(where, chord, ultimate, K, Mp, wear)
   for i, p in ipairs(cut) do
     points[i] = { i == 1 and 0 or p[1] - p[2] / K, math.max(p[2] / Mp, least) }
     if i > 1 and points[i][1] <= points[i - 1][1] then
-      check.fail("%s: the rotation of the chord from yield to the cap is %s rad, of which %s rad are elastic; no plastic "
-        .. "rotation is left", where, check.show(p[1] - cut[1][1]), check.show((p[2] - cut[1][2]) / K))
+      check.fail("%s: the rotation of the chord from yield to the cap is %s rad, of which %s rad are elastic; no "
+        .. "plastic rotation is left", where, check.show(p[1] - cut[1][1]), check.show((p[2] - cut[1][2]) / K))
     end
   end
   local last = points[#points]
@@ -146,9 +146,9 @@ local function within_tests(where, o, m, x, fy)
     local name, from, to, unit = table.unpack(range)
     unit = unit and " " .. unit or ""
     if not (at[name] >= from and at[name] <= to) and not o.beyond_tests then
-      check.fail("%s: %s of '%s' is %s%s; the tests behind the formulas have %s to %s%s. beyond_tests = true takes them "
-        .. "nevertheless", where, words[name], m.kind, check.show(at[name]), unit, check.show(from), check.show(to),
-        unit)
+      check.fail("%s: %s of '%s' is %s%s; the tests behind the formulas have %s to %s%s. beyond_tests = true takes "
+        .. "them nevertheless", where, words[name], m.kind, check.show(at[name]), unit, check.show(from),
+        check.show(to), unit)
     end
   end
 end
@@ -169,7 +169,8 @@ function backbone.lignos(options, ...)
   within_tests(where, o, m, x, fy)
   local row, Mp = lignos_row(m, o.reduced), fy * m.Zx
   local My = row.yield * left_by_cut(where, o, m, o.reduced) * Mp
-  return trilinear(where, row, x, My, 3 * o.material.E * m.Ix / o.shear_span, Mp, o.wear and value(row.wear, x) or nil)
+  local K = 3 * o.material.E * m.Ix / o.shear_span
+  return trilinear(where, row, x, My, K, Mp, o.wear and value(row.wear, x) or nil)
 end
 
 -- NIST ----------------------------------------------------------------------------------------------------------------
@@ -278,8 +279,8 @@ local function asce_column(where, o, m, fy)
   for _, name in ipairs { "a", "b" } do
     row[name] = blend(of_column(rows.compact[name], x), of_column(rows.slender[name], x), flange, web)
     if not (row[name] > 0) then
-      check.fail("%s: the formula gives %s = %s rad for '%s' at axial_ratio = %s; such a column has no plastic rotation: "
-        .. "the standard has it controlled by force", where, name, check.show(row[name]), m.kind, check.show(g))
+      check.fail("%s: the formula gives %s = %s rad for '%s' at axial_ratio = %s; such a column has no plastic "
+        .. "rotation: it is controlled by force", where, name, check.show(row[name]), m.kind, check.show(g))
     end
   end
   local c = blend(rows.compact.c[1] + rows.compact.c[2] * g, rows.slender.c[1] + rows.slender.c[2] * g, flange, web)
@@ -360,8 +361,8 @@ function backbone.ufc(options, ...)
   local strength = o.strength
   if not strength then
     if o.kind == "RBS" or o.kind == "shear tab" then
-      check.fail("%s: field 'strength' is missing; kind = '%s' needs the moment at which it yields, over Mp of the member",
-        where, o.kind)
+      check.fail("%s: field 'strength' is missing; kind = '%s' needs the moment at which it yields, over Mp of the "
+        .. "member", where, o.kind)
     end
     strength = 1
   end

@@ -2,9 +2,9 @@
 --
 -- None of the standards and papers was at hand. Each table names the public programs whose numbers agree with it.
 --
--- A power law is factor * (h / tw)^web * (bf / 2 tf)^flange * (Lb / ry)^unbraced * (L / d)^span * (d / depth_unit)^depth
--- * (Fy / 355 MPa)^stress * (1 - g)^axial, at most `most`. h: clear depth of the web; tw, bf, tf, d: of the section; Lb:
--- unbraced length; L: shear span; g: axial force over area times yield stress.
+-- A power law is factor * (h / tw)^web * (bf / 2 tf)^flange * (Lb / ry)^unbraced * (L / d)^span
+-- * (d / depth_unit)^depth * (Fy / stress_unit)^stress * (1 - g)^axial, at most `most`. h: clear depth of the web; tw,
+-- bf, tf, d: of the section; Lb: unbraced length; L: shear span; g: axial force over area times yield stress.
 local backbones = {}
 
 backbones.depth_unit = 0.533 -- m; 21 in, in which NIST counts, is 0.5334 m
@@ -43,8 +43,8 @@ backbones.lignos = {
 }
 
 -- NIST GCR 17-917-46, 2017. Program: the generator of OpenSees models by F. Galvis (steelBeamHinge.m,
--- steelColumnHinge.m); columns also FM-2D, after Lignos et al., J. Struct. Eng. 145(9), 2019. yield and cap of beams are
--- those of the program, which puts the overstrength at yield into the cap. The wear of beams is that of Lignos and
+-- steelColumnHinge.m); columns also FM-2D, after Lignos et al., J. Struct. Eng. 145(9), 2019. yield and cap of beams
+-- are those of the program, which puts the overstrength at yield into the cap. The wear of beams is that of Lignos and
 -- Krawinkler.
 backbones.nist = {
   monotonic = {
@@ -122,9 +122,9 @@ backbones.joints = {
 }
 
 -- Beams: AISC 342-22, table C2.2, to which ASCE 41-23 refers; its first row is that of ASCE 41-06 and FEMA 356. The
--- tests of the public program steltic have the printed numbers. a and b in yield rotations; the limits in parts of a or
--- b. The second row is for a slender flange or web; between them straight, the lower value of both; flange and web: limits times
--- sqrt(E / Fy), AISC 341-22, table D1.1b.
+-- tests of the public program steltic have the printed numbers. All but c in yield rotations. The second row is for a
+-- slender flange or web; between the rows straight by the slenderness of each, the lower value of both. flange, web:
+-- limits times sqrt(E / Fy), AISC 341-22, table D1.1b; steltic has 2.5 and 5.4 for the webs of moment frames.
 backbones.beam = {
   flange = { 0.30, 0.38 }, web = { 2.45, 3.76 },
   compact = { a = 9, b = 11, c = 0.6, IO = 2.25, LS = 9, CP = 11 },

@@ -306,12 +306,13 @@ function backbone.lignos(options) end
 ---@field section hinge.section
 ---@field material hinge.material
 ---@field shear_span number from the hinge to the point of no moment, m: half the clear span in double curvature
----@field unbraced_length number between braces against lateral buckling, m
+---@field unbraced_length number between lateral braces, m
 ---@field reduced? boolean true: reduced beam section (RBS); default false
 ---of an RBS, which must give it: depth of the cut at either side of the flanges, m, at most a quarter of the width. The
 ---strengths are less by the plastic modulus that is cut. 0: the member's section is the reduced one
 ---@field cut? number
----false: without the wear of cycles, which a load that goes one way needs as little as tests that do; default true
+---false: without the wear of cycles, for loads that go one way: wear takes strength from the first push on; default
+---true
 ---@field wear? boolean
 ---@field beyond_tests? boolean true: outside of the tests too; default false
 
@@ -347,8 +348,8 @@ function backbone.nist(options) end
 ---Members and connections by ASCE 41: strength falls at the plastic rotation a to the residual one, and all of it is
 ---lost at b. "beam": AISC 342-22, table C2.2, to which ASCE 41-23 refers. "column": table C3.6, or table 9-7.1 of ASCE
 ---41-17. Connections: ASCE 41-17. Up to a the slope is 3 % of the elastic one of a member in double curvature; of a
----column with more than 0.2 of its axial strength 1 %. At a the strength falls straight over a tenth of b - a, and 0.001
----rad at least; at b over 0.001 rad.
+---column with more than 0.2 of its axial strength 1 %. At a the strength falls straight over a tenth of b - a, at least
+---0.001 rad; at b over 0.001 rad.
 ---
 ---The second result are the limits that go with it, for run:hinges. Those of the connections and of the columns of 2017
 ---were not confirmed, and are nil.
@@ -376,13 +377,13 @@ function backbone.asce41(options) end
 ---of a connection: false where continuity plates are needed and missing, 0.8 of a and b; default true. None are needed
 ---with a column flange of 1 / 5.2 of the beam's width and more
 ---@field continuity_plates? boolean
----of a connection: shear of the panel zone at yield of the beams over its strength; outside of 0.6 to 0.9 it is 0.8 of a
----and b; default: within
+---of a connection: shear of the panel zone at yield of the beams over its strength; 0.8 of a and b outside of 0.6 to
+---0.9; default: within
 ---@field panel_zone? number
 
----Connections by UFC 4-023-03, table 5-2, for the removal of a column: a and b by the depth of the beam; GSA's guidelines
----of 2016 have the same. The second result is the rotation allowed, for run:hinges: a for primary members, b for
----secondary ones. The falls at a and b are those of hinge.backbone.asce41.
+---Connections by UFC 4-023-03, table 5-2, for the removal of a column: a and b by the depth of the beam; GSA's
+---guidelines of 2016 have the same. The second result is the rotation allowed, for run:hinges: a for primary members,
+---b for secondary ones. The falls at a and b are those of hinge.backbone.asce41.
 ---```lua
 ---local joint, limit = hinge.backbone.ufc { kind = "improved WUF", depth = 0.6 }
 ---print(joint, limit) -- rad
@@ -396,8 +397,8 @@ function backbone.ufc(options) end
 ---WUF: welded unreinforced flanges before 1994; "improved WUF": those since, with a bolted web
 ---@field kind "RBS"|"WUF"|"improved WUF"|"SidePlate"|"shear tab"
 ---@field depth number of the beam, m; of a shear tab that of its group of bolts
----moment at which it yields, over Mp of the member; default 1. RBS (the plastic modulus that is left) and shear tab must
----give it
+---moment at which it yields, over Mp of the member; default 1. RBS (the plastic modulus that is left) and shear tab
+---must give it
 ---@field strength? number
 ---rotation at which the member yields, rad: Mp length / (6 E Ix); then the slope up to a is 3 % of the elastic one.
 ---Default: no slope

@@ -12,7 +12,8 @@ local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natura
 local no_law = missing({ "hinge.material", "model:fracture" },
   "members yield at one strength, with hardening of their material, and break")
 local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
-local standard = there({ "hinge.backbone.asce41", "hinge.backbone.ufc", "hinge.backbone.nist", "hinge.backbone.lignos" },
+local standard = there(
+  { "hinge.backbone.asce41", "hinge.backbone.ufc", "hinge.backbone.nist", "hinge.backbone.lignos" },
   "backbones of beams, columns and connections by published formulas, and the limits that go with them")
 local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
 local one_way = there({ "model:member" }, "the option carries = \"tension\" or \"compression\"")

@@ -129,7 +129,8 @@ end
 function reference.signature(f)
   local arguments = {}
   for _, p in ipairs(f.params) do arguments[#arguments + 1] = p.name .. (p.optional and "?" or "") end
-  local sections = (f.object == "hinge.sections" or f.object == "hinge.materials" or f.object == "hinge.backbones") and "hinge." or ""
+  local sections = (f.object == "hinge.sections" or f.object == "hinge.materials" or f.object == "hinge.backbones")
+    and "hinge." or ""
   return ("%s%s%s%s(%s)"):format(sections, f.variable, f.separator, f.name, table.concat(arguments, ", "))
 end
 

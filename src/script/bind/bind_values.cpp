@@ -245,9 +245,10 @@ void open_values(lua_State* L, int module) {
     make_metatable(L, SectionBox::lua_name, of_section, guarded<section_fields>, collect<SectionBox>,
                    guarded<section_text>, same<SectionBox>);
     name_fields(L, MaterialBox::lua_name, {"E", "G", "density", "yield_stress", "laws"});
-    name_fields(L, SectionBox::lua_name,
-                {"kind", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "plastic_area", "Zx", "Zy", "Zz",
-                 "N0", "Mx0", "My0", "Mz0", "width", "depth", "web", "flange", "interaction"});
+    name_fields(
+        L, SectionBox::lua_name,
+        {"kind", "area", "Ix",  "Iy",  "J",   "shear_area_x", "shear_area_y", "plastic_area", "Zx",     "Zy",
+         "Zz",   "N0",   "Mx0", "My0", "Mz0", "width",        "depth",        "web",          "flange", "interaction"});
     lua_pushcfunction(L, (guarded<takes<"hinge.material", 1, material>>));
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));
