@@ -236,8 +236,9 @@ end
 
 -- ASCE 41 -------------------------------------------------------------------------------------------------------------
 
--- 0 up to the first limit, 1 from the second on.
+-- 0 up to the first limit, 1 from the second on. Those of a column's web meet where g is about 0.9.
 local function between(slenderness, limits, root)
+  if limits[2] <= limits[1] then return slenderness / root <= limits[2] and 0 or 1 end
   return math.min(math.max((slenderness / root - limits[1]) / (limits[2] - limits[1]), 0), 1)
 end
 
@@ -265,7 +266,7 @@ local function web_limits(rows, g)
   local limits = {}
   for i, pair in ipairs(rows) do
     local low, high = pair[1], pair[2]
-    limits[i] = g <= rows.changes_at and low[1] * (1 - low[2] * g) or math.max(high[1] * (high[2] - g), rows.least)
+    limits[i] = g <= rows.changes_at and low[1] * (1 - low[2] * g) or high[1] * (high[2] - g)
   end
   return limits
 end

@@ -149,8 +149,8 @@ backbones.column = {
     },
     slender = slender,
     -- limits of the web's slenderness over sqrt(E / Fy): { factor, slope } is factor (1 - slope g) up to `changes_at`,
-    -- then { factor, from } is factor (from - g), at least `least`
-    web = { changes_at = 0.2, { { 2.45, 0.71 }, { 0.77, 2.93 } }, { { 3.76, 1.83 }, { 1.12, 2.33 } }, least = 1.49 },
+    -- then { factor, from } is factor (from - g)
+    web = { changes_at = 0.2, { { 2.45, 0.71 }, { 0.77, 2.93 } }, { { 3.76, 1.83 }, { 1.12, 2.33 } } },
   },
   ["2023"] = {
     compact = {
@@ -159,7 +159,7 @@ backbones.column = {
       c = { 0.4, -0.4 },
     },
     slender = slender, limits = { IO = { "a", 0.5 }, LS = { "b", 0.75 }, CP = { "b", 1 } },
-    web = { changes_at = 0.114, { { 2.57, 1.04 }, { 0.88, 2.68 } }, { { 3.96, 3.04 }, { 1.29, 2.12 } }, least = 1.57 },
+    web = { changes_at = 0.114, { { 2.57, 1.04 }, { 0.88, 2.68 } }, { { 3.96, 3.04 }, { 1.29, 2.12 } } },
   },
   flange = { 0.30, 0.38 },
 }

@@ -35,6 +35,12 @@ local K = 3 * E * beam.Ix / span
 local function expected(t, Mp, k)
   local My, Mc, Mr = t.yield * Mp, t.yield * t.cap * Mp, t.yield * t.residual * Mp
   local at_cap = t.theta_p - (Mc - My) / k
+  local left = t.theta_u - My / k - t.theta_p -- of the chord beyond the cap
+  if left < t.theta_pc * (1 - Mr / Mc) then -- lost before the residual strength is reached
+    local M = Mc * (1 - left / t.theta_pc)
+    return { { 0, t.yield }, { at_cap, t.yield * t.cap }, { t.theta_u - M / k, M / Mp },
+      { t.theta_u - M / k + 0.001, 0.01 } }
+  end
   return { { 0, t.yield }, { at_cap, t.yield * t.cap },
     { at_cap + (t.theta_pc + Mc / k) * (1 - Mr / Mc), t.yield * t.residual },
     { t.theta_u - Mr / k, t.yield * t.residual }, { t.theta_u - Mr / k + 0.001, 0.01 } }
@@ -134,16 +140,11 @@ case("NIST GCR 17-917-46: columns", function()
   local k = 3 * E * column.Ix / height / moment
   local cap = 9.5 * h ^ -0.4 * Lb ^ -0.16 * (1 - g) ^ 0.2
   expect(cap > 1.3, "the cap is at its bound: %g", cap)
-  local points = expected({ yield = 1.15, cap = 1.3, residual = 0.4 - 0.4 * g, theta_u = 0.08 * (1 - 0.6 * g),
+  local made = nist(false, g)
+  equal(#made.points, 4, "0.0608 rad come before the residual strength")
+  same_points(made, expected({ yield = 1.15, cap = 1.3, residual = 0.4 - 0.4 * g, theta_u = 0.08 * (1 - 0.6 * g),
     theta_p = 15 * h ^ -1.6 * Lb ^ -0.3 * (1 - g) ^ 2.3, theta_pc = 14 * h ^ -0.8 * Lb ^ -0.5 * (1 - g) ^ 3.2 },
-    W14.Mp, k)
-  -- 0.0608 rad come before the residual strength: there the fall, by the chord, is cut
-  local Mc, theta_c = 1.15 * 1.3 * W14.Mp, 1.15 * W14.Mp / k + 15 * h ^ -1.6 * Lb ^ -0.3 * (1 - g) ^ 2.3
-  local fall = 14 * h ^ -0.8 * Lb ^ -0.5 * (1 - g) ^ 3.2
-  local theta_u = 0.08 * (1 - 0.6 * g)
-  local M = Mc * (1 - (theta_u - theta_c) / fall)
-  same_points(nist(false, g), { points[1], points[2], { theta_u - M / k, M / W14.Mp },
-    { theta_u - M / k + 0.001, 0.01 } }, "first cycles, g = 0.4")
+    W14.Mp, k), "first cycles, g = 0.4")
   near(nist(true, 0.4).wear, 3, 1e-12, "at its bound")
   near(nist(true, 0.6).wear, 268000 * h ^ -2.30 * Lb ^ -1.30 * 0.4 ^ 1.19, 1e-6, "wear, g = 0.6")
   local thin = hinge.section.named "W24X55"
@@ -153,7 +154,7 @@ case("NIST GCR 17-917-46: columns", function()
   local thin_Lb = 4 / math.sqrt(thin.Iy / thin.area)
   near(w / (25000 * thin_h ^ -2.14 * thin_Lb ^ -0.53 * 0.8 ^ 4.92), 1, 1e-7, "wear, g = 0.2")
   -- monotonic, slender enough that the cap comes first: theta_p and the bounds
-  local made = hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
+  made = hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
     unbraced_length = 4, axial_ratio = 0.2 }
   local Mp, left_moment = 345e6 * thin.Zx, 1 - 0.2 / 2
   local stiff = 3 * E * thin.Ix / 2 / left_moment
@@ -161,6 +162,76 @@ case("NIST GCR 17-917-46: columns", function()
   same_points(made, expected({ yield = 1.15, cap = support.smallest_of(support.largest_of(most, 1), 1.3),
     residual = 0.5 - 0.4 * 0.2, theta_u = 0.15, theta_p = 294 * thin_h ^ -1.7 * thin_Lb ^ -0.7 * 0.8 ^ 1.6,
     theta_pc = 90 * thin_h ^ -0.8 * thin_Lb ^ -0.8 * 0.8 ^ 2.5 }, Mp, stiff), "W24X55, monotonic")
+end)
+
+-- A row whose chord is cut at theta_u on its way up to the cap.
+local function cut_before_cap(t, Mp, k)
+  local My, Mc = t.yield * Mp, t.yield * t.cap * Mp
+  local M = My + (Mc - My) * (t.theta_u - My / k) / t.theta_p
+  return { { 0, t.yield }, { t.theta_u - M / k, M / Mp }, { t.theta_u - M / k + 0.001, 0.01 } }
+end
+
+case("NIST GCR 17-917-46: bounds, and where laws change", function()
+  local function nist(section, kind, monotonic, more)
+    local o = { kind = kind, section = section, material = steel, monotonic = monotonic, shear_span = 2,
+      unbraced_length = 4 }
+    for name, x in pairs(more or {}) do o[name] = x end
+    return hinge.backbone.nist(o)
+  end
+  local function stiff(section, L, g)
+    return 3 * E * section.Ix / L / (g <= 0.2 and 1 - g / 2 or 9 / 8 * (1 - g)) * (g > 0.5 and 4 * g * (1 - g) or 1)
+  end
+  local h, Lb = W14.h, 4 / inch / W14.r
+  same_points(nist(column, "column", true, { axial_ratio = 0.6 }), expected({ yield = 1.15, theta_u = 0.15,
+    cap = 12.5 * h ^ -0.2 * Lb ^ -0.4 * 0.4 ^ 0.4, residual = 0.5 - 0.4 * 0.6,
+    theta_p = 294 * h ^ -1.7 * Lb ^ -0.7 * 0.4 ^ 1.6, theta_pc = 90 * h ^ -0.8 * Lb ^ -0.8 * 0.4 ^ 2.5 }, W14.Mp,
+    stiff(column, 2, 0.6)), "column, g = 0.6")
+  same_points(nist(column, "column", true), cut_before_cap({ yield = 1.15, cap = 1.3, theta_p = 0.2, theta_u = 0.15 },
+    W14.Mp, stiff(column, 2, 0)), "column, g = 0: cap and theta_p at their bounds")
+  local thin = hinge.section.named "W24X55"
+  local thin_h, thin_Lb = (23.6 - 2 * 1.01) / 0.395, 0.35 / math.sqrt(thin.Iy / thin.area)
+  local cap = 12.5 * thin_h ^ -0.2 * thin_Lb ^ -0.4
+  expect(cap > 1.3 and 90 * thin_h ^ -0.8 * thin_Lb ^ -0.8 > 0.3, "theta_pc at its bound")
+  same_points(nist(thin, "column", true, { unbraced_length = 0.35 }), expected({ yield = 1.15, cap = 1.3,
+    theta_u = 0.15, residual = 0.5, theta_p = 294 * thin_h ^ -1.7 * thin_Lb ^ -0.7, theta_pc = 0.3 }, 345e6 * thin.Zx,
+    stiff(thin, 2, 0)), "W24X55: theta_pc at its bound")
+  near(nist(column, "column", true, { axial_ratio = 0.2 }).wear, 3, 1e-12, "wear at its bound, g = 0.2")
+  thin_Lb = thin_Lb * 4 / 0.35
+  near(nist(thin, "column", true, { axial_ratio = 0.35 }).wear / (25000 * thin_h ^ -2.14 * thin_Lb ^ -0.53
+    * 0.65 ^ 4.92), 1, 1e-7, "wear, g = 0.35")
+  near(nist(thin, "column", true, { axial_ratio = 0.352 }).wear / (268000 * thin_h ^ -2.30 * thin_Lb ^ -1.30
+    * 0.648 ^ 1.19), 1, 1e-7, "wear, g = 0.352")
+  -- first cycles
+  local w14x90 = hinge.section.named "W14X90"
+  h, Lb = (14 - 2 * 1.31) / 0.44, 4 / math.sqrt(w14x90.Iy / w14x90.area)
+  for g, bounded in pairs { [0.4] = false, [0] = true } do
+    cap = 9.5 * h ^ -0.4 * Lb ^ -0.16 * (1 - g) ^ 0.2
+    local fall = 14 * h ^ -0.8 * Lb ^ -0.5 * (1 - g) ^ 3.2
+    equal(cap > 1.3 and fall > 0.1, bounded, "W14X90 is at the bounds")
+    same_points(nist(w14x90, "column", false, { axial_ratio = g }), expected({ yield = 1.15,
+      cap = bounded and 1.3 or cap, residual = 0.4 - 0.4 * g, theta_u = 0.08 * (1 - 0.6 * g),
+      theta_p = 15 * h ^ -1.6 * Lb ^ -0.3 * (1 - g) ^ 2.3, theta_pc = bounded and 0.1 or fall }, 345e6 * w14x90.Zx,
+      stiff(w14x90, 2, g)), "W14X90, g = " .. g)
+  end
+  near(nist(thin, "column", false, { axial_ratio = 0.2 }).points[2][2], 1.15, 1e-12, "the cap is at least My")
+  same_points(nist(column, "column", false, { unbraced_length = 1 }), cut_before_cap({ yield = 1.15, cap = 1.3,
+    theta_p = 0.1, theta_u = 0.08 }, W14.Mp, stiff(column, 2, 0)), "theta_p of a column at its bound")
+  same_points(nist(column, "beam", false, { shear_span = 5, unbraced_length = 0.6 }), cut_before_cap({ yield = 1,
+    cap = 1.2, theta_p = 0.07, theta_u = 0.08 }, W14.Mp, stiff(column, 5, 0)), "theta_p of a beam at its bound")
+  local part = left(W14, 2)
+  same_points(nist(column, "RBS", false, { shear_span = 5, unbraced_length = 0.6, cut = 2 * inch }),
+    cut_before_cap({ yield = part, cap = 1.15, theta_p = 0.07, theta_u = 0.08 }, W14.Mp, stiff(column, 5, 0)),
+    "theta_p of an RBS at its bound")
+  -- pre-Northridge from 24 in on
+  local deep = hinge.section.named "W24X84"
+  local d = deep.depth / inch
+  expect(d > 24 and d < 24.2, "W24X84 is %g in deep", d)
+  same_points(nist(deep, "pre-Northridge", false, { shear_span = 3 }), expected({ yield = 1, cap = 1.1, residual = 0.2,
+    theta_u = 0.035, theta_p = 0.008, theta_pc = 0.035 - 0.0006 * d }, 345e6 * deep.Zx, stiff(deep, 3, 0)),
+    "pre-Northridge, 24 in")
+  local deeper = hinge.section.named "W36X150"
+  near(nist(deeper, "pre-Northridge", false, { shear_span = 3 }).points[2][1], 0.008 - 0.1 * 345e6 * deeper.Zx
+    / stiff(deeper, 3, 0), 1e-12, "theta_p does not go with the depth")
 end)
 
 -- a, b, c as points: strength at a, and from a down over a tenth of b - a, 0.001 rad at least.
@@ -244,6 +315,36 @@ case("ASCE 41: columns", function()
     near(made.points[4][1], 2.5 * 0.9 ^ 1.8 / (0.1 * Lb + 0.2 * h + 2.7 * b) - 0.0097, 1e-9, edition .. ": b, slender")
     near(made.points[4][2], 0.45, 1e-9, edition .. ": c, slender")
   end
+  near(asce("2023", 0.2).points[4][1], 0.07, 1e-12, "b at its bound")
+  near(asce("2023", 0.201).points[2][2], 1 + 0.01 * asce("2023", 0.201).points[2][1] / theta(0.201, 9 / 8 * 0.799),
+    1e-9, "the slope is 1 % above 0.2")
+  -- between the rows: webs by the limits at each axial force, and flanges
+  local root = math.sqrt(E / 345e6)
+  for _, t in ipairs { { "2017", 0.1, 2.45 * (1 - 0.071), 3.76 * (1 - 0.183) },
+    { "2017", 0.3, 0.77 * 2.63, 1.12 * 2.03 }, { "2017", 0.2, 2.45 * (1 - 0.142), 3.76 * (1 - 0.366) },
+    { "2017", 0.201, 0.77 * 2.729, 1.12 * 2.129 }, { "2023", 0.05, 2.57 * (1 - 0.052), 3.96 * (1 - 0.152) },
+    { "2023", 0.3, 0.88 * 2.38, 1.29 * 1.82 }, { "2023", 0.114, 2.57 * (1 - 1.04 * 0.114), 3.96 * (1 - 3.04 * 0.114) },
+    { "2023", 0.1142, 0.88 * (2.68 - 0.1142), 1.29 * (2.12 - 0.1142) } } do
+    local edition, g, low, high = table.unpack(t)
+    local slenderness = (0.45 * low + 0.55 * high) * root
+    local section = hinge.section.h { depth = 0.012 * slenderness + 0.06, width = 0.3, web = 0.012, flange = 0.03 }
+    local unbraced_ratio = 4 / math.sqrt(section.Iy / section.area)
+    -- the rows differ, and the second is the lower one, in the residual strength of 2017 and in a of 2023
+    local compact, slender, value = 0.9 * (1 - g), 0.5 * (1 - g), asce(edition, g, section).points[3][2]
+    if edition == "2023" then
+      compact = 5.5 * slenderness ^ -0.95 * unbraced_ratio ^ -0.5 * (1 - g) ^ 2.4
+      slender = 1.2 * (1 - g) ^ 1.2 / (1.4 * unbraced_ratio + 0.1 * slenderness + 0.9 * 5) - 0.0023
+      value = asce(edition, g, section).points[2][1]
+    end
+    expect(slender < 0.99 * compact, "%s, g = %g: the rows differ", edition, g)
+    near(value, compact + 0.55 * (slender - compact), 1e-9, ("%s, g = %g: web between the limits"):format(edition, g))
+  end
+  local flanges = hinge.section.h { depth = 0.4, width = 0.4, web = 0.02, flange = 0.2 / (0.345 * root) }
+  Lb, h = 4 / math.sqrt(flanges.Iy / flanges.area), (0.4 - 2 * flanges.flange) / 0.02
+  local compact = 0.8 * 0.9 ^ 2.2 / (0.1 * Lb + 0.8 * h) - 0.0035
+  local slender = 1.2 * 0.9 ^ 1.2 / (1.4 * Lb + 0.1 * h + 0.9 * 0.345 * root) - 0.0023
+  near(asce("2017", 0.1, flanges).points[2][1], compact + 0.045 / 0.08 * (slender - compact), 1e-9,
+    "flange between the limits")
   -- the limits of the web meet where they change
   near(2.45 * (1 - 0.71 * 0.2), 0.77 * (2.93 - 0.2), 1e-3, "2017, compact")
   near(3.76 * (1 - 1.83 * 0.2), 1.12 * (2.33 - 0.2), 2e-3, "2017, slender")
@@ -268,6 +369,21 @@ case("ASCE 41: connections", function()
   theta = theta * 4 / 7.2
   same_points(asce("RBS", { cut = 2 * inch, continuity_plates = false, panel_zone = 1, length = 4 }),
     abc(factor * a, factor * (0.07 - 0.0003 * d), 0.2, at_a(factor * a, part), part), "RBS, reduced for three reasons")
+  -- the panel zone's band, and slender sections
+  theta = 345e6 * beam.Zx * 7.2 / (6 * E * beam.Ix)
+  for zone, times in pairs { [0.595] = 0.8, [0.603] = 1, [0.897] = 1, [0.905] = 0.8 } do
+    near(asce("free flange", { panel_zone = zone }).points[2][1], times * (0.067 - 0.0012 * d), 1e-9,
+      "panel zone " .. zone)
+  end
+  local root = math.sqrt(E / 345e6)
+  for t, section in pairs {
+    [1] = hinge.section.h { depth = 0.4, width = 0.4, web = 0.012, flange = 0.016 },
+    [0.045 / 0.08] = hinge.section.h { depth = 0.4, width = 0.4, web = 0.012, flange = 0.2 / (0.345 * root) },
+    [0.55 / 1.31] = hinge.section.h { depth = 0.012 * 3 * root + 0.06, width = 0.3, web = 0.012, flange = 0.03 } } do
+    local inches = section.depth / inch
+    near(asce("free flange", { section = section, length = 9 }).points[2][1], (1 - 0.5 * t) * (0.067 - 0.0012 * inches),
+      1e-9, ("slender by %g"):format(t))
+  end
   -- A beam 3.15 in deep in F. Galvis's model of a frame of four storeys at a scale, free flange, both factors of 0.8:
   -- his generator wrote 0.0405 and 0.0569 into it.
   local small = hinge.section.h { depth = 3.15 * inch, width = 0.05, web = 0.004, flange = 0.006 }
@@ -353,6 +469,29 @@ case("wrong input is refused at the script's line", function()
   end
   local function lignos(more)
     return with({ section = beam, material = steel, shear_span = span, unbraced_length = unbraced }, more)
+  end
+  -- both ends of each range, and what the message says of it
+  local function sized(size)
+    for name, x in pairs { depth = 0.6, width = 0.22, web = 0.014, flange = 0.02 } do size[name] = size[name] or x end
+    return hinge.section.h(size)
+  end
+  for text, pair in pairs {
+    ["depth / web of 'h' is %S+; the tests behind the formulas have 20 to 55%."] = {
+      { section = sized { web = 0.0305 } }, { section = sized { web = 0.0108 } } },
+    ["unbraced_length / radius.* have 20 to 80%."] = { { unbraced_length = 0.9 }, { unbraced_length = 4.2 } },
+    ["width / %(2 flange%).* have 4 to 8%."] = { { section = sized { flange = 0.028 } },
+      { section = sized { flange = 0.0136 } } },
+    ["shear_span / depth.* have 2.5 to 7%."] = { { shear_span = 1.45 }, { shear_span = 4.3 } },
+    ["the depth of 'h' is %S+ m;.* have 0.102 to 0.914 m%."] = {
+      { section = sized { depth = 0.1, width = 0.06, web = 0.004, flange = 0.006 }, shear_span = 0.4,
+        unbraced_length = 0.7 }, { section = sized { depth = 0.93, web = 0.018 }, shear_span = 5 } },
+    ["the yield stress of 'W24X76'.* have 240000000 to 450000000 Pa%."] = {
+      { material = hinge.material { E = E, yield_stress = 235e6 } },
+      { material = hinge.material { E = E, yield_stress = 455e6 } } } } do
+    for _, options in ipairs(pair) do
+      local ok, message = pcall(hinge.backbone.lignos, lignos(options))
+      expect(not ok and tostring(message):find(text), "refused with '%s': %s", text, message)
+    end
   end
   refused("width / (2 flange) of 'W14X90' is 10.2", "lignos", lignos { section = hinge.section.named "W14X90" })
   refused("4 to 8", "lignos", lignos { section = hinge.section.named "W14X90" })
