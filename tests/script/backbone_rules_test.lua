@@ -127,6 +127,8 @@ case("NIST GCR 17-917-46: beams, in inches", function()
     W24.Mp, K), "RBS, first cycles")
   same_points(nist("pre-Northridge", false), expected({ yield = 1, cap = 1.1, residual = 0.2, theta_u = 0.05,
     theta_p = 0.046 - 0.0013 * W24.d, theta_pc = -0.003 + 0.0007 * W24.d }, W24.Mp, K), "pre-Northridge")
+  equal(hinge.backbone.nist({ kind = "beam", section = beam, material = steel, shear_span = span, wear = false,
+    unbraced_length = unbraced }).wear, nil, "without wear")
   equal(nist("beam", false).wear, nil, "the envelope of the first cycles has the wear in it")
 end)
 
@@ -316,6 +318,8 @@ case("ASCE 41: columns", function()
     near(made.points[4][2], 0.45, 1e-9, edition .. ": c, slender")
   end
   near(asce("2023", 0.2).points[4][1], 0.07, 1e-12, "b at its bound")
+  made = asce("2023", 0.6)
+  near(made.points[2][2], 1 + 0.01 * made.points[2][1] / theta(0.6, 9 / 8 * 0.4), 1e-9, "slope at g = 0.6")
   near(asce("2023", 0.201).points[2][2], 1 + 0.01 * asce("2023", 0.201).points[2][1] / theta(0.201, 9 / 8 * 0.799),
     1e-9, "the slope is 1 % above 0.2")
   -- between the rows: webs by the limits at each axial force, and flanges
@@ -476,12 +480,12 @@ case("wrong input is refused at the script's line", function()
     return hinge.section.h(size)
   end
   for text, pair in pairs {
-    ["depth / web of 'h' is %S+; the tests behind the formulas have 20 to 55%."] = {
+    ["depth / web of 'h' is %S+; the tests behind the formulas have 20 to 55%. bey"] = {
       { section = sized { web = 0.0305 } }, { section = sized { web = 0.0108 } } },
-    ["unbraced_length / radius.* have 20 to 80%."] = { { unbraced_length = 0.9 }, { unbraced_length = 4.2 } },
-    ["width / %(2 flange%).* have 4 to 8%."] = { { section = sized { flange = 0.028 } },
+    ["unbraced_length / radius.* have 20 to 80%. bey"] = { { unbraced_length = 0.9 }, { unbraced_length = 4.2 } },
+    ["width / %(2 flange%).* have 4 to 8%. bey"] = { { section = sized { flange = 0.028 } },
       { section = sized { flange = 0.0136 } } },
-    ["shear_span / depth.* have 2.5 to 7%."] = { { shear_span = 1.45 }, { shear_span = 4.3 } },
+    ["shear_span / depth.* have 2.5 to 7%. bey"] = { { shear_span = 1.45 }, { shear_span = 4.3 } },
     ["the depth of 'h' is %S+ m;.* have 0.102 to 0.914 m%."] = {
       { section = sized { depth = 0.1, width = 0.06, web = 0.004, flange = 0.006 }, shear_span = 0.4,
         unbraced_length = 0.7 }, { section = sized { depth = 0.93, web = 0.018 }, shear_span = 5 } },
@@ -507,7 +511,8 @@ case("wrong input is refused at the script's line", function()
     section = hinge.section.box { width = 0.2, depth = 0.4, thickness = 0.01 } })
   refused("no yield_stress", "lignos", lignos { material = hinge.material { E = E } })
   refused("'cut' is missing", "lignos", lignos { reduced = true })
-  refused("'cut' is 0.2 m", "lignos", lignos { reduced = true, cut = 0.2 })
+  refused("'cut' is 0.058 m", "lignos", lignos { reduced = true, cut = 0.058 }) -- a quarter of the width is 0.0571 m
+  refused("'cut' is -0.01 m", "lignos", lignos { reduced = true, cut = -0.01 })
   refused("(RBS) alone", "lignos", lignos { cut = 0.02 })
   refused("'shear_span' is missing", "lignos", { section = beam, material = steel, unbraced_length = 2 })
   refused("unknown field 'span'", "lignos", lignos { span = 3 })
