@@ -578,7 +578,10 @@ double PotentialLaw::work_of(const FixedEnd& part, const ElementFlow& flow, cons
 }
 
 void PotentialLaw::commit(const ElementFlow& flow, int section, double dt, double* history) const {
-    if (!(flow.lambda[section] > 0)) return;
+    if (!(flow.lambda[section] > 0)) {  // the other end alone flows
+        if (flow_at_ >= 0) std::fill_n(history + flow_at_, 4, 0.0);
+        return;
+    }
     const Vec4 e = normalised_flow(flow, section);
     const double strain = mean_strain(flow, section);
     for (const auto& m : material_.laws) {
