@@ -8,7 +8,7 @@
 #include "algebra/direct_factors.h"
 
 // The dense triangles of SparseLU, without fused products: direct_factors.cpp has them.
-#define HINGE_TRIANGLES(keyword)                                                                                     \
+#define HINGE_TRIANGLES(keyword) /* NOLINT(bugprone-macro-parentheses): a keyword, or nothing */                     \
     keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \
                                                                      Eigen::Upper, false, Eigen::ColMajor>;          \
     keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \

@@ -89,7 +89,7 @@ Mat6 ElementMatrices::across_of(const Number* part, int end) const {
             for (int r = 0; r < 6; ++r) m(r, c) = part[12 * (6 * (1 - end) + c) + 6 * end + r];
         return m;
     }
-    const Mat6 m = Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(part + 2 * half).template cast<double>();
+    Mat6 m = Eigen::Map<const Eigen::Matrix<Number, 6, 6>>(part + 2 * half).template cast<double>();
     if (end == 0) return m;
     return m.transpose();
 }

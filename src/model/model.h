@@ -160,7 +160,7 @@ public:
 /// Declarations of all effects by name. A copy is independent.
 struct Declarations : std::map<std::string, std::shared_ptr<Declaration>> {
     Declarations() = default;
-    Declarations(const Declarations& other) : std::map<std::string, std::shared_ptr<Declaration>>() {
+    Declarations(const Declarations& other) : std::map<std::string, std::shared_ptr<Declaration>>() {  // NOLINT: deep
         for (const auto& [effect, what] : other) emplace(effect, what->copy());
     }
     Declarations(Declarations&&) = default;

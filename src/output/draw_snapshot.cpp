@@ -24,6 +24,7 @@ namespace {
 
 std::vector<Vec> corners(const std::array<double, 6>& box) {
     std::vector<Vec> points;
+    points.reserve(8);
     for (int i = 0; i < 8; ++i) points.push_back({box[i & 1], box[2 + (i >> 1 & 1)], box[4 + (i >> 2 & 1)]});
     for (const Vec& p : points)
         if (!finite(p))
@@ -35,6 +36,7 @@ std::vector<Vec> corners(const std::array<double, 6>& box) {
 double typical_radius(const std::vector<DrawnBar>& bars) {
     if (bars.empty()) return 0;
     std::vector<double> radii;
+    radii.reserve(bars.size());
     for (const DrawnBar& bar : bars) radii.push_back(bar.half_size());
     const auto half = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
     std::nth_element(radii.begin(), half, radii.end());
