@@ -133,7 +133,7 @@ TEST_CASE("one way: the tangent is that of differences, on either side of each k
         Driven bar{*law};
         Dice dice(9);
         double off = 0;
-        for (int i = 0; i < 2000; ++i) {
+        for (int i = 0; i < 8000; ++i) {
             Vec6 d;
             for (int c = 0; c < 6; ++c) d[c] = dice(-0.01, 0.01);
             const double h = 1e-7;
