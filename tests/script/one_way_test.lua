@@ -183,8 +183,8 @@ case("slack is no strain for fracture, and no hinge", function()
   end
 end)
 
--- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, which is too short
--- or too long in places: some of its members are slack at first.
+-- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, too short or too
+-- long in places: some of its members are slack at first.
 case("a cable under its own weight hangs as a catenary", function()
   local span, pieces = 8, 20
   local heavy, rope = hinge.material { E = E, density = 9e5 }, hinge.section.round { diameter = 0.012 }
@@ -196,8 +196,9 @@ case("a cable under its own weight hangs as a catenary", function()
       model:fix(node[i], i % pieces == 0 and "x,y,z,rx,rz" or "y,rx,rz")
     end
     for i = 1, pieces do
-      length = length + model:member { node[i - 1], node[i], section = rope, material = heavy, up = { 0, 1, 0 },
-        carries = "tension" }.length
+      local piece = model:member { node[i - 1], node[i], section = rope, material = heavy, up = { 0, 1, 0 },
+        carries = "tension" }
+      length = length + piece.length
     end
     model:gravity { 0, 0, -g }
     if how == "dynamics" then model:damping { alpha = 3 } end

@@ -147,7 +147,8 @@ case("Tab offers names, methods and files", function()
   end
   offers("x = hinge.sec", "hinge.section")
   offers("hinge.section.",
-    "hinge.section.angle hinge.section.box hinge.section.channel hinge.section.general hinge.section.h "
+    "hinge.section.angle hinge.section.box hinge.section.channel hinge.section.concrete hinge.section.general "
+    .. "hinge.section.h "
       .. "hinge.section.named hinge.section.names hinge.section.pipe hinge.section.round hinge.section.solid")
   offers("scene.model:st", "scene.model:static")
   offers("print(scene.n", "scene.name")
