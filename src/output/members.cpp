@@ -41,7 +41,8 @@ public:
     Colour operator()(Vec p, Colour full) const {
         const double white_share = haze * std::clamp((depth(p) - near_) / span_, 0.0, 1.0);
         Colour out;
-        for (int c = 0; c < 3; ++c) out[c] = static_cast<std::uint8_t>(full[c] + white_share * (255 - full[c]) + 0.5);
+        for (int c = 0; c < 3; ++c)
+            out[c] = static_cast<std::uint8_t>(std::lround(full[c] + white_share * (255 - full[c])));
         return out;
     }
 

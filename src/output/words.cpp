@@ -27,7 +27,8 @@ int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, d
         const Vec p = camera.project(w->at);
         if (!(p[2] > 0) || p[0] < 0 || p[1] < 0 || p[0] > camera.width || p[1] > camera.height) continue;
         const TextStyle style{.size = w->size * em, .colour = w->colour, .bold = w->bold};
-        const auto [wide, high] = pen.size_of(w->text, style);
+        const auto size_of_text = pen.size_of(w->text, style);
+        const double wide = size_of_text[0], high = size_of_text[1];
         double dx = dot(w->away, camera.right), dy = dot(w->away, camera.up);
         if (const double size = std::hypot(dx, dy); size > 0) dx /= size, dy /= size;
         const double gap = 0.35 * em;

@@ -198,6 +198,7 @@ private:
                 }
         }
         std::vector<std::uint32_t> scale;
+        scale.reserve(largest.size());
         for (double v : largest) scale.push_back(bits(v * force_unit));
         put("f_y", f_y, bars);
         put("state", state, bars);
@@ -251,6 +252,7 @@ private:
             part.push_back(std::uint16_t(std::int16_t(most > 0 ? std::lround(values[i] / most / force_unit) : 0)));
         }
         std::vector<std::uint32_t> scale;
+        scale.reserve(largest.size());
         for (double v : largest) scale.push_back(bits(v * force_unit));
         put("sags", part, 4 * bars);
         put("sag_scale", scale);
