@@ -12,6 +12,7 @@ constexpr double still_enough = 1e-9;  ///< where rounding leaves no more
 constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
 constexpr double falls = 0.95;         ///< then what is missed must fall to this part
 constexpr int most_steps = 100, most_sweeps = 200, most_rounds = 200;
+constexpr double leaves = 0.05;  ///< of its flow at first: an end whose flow shrinks to that may not flow
 constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, before each is looked for in turn
 constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
 constexpr double at_the_start = 1e-9;  ///< lambda over that of the flow found: a flow that begins (flowing_on)
@@ -338,12 +339,16 @@ public:
         size_ = 1 + ends[0].carries(trial).norm() + ends[1].carries(trial).norm();
     }
 
+    /// An end whose flow shrinks so far that it may not flow at all, where descend ended for that; else -1.
+    int leaving() const { return leaving_; }
     double size() const { return size_; }
     double missed() const { return missed_; }
     /// From the flow of both ends, neither of them 0, to where G falls no more, or for so many steps. True: it is
     /// found.
     bool descend(int steps = most_steps, int most_tries = 12) {
         look();
+        leaving_ = -1;
+        const double first[2] = {ends_[0].e.norm(), ends_[1].e.norm()};
         double damping = least_damping;
         for (int step = 0; step < steps && !found(); ++step) {
             const Vec4 before[2] = {ends_[0].e, ends_[1].e};
@@ -365,8 +370,10 @@ public:
                     look();
                     fell = G_ < G || (missed < g_rounds * size_ && missed_ < falls * missed);
                 }
-                damping = fell ? std::max(least_damping, 0.01 * damping) : 30 * damping;
+                damping = fell ? std::max(least_damping, 0.01 * damping) : std::max(1e-2, 8 * damping);
             }
+            for (int i : {0, 1})
+                if (fell && ends_[i].e.norm() < leaves * first[i]) return leaving_ = i, found();
             if (fell) continue;
             for (int i : {0, 1}) ends_[i].e = before[i];
             look();
@@ -399,6 +406,7 @@ private:
     Vec8 off_;
     Mat4 bend_[2];
     double size_, G_ = 0, missed_ = 0;
+    int leaving_ = -1;
 };
 
 /// Both ends, from what one of them does by itself and a guess of the other: together, else each in turn as well.
@@ -407,6 +415,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     const Vec4 start[2] = {ends[0].e, ends[1].e};
     if (ends[0].flows() && ends[1].flows()) {
         if (both.descend(quick_steps, quick_tries)) return true;
+        if (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving())) return true;
         for (int i : {0, 1}) ends[i].e = start[i];
     }
     for (int sweep = 0; sweep < most_sweeps; ++sweep) {
@@ -415,7 +424,13 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
             if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
         }
         if (ends[0].flows() && ends[1].flows()) {
-            if (both.descend() || (sweep > 20 && both.missed() <= still_enough * both.size())) return true;
+            if (both.descend()) return true;
+            if (both.leaving() >= 0) {
+                const Vec4 guess[2] = {ends[0].e, ends[1].e};
+                if (alone(trial, k, ends, 1 - both.leaving())) return true;
+                for (int i : {0, 1}) ends[i].e = guess[i];
+            }
+            if (sweep > 20 && both.missed() <= still_enough * both.size()) return true;
             continue;
         }
         if (!ends[0].flows() && !ends[1].flows()) return true;
@@ -429,6 +444,14 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
             return true;
     }
     return false;
+}
+
+/// Whether end i flows alone: then with its flow.
+bool PotentialLaw::alone(const Vec6& trial, const Stiffness& k, End (&ends)[2], int i) const {
+    Vec4 direction;
+    ends[1 - i].e.setZero();
+    return one_end(ends[i], ends[i].carries(trial), ends[i].e) &&
+           !beyond(ends[1 - i], ends[1 - i].carries(trial - k.times(ends[i].plastic())), direction);
 }
 
 /// Whether an end that carries q flows, from what it did before: then with a guess of its flow.

@@ -90,6 +90,7 @@ private:
     Search descend(const End& end, const Vec4& trial, Vec4& e) const;
     bool one_end(const End& end, const Vec4& trial, Vec4& e) const;
     class Together;
+    bool alone(const Vec6& trial, const Stiffness& k, End (&ends)[2], int i) const;
     bool on_ray(End& end, const Vec4& q) const;
     bool starts(End& end, const Vec4& q) const;
     bool both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const;
