@@ -16,9 +16,12 @@ constexpr double ends[2] = {-1, 1};
 /// The multiplier at one end, where the others do not flow: the root of a convex, falling function of lambda. Newton's
 /// method comes to it from the left, from any start.
 ///   c  what lambda takes off each resultant, relative to it;  g  the parts of f_y at lambda = 0
-double multiplier(const double (&c)[4], const double (&g)[4], double lambda) {
-    for (int i = 0; i < 60; ++i) {
-        double f = -1, slope = 0;
+/// False: it is not found, and lambda is where the search ended.
+bool multiplier(const double (&c)[4], const double (&g)[4], double& lambda) {
+    double f = 0;
+    for (int i = 0; i < 400; ++i) {  // far beyond the surface, lambda grows by half in each
+        double slope = 0;
+        f = -1;
         for (int j = 0; j < 4; ++j) {
             const double a = 1 / (1 + lambda * c[j]), b = g[j] * a * a;
             f += b;
@@ -27,7 +30,7 @@ double multiplier(const double (&c)[4], const double (&g)[4], double lambda) {
         if (std::abs(f) <= 1e-13 || slope == 0) break;
         lambda = std::max(0.0, lambda - f / slope);
     }
-    return lambda;
+    return std::abs(f) <= 1e-9;
 }
 
 /// f_y at end j of the forces p.
@@ -51,7 +54,8 @@ ElementFlow return_ends(const Vec6& trial, const Stiffness& k, const YieldSurfac
     double r[4] = {trial[j] + fixed.moment[j], trial[2 + j] + fixed.moment[2 + j], trial[4] + fixed.N[j],
                    trial[5] + fixed.Mz[j]};
     const double g[4] = {w.x * r[0] * r[0], w.y * r[1] * r[1], w.n * r[2] * r[2], w.z * r[3] * r[3]};
-    const double lambda = multiplier(c, g, before.lambda[1 - j] == 0 ? before.lambda[j] : 0);
+    double lambda = before.lambda[1 - j] == 0 ? before.lambda[j] : 0;
+    out.converged = multiplier(c, g, lambda);
     for (int i = 0; i < 4; ++i) r[i] /= 1 + lambda * c[i];
     const double rate[4] = {2 * lambda * w.x * r[0], 2 * lambda * w.y * r[1], 2 * lambda * w.n * r[2],
                             2 * lambda * w.z * r[3]};

@@ -249,3 +249,21 @@ TEST_CASE("hardening and rate: what is not a law is refused", "[material_law]") 
     CHECK_THROWS_AS(strain_rate_law({40, 0, 0, 0}), InputError);
     CHECK_THROWS_AS(strain_rate_law({0, 0, 0.1, -1}), InputError);
 }
+
+// Each step of the search grows the multiplier by half: forces 1e20 times the strength need 115 of them. What is left
+// of them has as many digits as the difference of two such numbers. The integration point is where one end's rotation
+// gives no moment at the other, so that one end flows alone.
+TEST_CASE("eq 14: a moment far beyond the surface comes back to it", "[material_law]") {
+    const auto law = law_with({}, false);
+    const double shear = E / 2.6 * A * 5 / 6;
+    Stiffness k = elastic(std::sqrt(1 - 4 * E * Ix / (shear * length * length)));
+    REQUIRE(std::abs(k.x12) < 1e-9 * k.x11);
+    k.x12 = 0;
+    for (const double times : {2.0, 1e3, 1e6, 1e12, 1e20}) {
+        const ElementFlow flow = law->return_alone(times * strength[0] * Vec6::Unit(1), k, {}, {});
+        CHECK(flow.converged);
+        CHECK(flow.lambda[0] == 0);
+        const double off = std::abs(law->yield_function(flow.p, 1) - 1);
+        if (times <= 1e6) CHECK_FIGURE("off the surface", off, 1e-14 * times + 1e-12);
+    }
+}
