@@ -85,6 +85,12 @@ struct PairKind {
 };
 /// The pair kind of elements of length L with these rigidities.
 PairKind<double> pair_kind(const Rigidity& c, double L);
+/// The same where E is `factor` times as large: so are its forces and its energy.
+inline PairKind<double> operator*(double factor, PairKind<double> k) {
+    k.axial *= factor;
+    for (int plane : {0, 1}) k.b[plane] *= factor, k.c[plane] /= factor;
+    return k;
+}
 
 /// S and A of both planes at axial force N. Of eight, lanes 2 i and 2 i + 1 are the elements of one pair and have the
 /// same N: the even lanes compute one plane, the odd lanes the other.

@@ -48,6 +48,10 @@ struct Stiffness {
         m(5, 5) = twist;
         return m;
     }
+    friend Stiffness operator*(double factor, Stiffness k) {
+        for (double* of : {&k.x11, &k.x12, &k.x22, &k.y11, &k.y12, &k.y22, &k.axial, &k.twist}) *of *= factor;
+        return k;
+    }
     /// Determinants of the two bending blocks, (N m)^2.
     double determinant_x() const { return x11 * x22 - x12 * x12; }
     double determinant_y() const { return y11 * y22 - y12 * y12; }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "state/hinges.h"
+
 namespace hinge {
 
 double ImpulseResponse::factor_for(double work) const {
@@ -16,8 +18,8 @@ double ImpulseResponse::factor_for(double work) const {
 double Effect::work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& part) const {
     double section[2];
     const int n = w_.assembly.sections(section);
-    return w_.structure.elements()[of.element].law->work_of(part, of.flow, section, n,
-                                                            w_.assembly.conditions(w_.state, of.element));
+    return law_now(w_.structure.elements()[of.element], heat_of(w_.trial.heat, of.element))
+        ->work_of(part, of.flow, section, n, w_.assembly.conditions(w_.state, of.element));
 }
 
 void Effect::add_to_trial(double x, const ImpulseResponse& response) {

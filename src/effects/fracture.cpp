@@ -163,6 +163,11 @@ private:
     void take_up(int element);
     void check_element(int element, const beam::ReturnMapResult* flow, bool news);
     Watched watch_strains(int element) const;
+    void add_shear(beam::FractureStrains& to, int element, const Vec6& p) const {
+        const Element& e = w_.structure.elements()[element];
+        const double soft = heat_of(w_.trial.heat, element).stiffness;
+        beam::add_shear(to, p, soft * e.rigidity.GAx, soft * e.rigidity.GAy, e.length);
+    }
     void list_news();
     Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 deformation_before(int element) const;
@@ -173,11 +178,8 @@ private:
     Break at_limit(int element, const Vec6& elastic, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 resultants_at(int element, double r) const { return w_.force[element] + w_.assembly.fixed_end(element).at(r); }
     double yield_at(int element, double r) const {
-        const beam::SectionLaw* law = w_.structure.elements()[element].law;
-        return law ? law->yield_function(
-                         resultants_at(element, r), r,
-                         section_history(w_.structure, w_.state, element, w_.structure.conventional() ? 0 : r))
-                   : 0;
+        return yield_function_at(w_.structure, w_.state, element, w_.structure.conventional() ? 0 : r,
+                                 beam::resultants(resultants_at(element, r), r));
     }
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,
                       const beam::ReturnMapResult* flow);
@@ -248,7 +250,8 @@ void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (rule_of(e) < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = rules_[rule_of(e)];
-    if (ever_within_reach(rule, e, without_slack(flowed(w_.state, index), index), w_.structure.p_delta()) ||
+    const bool heated = !w_.state.heat.empty();  // it grows softer: no bound of strains holds
+    if (heated || ever_within_reach(rule, e, without_slack(flowed(w_.state, index), index), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         in_candidates_[index] = 1;
         candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
@@ -266,8 +269,8 @@ void Fracture::list_news() {
     for (Watched& w : watched_) {
         const int i = w.element;
         if (w_.state.broken[i]) continue;
-        if (w_.structure.model().options().shift == Shift::elastic_and_plastic)
-            w = watch_strains(i);  // its point may have moved
+        if (w_.structure.model().options().shift == Shift::elastic_and_plastic || !w_.trial.heat.empty())
+            w = watch_strains(i);  // its point may have moved, or heat has softened it
         const Vec6 &p = w_.force[i], plastic = without_slack(flowed(w_.state, i), i);
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
@@ -283,7 +286,7 @@ void Fracture::list_news() {
 /// Curvatures and axial strain of an element as factors of its forces, elastic; see Stiffness::solve.
 Watched Fracture::watch_strains(int index) const {
     const Element& e = w_.structure.elements()[index];
-    const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
+    const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index, heat_of(w_.trial.heat, index));
     const double x = k.determinant_x() * e.length, y = k.determinant_y() * e.length;
     return {index,
             {-(k.x12 + k.x22) / x, (k.x11 + k.x12) / x},
@@ -336,7 +339,7 @@ Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::R
     if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
     if (w_.structure.p_delta())
         return element_deformation(w_.structure, index, w_.trial) + taken_up(w_.state, index) - plastic;
-    return stiffness_now(w_.structure, w_.state, index).solve(w_.force[index]);
+    return stiffness_now(w_.structure, w_.state, index, heat_of(w_.trial.heat, index)).solve(w_.force[index]);
 }
 
 /// The whole deformation at the start of the step, without slack.
@@ -368,7 +371,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
     const bool by_section = rule.strain_measure == FractureRule::StrainMeasure::section && !w_.structure.conventional();
     const auto with_shear = [&](beam::FractureStrains strains) {
         if (std::isfinite(rule.shear_strain))
-            beam::add_shear(strains, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);
+            add_shear(strains, index, resultants_at(index, 0));
         return strains;
     };
     if (!by_section) {
@@ -395,7 +398,7 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
     const FractureRule& rule = rules_[rule_of(e)];
     Vec6 plastic = flowed(w_.state, index);
     if (flow) plastic += flow->plastic;
-    if (!flow && !rule.hook && in_pair(w_.structure, w_.state, index) &&
+    if (!flow && !rule.hook && w_.trial.heat.empty() && in_pair(w_.structure, w_.state, index) &&
         !now_within_reach(rule, e, plastic, w_.force[index], w_.force[e.partner]))
         return;
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
@@ -437,7 +440,7 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     v.f_y = yield_at(index, r);
     v.plastic_work = w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
     beam::FractureStrains shear{};
-    beam::add_shear(shear, resultants_at(index, 0), e.rigidity.GAx, e.rigidity.GAy, e.length);
+    add_shear(shear, index, resultants_at(index, 0));
     v.shear_x = shear.shear_x, v.shear_y = shear.shear_y;
     v.hinge_rotation_x = beam::hinge_rotation(plastic, side, 0);
     v.hinge_rotation_y = beam::hinge_rotation(plastic, side, 1);
@@ -531,7 +534,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
         const bool broken = of_.w_.state.broken[index];
         const auto shear = [&] {
             beam::FractureStrains s{};
-            beam::add_shear(s, p, e.rigidity.GAx, e.rigidity.GAy, e.length);
+            of_.add_shear(s, index, p);
             return s;
         };
         const auto rotation = [&](int plane) {

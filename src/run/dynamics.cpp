@@ -251,6 +251,7 @@ void Dynamics::commit() {
     state_.small_rotation.swap(w_.trial.small_rotation);
     state_.velocity.swap(w_.trial.velocity);
     state_.acceleration.swap(w_.trial.acceleration);
+    state_.heat.swap(w_.trial.heat);
     state_.force.swap(w_.force);
     for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
@@ -542,7 +543,8 @@ Energy Dynamics::energy_of_trial() {
     std::vector<Vec6> plastic;
     const auto exchange = [this] {
         state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
-            state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity);
+            state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity),
+            state_.heat.swap(w_.trial.heat);
     };
     for (const auto& e : effects_->all) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);

@@ -161,11 +161,9 @@ double Run::yield_value(int element, double r) const {
             source->add_section_forces(element, end == 0 ? -1 : 1, there);
         fixed.add(end, there.Mx, there.My, there.N, there.Mz);
     }
-    const beam::SectionLaw* law = structure_->elements()[element].law;
-    if (!law) return 0;
     const double of_history = structure_->conventional() ? 0 : r;  // conventional elements have one, of their middle
-    return law->yield_function(state_.force[element] + fixed.at(r), r,
-                               section_history(*structure_, state_, element, of_history));
+    return yield_function_at(*structure_, state_, element, of_history,
+                             beam::resultants(state_.force[element] + fixed.at(r), r));
 }
 
 double Run::yield_value(int element) const {

@@ -142,6 +142,7 @@ void Statics::commit_state() {
     state_.displacement = w_.trial.displacement;
     state_.rotation = w_.trial.rotation;
     state_.small_rotation = w_.trial.small_rotation;
+    state_.heat = w_.trial.heat;
     state_.force = w_.force;
     assembly_.save_turns(state_, w_.trial);
     state_.factor = w_.factor;

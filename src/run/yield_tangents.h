@@ -9,12 +9,14 @@
 namespace hinge {
 
 /// dp/dd of an element that flows by itself, [D_p] of eq 10a, consistent with the return to the yield surface.
-inline Mat6 yield_tangent(const Structure& structure, const State& state, const ElementAssembly& assembly,
-                          const PlasticIncrement& y) {
+inline Mat6 yield_tangent(const Structure& structure, const State& state, const Configuration& pose,
+                          const ElementAssembly& assembly, const PlasticIncrement& y) {
     double section[2];
     const int n = assembly.sections(section);
-    return structure.elements()[y.element].law->tangent(y.flow, stiffness_now(structure, state, y.element), section, n,
-                                                        assembly.conditions(state, y.element));
+    const ElementHeat& heat = heat_of(pose.heat, y.element);
+    return law_now(structure.elements()[y.element], heat)
+        ->tangent(y.flow, stiffness_now(structure, state, y.element, heat), section, n,
+                  assembly.conditions(state, y.element));
 }
 
 /// What the effective stiffness takes in the place of the elastic one for those of `list` (rising) that flow, from
@@ -29,7 +31,7 @@ inline std::vector<ElementTangent> given_tangents(const Structure& structure, co
         const int element = yielding[i].element;
         if (element <= done || !std::binary_search(list.begin(), list.end(), element)) continue;
         if (!in_pair(structure, state, element)) {
-            given.push_back({element, yield_tangent(structure, state, assembly, yielding[i]), Mat6::Zero()});
+            given.push_back({element, yield_tangent(structure, state, pose, assembly, yielding[i]), Mat6::Zero()});
             continue;
         }
         const int first = element & ~1;
@@ -60,7 +62,7 @@ inline void add_response(const Structure& structure, const State& state, const C
             const Vec12 d = elastic_pair_tangent(structure, state, pose, first).partialPivLu().solve(both);
             p += g.own * d.segment<6>(6 * i) + g.partner * d.segment<6>(6 - 6 * i);
         } else {
-            p += g.own * stiffness_now(structure, state, g.element).solve(own);
+            p += g.own * stiffness_now(structure, state, g.element, heat_of(pose.heat, g.element)).solve(own);
         }
         const Vec12 f = forces_at_nodes(element_frame(structure, g.element, pose)) * p;
         for (int end : {0, 1}) resisting[structure.elements()[g.element].node[end]] += f.segment<6>(6 * end);

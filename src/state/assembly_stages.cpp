@@ -134,31 +134,57 @@ bool any_remembered(const std::vector<double>& twist, int element) {
     }
 }
 
+/// What heat makes of the deformation of the eight elements without force.
+[[gnu::noinline]] void ElementAssembly::take_off_heat(int element, const ElementHeats& heats, Lanes (&d)[6]) {
+    for (int i = 0; i < std::min(lane_count, int(heats.size()) - element); ++i) {
+        const Vec6 of_heat = heats[std::size_t(element + i)].deformation();
+        for (int c = 0; c < 6; ++c) d[c][i] -= of_heat[c];
+    }
+}
+
+/// Their forces by the stiffness that heat leaves.
+[[gnu::noinline]] void ElementAssembly::soften(int element, const ElementHeats& heats, Lanes (&p)[6]) {
+    for (int i = 0; i < std::min(lane_count, int(heats.size()) - element); ++i)
+        for (int c = 0; c < 6; ++c) p[c][i] *= heats[std::size_t(element + i)].stiffness;
+}
+
+/// f_y by the strength that heat leaves.
+[[gnu::noinline]] void ElementAssembly::weaken(int element, const ElementHeats& heats, Lanes (&f)[2]) {
+    for (int i = 0; i < std::min(lane_count, int(heats.size()) - element); ++i) {
+        const double strength = heats[std::size_t(element + i)].strength;
+        for (Lanes& of_section : f) of_section[i] /= strength * strength;
+    }
+}
+
 /// Whether the law of lane i tells quickly that its sections stay elastic.
-bool ElementAssembly::no_section_flows(int element, int i, const State& state, const Lanes (&p)[6]) const {
+bool ElementAssembly::no_section_flows(int element, int i, const State& state, const ElementHeats& heat,
+                                       const Lanes (&p)[6]) const {
     double section[2];
     const int section_count = sections(section);
     Vec6 trial;
     for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
-    return structure_.elements()[element + i].law->surely_elastic(trial, section, section_count,
-                                                                  conditions(state, element + i));
+    return law_now(structure_.elements()[element + i], heat_of(heat, element + i))
+        ->surely_elastic(trial, section, section_count, conditions(state, element + i));
 }
 
 /// The return to the yield surface of a pair, the first of which is lane i.
 [[gnu::noinline]] void ElementAssembly::return_pair(int element, int i, const Kind& kind, const State& state,
-                                                    const Lanes (&d)[6], Lanes (&p)[6], Found& found) const {
+                                                    const ElementHeats& heats, const Lanes (&d)[6], Lanes (&p)[6],
+                                                    Found& found) const {
+    const ElementHeat& heat = heat_of(heats, element + i);
     beam::Stiffness k[2];
     Vec6 elastic[2];
     for (int j : {0, 1}) {
         const int at = i + j;
-        k[j] = kind.stiffness(at);
+        k[j] = heat.stiffness * kind.stiffness(at);
         for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
     }
     beam::ReturnMapResult flow[2];
     const beam::SectionConditions at[2] = {conditions(state, element + i), conditions(state, element + i + 1)};
     const Element& e = structure_.elements()[element + i];
-    if (no_section_flows(element, i, state, p) && no_section_flows(element, i + 1, state, p)) return;
-    const bool converged = beam::return_to_surface(pair_kind_of(e), k, elastic, *e.law, flow, return_tolerance_, at);
+    if (no_section_flows(element, i, state, heats, p) && no_section_flows(element, i + 1, state, heats, p)) return;
+    const bool converged = beam::return_to_surface(pair_kind_of(e, heat), k, elastic, *law_now(e, heat), flow,
+                                                   return_tolerance_, at);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
@@ -215,7 +241,8 @@ template <bool large>
 /// Eqs 4 and 14: where the yield function is above 1 the forces return to the surface (eq 10c).
 template <bool p_delta>
 [[gnu::always_inline]] inline void ElementAssembly::yield(const Block& b, int element, const State& state,
-                                                          const Lanes (&d)[6], Lanes (&p)[6], Found& found) const {
+                                                          const ElementHeats& heat, const Lanes (&d)[6], Lanes (&p)[6],
+                                                          Found& found) const {
     const Kind& kind = *b.kind;
     double section[2];
     const int section_count = sections(section);
@@ -227,17 +254,18 @@ template <bool p_delta>
         f[s] = kind.yield[0] * mx * mx + kind.yield[1] * my * my + shared;
     }
     if (!fixed_ends_.empty()) add_fixed_ends(element, kind, p, f);
+    if (!heat.empty()) weaken(element, heat, f);
     const unsigned asked = kind.moves_surface ? that_yielded(state, element) : 0;
     if (asked || any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
-        return_lanes<p_delta>(b, element, asked, state, f, d, p, found);
+        return_lanes<p_delta>(b, element, asked, state, heat, f, d, p, found);
 }
 
 /// Eq 10c: the return to the yield surface of those of the eight elements for which f is above 1, and of those `asked`.
 template <bool p_delta>
 [[gnu::always_inline]] inline void ElementAssembly::return_lanes(const Block& b, int element, unsigned asked,
-                                                                 const State& state, const Lanes (&f)[2],
-                                                                 const Lanes (&d)[6], Lanes (&p)[6],
-                                                                 Found& found) const {
+                                                                 const State& state, const ElementHeats& heats,
+                                                                 const Lanes (&f)[2], const Lanes (&d)[6],
+                                                                 Lanes (&p)[6], Found& found) const {
     const Kind& kind = *b.kind;
     double section[2];
     const int section_count = sections(section);
@@ -249,14 +277,15 @@ template <bool p_delta>
         for (int c = 0; c < 6; ++c) trial[c] = p[c][i];
         if (!trial.allFinite()) continue;  // the step names the culprit
         if (p_delta && b.whole >> (i ^ 1) & 1 && e.forms_pairs) {
-            return_pair(element, i & ~1, kind, state, d, p, found);
+            return_pair(element, i & ~1, kind, state, heats, d, p, found);
             i |= 1;
             continue;
         }
-        if (no_section_flows(element, i, state, p)) continue;
+        if (no_section_flows(element, i, state, heats, p)) continue;
+        const ElementHeat& heat = heat_of(heats, element + i);
         found.yielding.push_back(
-            {element + i, e.law->return_to_surface(trial, kind.stiffness(i), section, section_count,
-                                                   conditions(state, element + i))});
+            {element + i, law_now(e, heat)->return_to_surface(trial, heat.stiffness * kind.stiffness(i), section,
+                                                              section_count, conditions(state, element + i))});
         const beam::ReturnMapResult& flow = found.yielding.back().flow;
         if (!flow.converged && found.unreturned < 0) found.unreturned = element + i;
         for (int c = 0; c < 6; ++c) p[c][i] = flow.p[c];
@@ -367,9 +396,11 @@ void ElementAssembly::run_blocks(int first, int end, const State& state, const C
         EightFrames place;
         Lanes d[6], p[6];
         const unsigned wound = deform<large>(b, element, state, pose, place, d, found);
+        if (!pose.heat.empty()) take_off_heat(element, pose.heat, d);
         elastic_forces(*b.kind, element, state, d, p);
         if constexpr (p_delta) add_pair_forces(b.kind->pair, b.whole, d, p);
-        if (built::plasticity && b.kind->can_yield) yield<p_delta>(b, element, state, d, p, found);
+        if (!pose.heat.empty()) soften(element, pose.heat, p);
+        if (built::plasticity && b.kind->can_yield) yield<p_delta>(b, element, state, pose.heat, d, p, found);
 
         beam::NodalForces<Lanes> out = beam::nodal_forces(place, p);  // eq 1: they do the work of p
         if (wound) {

@@ -58,7 +58,7 @@ double leave_alone(const Structure& structure, State& state, int index, const Ve
     const beam::Stiffness k = stiffness_now(structure, state, index);
     const Vec6 before = element_deformation(structure, index, state) - state.plastic[index];
     const bool first = index < e.partner;
-    const beam::PairKind<double> kind = pair_kind_of(e);
+    const beam::PairKind<double> kind = pair_kind_of(e, heat_of(state.heat, index));
     const Vec6 &d1 = first ? before : of_partner, &d2 = first ? of_partner : before;
     Vec6 beyond = beam::pair_forces(kind, d1, d2).segment<6>(first ? 0 : 6);
     for (int plane : {0, 1}) {

@@ -12,10 +12,18 @@ namespace {
 
 Quadruple<double> quadruple(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
+Vec6 small_deformation(const Element& e, const ConfigurationView& at) {
+    const Mat3 axes = e.axes.toRotationMatrix().transpose();
+    Vec12 u;
+    u << axes * at.displacement[e.node[0]], axes * at.small_rotation[e.node[0]], axes * at.displacement[e.node[1]],
+        axes * at.small_rotation[e.node[1]];
+    return beam::linear_deformation(e.length) * u;
+}
+
 }  // namespace
 
 Configuration configuration_of(const State& s) {
-    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist, s.turned};
+    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist, s.turned, s.heat};
 }
 Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement) {
     return e.chord + (displacement[e.node[1]] - displacement[e.node[0]]);
@@ -94,13 +102,11 @@ Vec6 element_deformation(const Structure& structure, int index, const Configurat
     if (structure.large()) {
         if (placement.wound) std::copy_n(placement.wound->d, 6, d.data());
         else beam::deformation(placement, e.length, d.data());
-        return d;
+    } else {
+        d = small_deformation(e, at);
     }
-    const Mat3 axes = e.axes.toRotationMatrix().transpose();
-    Vec12 u;
-    u << axes * at.displacement[e.node[0]], axes * at.small_rotation[e.node[0]], axes * at.displacement[e.node[1]],
-        axes * at.small_rotation[e.node[1]];
-    return beam::linear_deformation(e.length) * u;
+    if (!at.heat.empty()) d -= at.heat[std::size_t(index)].deformation();
+    return d;
 }
 
 }  // namespace hinge

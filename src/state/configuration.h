@@ -18,6 +18,7 @@ struct Configuration {
     std::vector<Vec6> velocity, acceleration;
     std::vector<double> twist;       ///< of the state that the step began with (State::twist)
     std::vector<TurnedEnds> turned;  ///< the same (State::turned)
+    ElementHeats heat;               ///< empty where nothing is heated
 };
 
 /// Configuration of a state's nodes.
@@ -30,6 +31,7 @@ struct ConfigurationView {
     const std::vector<Vec3>& small_rotation;
     const std::vector<double>& twist;
     const std::vector<TurnedEnds>& turned;
+    const ElementHeats& heat;
     ConfigurationView(const State& s) : ConfigurationView(s, 0) {}
     ConfigurationView(const Configuration& p) : ConfigurationView(p, 0) {}
 
@@ -40,7 +42,8 @@ private:
           rotation(from.rotation),
           small_rotation(from.small_rotation),
           twist(from.twist),
-          turned(from.turned) {}
+          turned(from.turned),
+          heat(from.heat) {}
 };
 
 /// Frame of an element. If it is wound, its end rotations and y axes have no meaning: `wound` has its deformation.
@@ -51,6 +54,7 @@ struct ElementFrame : beam::ElementFrame<double> {
 /// Functions of one element, for its tangent and for output.
 Mat3 axes_of(const beam::ElementFrame<double>& placement);  ///< columns: the local axes in space
 ElementFrame element_frame(const Structure& structure, int element, const ConfigurationView& at);
+/// Deformation d of timoshenko.h less what heat makes without force.
 Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at);
 Vec6 element_deformation(const Structure& structure, int element, const ConfigurationView& at,
                          const ElementFrame& placement);

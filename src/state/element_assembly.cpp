@@ -76,7 +76,7 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
     kind.can_yield = kind.moves_surface = false;
     for (int i = 0; i < lane_count; ++i) {
         const Element& e = structure_.elements()[index[i]];
-        const beam::Stiffness k = stiffness_now(structure_, state, index[i]);
+        const beam::Stiffness k = declared_stiffness(structure_, state, index[i]);
         kind.length[i] = e.length;
         const double q[4] = {e.axes.w(), e.axes.x(), e.axes.y(), e.axes.z()};
         for (int c = 0; c < 4; ++c) kind.axes[c][i] = q[c];

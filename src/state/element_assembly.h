@@ -105,9 +105,12 @@ private:
                         Found& found) const;
     static void add_pair_forces(const beam::PairKind<Lanes>& kind, unsigned whole, const Lanes (&d)[6], Lanes (&p)[6]);
     void add_fixed_ends(int element, const Kind& kind, const Lanes (&p)[6], Lanes (&f)[2]) const;
-    bool no_section_flows(int element, int i, const State&, const Lanes (&p)[6]) const;
-    void return_pair(int element, int i, const Kind& kind, const State&, const Lanes (&d)[6], Lanes (&p)[6],
-                     Found& found) const;
+    bool no_section_flows(int element, int i, const State&, const ElementHeats&, const Lanes (&p)[6]) const;
+    void return_pair(int element, int i, const Kind& kind, const State&, const ElementHeats&, const Lanes (&d)[6],
+                     Lanes (&p)[6], Found& found) const;
+    static void take_off_heat(int element, const ElementHeats&, Lanes (&d)[6]);
+    static void soften(int element, const ElementHeats&, Lanes (&p)[6]);
+    static void weaken(int element, const ElementHeats&, Lanes (&f)[2]);
     // the stages for eight elements, in this order (assembly_stages.cpp)
     enum class Mass : char { none, linear, cubic };
     using EightFrames = beam::ElementFrame<Lanes>;
@@ -123,10 +126,11 @@ private:
                     Found& found) const;
     static void elastic_forces(const Kind& kind, int element, const State&, Lanes (&d)[6], Lanes (&p)[6]);
     template <bool p_delta>
-    void yield(const Block& b, int element, const State&, const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    void yield(const Block& b, int element, const State&, const ElementHeats&, const Lanes (&d)[6], Lanes (&p)[6],
+               Found& found) const;
     template <bool p_delta>
-    void return_lanes(const Block& b, int element, unsigned asked, const State&, const Lanes (&f)[2],
-                      const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
+    void return_lanes(const Block& b, int element, unsigned asked, const State&, const ElementHeats&,
+                      const Lanes (&f)[2], const Lanes (&d)[6], Lanes (&p)[6], Found& found) const;
     template <bool large, bool cubic, bool p_delta>
     static void add_inertia(const Block& b, const Configuration& pose, const EightFrames& place, unsigned wound,
                             beam::NodalForces<Lanes>& out);

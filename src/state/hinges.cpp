@@ -8,7 +8,8 @@ void move_point(const Structure& structure, State& state, int element, double s)
     const Element& e = structure.elements()[element];
     const Vec6& p = state.force[element];
     state.plastic[element] +=
-        stiffness_now(structure, state, element).solve(p) - beam::stiffness(e.rigidity, e.length, s).solve(p);
+        stiffness_now(structure, state, element).solve(p) -
+        (heat_of(state.heat, element).stiffness * beam::stiffness(e.rigidity, e.length, s)).solve(p);
     state.point[element] = s;
 }
 
@@ -30,22 +31,25 @@ beam::PairMatrix pair_tangent(const Structure& structure, const State& state, co
                               const ElementAssembly& assembly, int first,
                               const beam::ReturnMapResult* const (&flow)[2]) {
     const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
-    const beam::Stiffness k[2] = {stiffness_now(structure, state, first), stiffness_now(structure, state, first + 1)};
+    const ElementHeat& heat = heat_of(pose.heat, first);
+    const beam::Stiffness k[2] = {stiffness_now(structure, state, first, heat),
+                                  stiffness_now(structure, state, first + 1, heat)};
     Vec6 elastic[2];
     elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
     const beam::SectionConditions at[2] = {assembly.conditions(state, first), assembly.conditions(state, first + 1)};
     const beam::ElementFlow* flows[2] = {flow[0], flow[1]};
-    return beam::pair_tangent(pair_kind_of(*e[0]), k, elastic, *e[0]->law, flows, at);
+    return beam::pair_tangent(pair_kind_of(*e[0], heat), k, elastic, *law_now(*e[0], heat), flows, at);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
                                       int first, const ElementFrame* place) {
     Vec6 d[2];
     elastic_deformations(structure, state, pose, first, place, d);
-    beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first]), d[0], d[1]);
-    for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += stiffness_now(structure, state, first + i).matrix();
+    const ElementHeat& heat = heat_of(pose.heat, first);
+    beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first], heat), d[0], d[1]);
+    for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += stiffness_now(structure, state, first + i, heat).matrix();
     return K;
 }
 

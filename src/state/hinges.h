@@ -2,6 +2,7 @@
 #pragma once
 
 #include "beam/pair_return.h"
+#include "beam/softened_law.h"
 #include "state/element_assembly.h"
 
 namespace hinge {
@@ -34,15 +35,36 @@ inline double slack_of(const Structure& structure, const State& state, int eleme
 
 /// Pair stiffness of an element whose bending follows its axial force. Pairs are elements 2 i and 2 i + 1. Where they
 /// form none, it adds nothing to the element's own.
-inline beam::PairKind<double> pair_kind_of(const Element& e) {
-    if (!e.forms_pairs) return {.axial = e.rigidity.EA / e.length, .length = 0, .b = {0, 0}, .c = {0, 0}};
-    return beam::pair_kind(e.rigidity, e.length);
+inline beam::PairKind<double> pair_kind_of(const Element& e, const ElementHeat& heat = no_heat) {
+    if (!e.forms_pairs)
+        return {.axial = heat.stiffness * e.rigidity.EA / e.length, .length = 0, .b = {0, 0}, .c = {0, 0}};
+    return heat.stiffness * beam::pair_kind(e.rigidity, e.length);
 }
 
-/// Present stiffness k(s) of the element.
-inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element) {
+/// Stiffness k(s) of the element with its present integration point, of the declared material.
+inline beam::Stiffness declared_stiffness(const Structure& structure, const State& state, int element) {
     const Element& e = structure.elements()[element];
     return state.point[element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[element]);
+}
+
+/// The same at the temperature of a trial configuration, or of the state.
+inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element,
+                                     const ElementHeat& heat) {
+    return heat.stiffness * declared_stiffness(structure, state, element);
+}
+inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element) {
+    return stiffness_now(structure, state, element, heat_of(state.heat, element));
+}
+
+/// The law of an element's sections at a temperature.
+inline beam::LawAt law_now(const Element& e, const ElementHeat& heat) { return beam::LawAt(*e.law, heat.strength); }
+
+/// f_y of resultants q (Mx, My, N, Mz) in section r of an element, by its law where the state is; 0 without a law.
+inline double yield_function_at(const Structure& structure, const State& state, int element, double r, const Vec4& q) {
+    const Element& e = structure.elements()[element];
+    return e.law ? e.law->yield_function(q / heat_of(state.heat, element).strength,
+                                         section_history(structure, state, element, r))
+                 : 0;
 }
 
 /// True if the element is one of a pair whose bending follows its axial force, and both are whole.

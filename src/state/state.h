@@ -10,6 +10,7 @@
 
 #include "core/archive.h"
 #include "model/structure.h"
+#include "state/element_heat.h"
 #include "state/energy.h"
 
 namespace hinge {
@@ -130,6 +131,7 @@ struct State {
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
     std::vector<double> history;   ///< history variables of the laws of sections (history_of)
+    ElementHeats heat;             ///< where the state is; empty where nothing is heated
     std::vector<double>
         kept;  ///< values saved by fracture rules of the script, for both ends of each element; or empty
 
@@ -164,6 +166,7 @@ struct State {
         f("strained", s.strained);
         f("kept", s.kept);
         f("history", s.history);
+        f("heat", s.heat);
     }
     /// For a checkpoint (core/archive.h). Which effects keep data the model says.
     template <class Self, class A>
