@@ -23,7 +23,7 @@ EffectList::EffectList(Workspace& w, Host& host) {
     list_those(all, constrainers), list_those(all, matrix_watchers), list_those(all, contact_laws);
     list_those(all, breakers), list_those(all, break_listeners), list_those(all, step_limiters),
         list_those(all, sleepers);
-    list_those(all, rest_keepers), list_those(all, run_checkers);
+    list_those(all, rest_keepers), list_those(all, run_checkers), list_those(all, heaters);
 }
 
 bool EffectList::any(bool EffectTraits::*trait) const {

@@ -37,6 +37,7 @@ struct EffectList {
     RoleList<Sleeper> sleepers;
     RoleList<RestKeeper> rest_keepers;
     RoleList<RunChecker> run_checkers;
+    RoleList<Heater> heaters;
 };
 
 /// Whether a role says so of one of the list.

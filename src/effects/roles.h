@@ -170,6 +170,14 @@ public:
     virtual void reached(const std::vector<Reached>& elements) = 0;
 };
 
+/// Sets the temperatures of elements.
+class Heater {
+public:
+    virtual ~Heater() = default;
+    /// Statics: those of the trial configuration, at a load factor. Dynamics: Effect::begin.
+    virtual void heat_at(double factor) = 0;
+};
+
 /// Checks a run as a whole, where the run ends and whenever a script reads run.warnings.
 class RunChecker {
 public:

@@ -86,6 +86,7 @@ Vec6 StaticForces::load_rate(std::size_t node) const {
 void StaticForces::recover() {
     stages_.timed(recover_stage_, [&] {
         for (Vec6& n : w_.resisting) n.setZero();
+        for (const auto& heater : problem_.effects.heaters) heater->heat_at(w_.factor);
         find_fixed_ends(w_, problem_.effects, w_.factor);
         w_.assembly.run(w_.state, w_.trial, w_.resisting, w_.force, w_.yielding);
         add_resistance_of_effects();

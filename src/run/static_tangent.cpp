@@ -42,10 +42,10 @@ void StaticTangent::keep_unsymmetric() {
     built_ = false;
 }
 
-/// Rising. With large displacement all change, else those that yield or did when they were built.
+/// Rising. With large displacement or heat all change, else those that yield or did when they were built.
 std::vector<int> StaticTangent::elements_to_build() const {
     std::vector<int> list;
-    if (w_.structure.large() || !built_) {
+    if (w_.structure.large() || !w_.trial.heat.empty() || !built_) {
         for (std::size_t i = 0; i < w_.state.broken.size(); ++i)
             if (!w_.state.broken[i]) list.push_back(int(i));
         return list;

@@ -252,6 +252,8 @@ std::vector<double> read_members(const RunRecord& r, const std::string& what, in
                                                 : resultants_at(run, end - 1, 1)[resultant]);
         } else if (what == "member") {
             values.push_back(member + 1);
+        } else if (what == "temperature") {
+            values.push_back(heat_of(run.state().heat, first).temperature);
         } else if (what.size() == 1 && what != "N") {
             values.push_back(0.5 * (position_of(run, elements[first].node[0]) +
                                     position_of(run, elements[end - 1].node[1]))[what[0] - 'x']);
@@ -272,7 +274,7 @@ int read(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:read").value;
     static const std::vector<std::string> of_members = [] {
         std::vector<std::string> names = {"f_y",          "N",      "broken", "yielded", "touched",
-                                          "plastic_work", "member", "x",      "y",       "z"};
+                                          "plastic_work", "temperature", "member", "x", "y", "z"};
         for (const char* end : {"_a", "_b"})
             for (const auto& q : resultants) names.push_back(q + end);
         return names;
