@@ -73,10 +73,11 @@ std::optional<RunWarning> FastSpin::look(const Structure& structure, const State
     lost_ += std::pow(fastest * dt, 2) / 12 * fastest * since;
     if (at < 0 || !(lost_ > most_lost)) return {};
     told_ = true;
-    int member = -1;
-    for (std::size_t i = 0; i < structure.elements().size() && member < 0; ++i)
-        if (!state.broken[i] && bodies.of_node[structure.elements()[i].node[0]] == at)
-            member = structure.elements()[i].member;
+    int member = -1;  // of a node that is left alone: that of the offset mass
+    for (std::size_t i = 0; i < structure.elements().size() && member < 0; ++i) {
+        const Element& e = structure.elements()[i];
+        if (bodies.of_node[e.node[state.broken[i] == 1 ? 1 : 0]] == at) member = e.member;
+    }
     return RunWarning{"the free body of member " + std::to_string(member + 1) + " spins at " + number_text(fastest, 3) +
                           " rad/s at t = " + number_text(state.time, 4) + " s, by " + number_text(fastest * dt, 2) +
                           " rad a step; over " + number_text(turned_, 3) +
