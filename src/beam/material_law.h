@@ -33,6 +33,8 @@ public:
     /// Writes all its numbers, so that equal laws write the same.
     virtual void save(Writer& to) const = 0;
 
+    /// True if it calls functions of the script: one thread alone may ask it.
+    virtual bool calls_script() const { return false; }
     /// Number of its history variables in a section.
     virtual int history_size() const { return 0; }
     /// Sets them before the first step. `end_of_member`: the section is at an end of its member.

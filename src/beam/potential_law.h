@@ -18,6 +18,7 @@
 // A law derives from PotentialLaw and says D, its two derivatives, and which way a section flows at first.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -38,6 +39,10 @@ class PotentialLaw : public SectionLaw {
 public:
     std::string words() const override;
     bool keeps_strength() const override { return material_.laws.empty(); }
+    bool calls_script() const override {
+        return std::any_of(material_.laws.begin(), material_.laws.end(),
+                           [](const auto& l) { return l->calls_script(); });
+    }
     int history_size() const override { return history_size_; }
     bool moves_surface() const override { return moves_surface_; }
     void start(bool end_of_member, double* history) const override;

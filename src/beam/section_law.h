@@ -40,6 +40,8 @@ public:
     /// True if neither hardening nor rate changes its strength.
     virtual bool keeps_strength() const { return true; }
     const YieldSurface& screen() const { return screen_; }
+    /// True if it calls functions of the script (MaterialLaw::calls_script).
+    virtual bool calls_script() const { return false; }
     /// True of a law that is eq 14 whatever the section's shape: it may be unsafe beside an axial force.
     virtual bool ignores_shape() const { return false; }
 

@@ -44,8 +44,7 @@ bool SoftenedLaw::surely_elastic(const Vec6& p, const double* sections, int n, c
 ReturnMapResult SoftenedLaw::return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                                const SectionConditions& at) const {
     const double up = 1 / strength_;
-    return times(strength_,
-                 law_.return_to_surface(up * trial, up * k, sections, n, ScaledConditions(up, at)));
+    return times(strength_, law_.return_to_surface(up * trial, up * k, sections, n, ScaledConditions(up, at)));
 }
 
 ElementFlow SoftenedLaw::return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,

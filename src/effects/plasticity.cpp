@@ -14,7 +14,8 @@ namespace {
 class Plasticity : public Effect, public StepLimiter, public Sleeper, public RunChecker {
 public:
     Plasticity(Workspace& w, Host& host)
-        : Effect("plasticity", w, host, {.mean_forces = true}), strength_(w.structure) {
+        : Effect("plasticity", w, host, {.mean_forces = true, .calls_script = w.structure.laws_call_script()}),
+          strength_(w.structure) {
         for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
             if (w.state.hinge[i]) flowing_.push_back(int(i));
         if (!w.state.data.find<HingeRecords>(hinge_records)) w.state.data.set(hinge_records, HingeRecords{});

@@ -1,6 +1,7 @@
 // The laws of sections and of materials that there are.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -39,6 +40,16 @@ struct Backbone {
 };
 /// Raises InputError unless the rotations begin at 0 and rise, and all strengths are 0.01 or more.
 std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& backbone);
+/// What a hinge at the end of a member has gone through.
+struct HingePast {
+    double largest = 0;   ///< largest plastic rotation, rad
+    double work = 0;      ///< plastic work at the fully plastic resultants, J
+    double x = 0, y = 0;  ///< plastic rotations about x and y, rad
+};
+/// Factor on the fully plastic resultants, above 0, after such a past (laws/own_backbone.cpp).
+using BackboneRule = std::function<double(const HingePast& past)>;
+/// It is called by one thread, in every round of the return of an element that flows.
+std::shared_ptr<const MaterialLaw> backbone_law(BackboneRule rule);
 /// That of such a law; null of another.
 const Backbone* backbone_of(const MaterialLaw& law);
 

@@ -201,6 +201,8 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
     can_yield_ |= !strength.elastic() || member.carries != Carries::both;
     kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
                       strength, law_of(member, strength, *model_, length)});
+    const beam::SectionLaw* law = kinds_.back().law.get();
+    laws_call_script_ |= law && law->calls_script();
     at->second = &kinds_.back();
     return kinds_.back();
 }

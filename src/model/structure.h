@@ -63,6 +63,8 @@ public:
     }
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
+    /// True if the law of a section calls functions of the script.
+    bool laws_call_script() const { return laws_call_script_; }
     /// Mass of an element for the kind of mass matrix, in local axes.
     const beam::Inertia& inertia(int element) const { return elements_[element].inertia; }
     bool lumped() const { return mass_ == MassKind::lumped; }
@@ -107,7 +109,7 @@ private:
     std::deque<Kind> kinds_;
     std::vector<std::size_t> history_at_;  ///< of each element, and the size of all; empty where no law has any
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
-    bool can_yield_ = false;
+    bool can_yield_ = false, laws_call_script_ = false;
 };
 
 }  // namespace hinge

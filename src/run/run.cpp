@@ -22,7 +22,7 @@ const char* name(Verdict v) {
 Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia)
     : structure_(std::move(structure)),
       state_(std::move(start)),
-      pool_(threads),
+      pool_(structure_->laws_call_script() ? 1 : threads),
       assembly_(*structure_, pool_, inertia),
       w_{*structure_,
          state_,

@@ -124,6 +124,54 @@ case("a run that was saved on the falling branch goes on to the same bytes", fun
   os.remove(path)
 end)
 
+case("a function of the script is the same backbone, to 1e-12", function()
+  local points = { { 0, 1.1 }, { 0.02, 1.2 }, { 0.1, 0.3 } }
+  local function strength(rotation)
+    for i = 2, #points do
+      local a, b = points[i - 1], points[i]
+      if rotation <= b[1] then return a[2] + (b[2] - a[2]) / (b[1] - a[1]) * (rotation - a[1]) end
+    end
+    return points[#points][2]
+  end
+  local turns = { 0.03, -0.05, 0.12 }
+  local a, b = driven(2, hinge.backbone { points = points }, turns), driven(2, strength, turns)
+  local off = 0
+  for i = 1, #a do off = support.largest_of(off, math.abs(a[i][2] - b[i][2])) end
+  -- the slopes of the tangent differ by 1e-6, so that Newton's method ends elsewhere within its tolerance of 1e-10
+  expect(#a == 75 and off < 1e-9, "statics: the moments differ by %g Mp", off)
+  local options = { dt = 1e-3, duration = 0.6 }
+  local of_points = portal(hinge.backbone { points = points }):dynamic(options):finish()
+  local of_rule = portal(strength):dynamic(options):finish()
+  expect(of_points.energy.plastic > 1e3, "it yields")
+  -- the mean over a step is by Simpson's rule: steps over a kink of the points differ
+  near(of_rule.energy.plastic / of_points.energy.plastic, 1, 1e-4, "dynamics: plastic work")
+  -- explicit steps have no tangent: the law alone is compared
+  options = { integrator = "explicit", dt = 2e-5, duration = 0.2 }
+  local fast_points = portal(hinge.backbone { points = points }):dynamic(options):finish()
+  local fast_rule = portal(strength):dynamic(options):finish()
+  near(fast_rule.energy.elastic / fast_points.energy.elastic, 1, 1e-12, "explicit: elastic energy")
+end)
+
+case("a function sees what the hinge has gone through, and its errors name it", function()
+  local seen = { largest = 0, work = 0 }
+  local _, run = driven(2, function(largest, x, y, work)
+    if work > 0 and largest > seen.largest then seen = { largest = largest, x = x, y = y, work = work } end
+    return 1
+  end, { 0.05 })
+  local hinge_of_run = run:hinges()[1]
+  near(seen.work, hinge_of_run.work, 1e-5 * hinge_of_run.work, "plastic work")
+  near(math.abs(seen.x), math.abs(hinge_of_run.rotation_x), 1e-6, "rotation about x")
+  expect(seen.largest > 0.03 and math.abs(seen.y) < 1e-9, "largest rotation %g, about y %g", seen.largest, seen.y)
+  for _, bad in ipairs { { function() return 0 end, "returned 0" }, { function() return "x" end, "returned 'x'" },
+    { function() error "no" end, "no" }, { 3, "or a function" } } do
+    local ok, message = pcall(driven, 2, bad[1], { 0.01 })
+    expect(not ok and tostring(message):find(bad[2], 1, true), "'%s' in: %s", bad[2], message)
+  end
+  local late = function(largest) return largest > 0.01 and 0 / 0 or 1 end
+  local ok, message = pcall(driven, 2, late, { 0.05 })
+  expect(not ok and tostring(message):find("0.01 or more", 1, true), "in a step: %s", message)
+end)
+
 case("what was given can be read, and the plan names it", function()
   local b = hinge.backbone(numbers)
   equal(#b.points, 5, "points")

@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 #include "laws/laws.h"
+#include "script/bind/material_laws.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -130,6 +131,25 @@ int same_backbone(lua_State* L) {
 }
 
 }  // namespace
+
+std::shared_ptr<const beam::MaterialLaw> own_backbone(const LuaFunction& f) {
+    return beam::backbone_law([f](const beam::HingePast& past) {
+        lua_State* L = f.running();
+        const std::string who = "model:member: the function in field 'backbone'";
+        f.push(L);
+        for (const double x : {past.largest, past.x, past.y, past.work}) lua_pushnumber(L, x);
+        call_hook(L, f, 4, 1, who);
+        const double strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
+        const std::string shown = show(L, -1);
+        lua_pop(L, 1);
+        if (!(std::isfinite(strength) && strength >= least))
+            throw HookError(f.place() + ": " + who + " returned " + shown + " at a largest plastic rotation of " +
+                            show(past.largest) +
+                            " rad; it must return a number of 0.01 or more, the strength over the "
+                            "fully plastic one");
+        return strength;
+    });
+}
 
 void open_backbone(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};

@@ -3,8 +3,9 @@
 
 #include "beam/plastic_domain.h"
 #include "effects/gravity.h"
-#include "script/lua/objects.h"
+#include "script/bind/material_laws.h"
 #include "script/checks/size_notice.h"
+#include "script/lua/objects.h"
 
 namespace hinge::script {
 
@@ -189,14 +190,15 @@ int add_member(lua_State* L) {
                    "give one made by hinge.material{ E =, density =, ... }");
     if (o.push_field("backbone") != LUA_TNIL) {
         const auto* b = find<BackboneBox>(L, -1);
-        if (!b) o.complain("backbone", show(L, -1), "give one made by hinge.backbone{ ... }");
+        if (!b && lua_type(L, -1) != LUA_TFUNCTION)
+            o.complain("backbone", show(L, -1), "give one made by hinge.backbone{ ... }, or a function");
         if (m->options().formulation == Formulation::conventional)
             o.complain("backbone", "given",
                        "needs hinges at the ends of elements: hinge.model{ formulation = 'asi-gauss' } or 'asi'");
         const auto& outline = data.section->outline;
         if (!std::isfinite(data.material->yield_stress) && !(outline && outline->concrete()))
             o.complain("backbone", "given", "needs a material with yield_stress (Pa), or a section of concrete");
-        data.backbone = b->value;
+        data.backbone = b ? b->value : own_backbone(LuaFunction(L, -1, *m));
     }
     lua_pop(L, 3);
     const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;

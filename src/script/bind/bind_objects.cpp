@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 #include "effects/loads.h"
+#include "beam/material_law.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -229,7 +230,10 @@ int member_fields(lua_State* L) {
         data.groups.empty() ? lua_pushnil(L) : (void)push_text(L, m.model->groups()[data.groups[0]]);
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
-    else if (key == "backbone") data.backbone ? (void)push<BackboneBox>(L, data.backbone) : lua_pushnil(L);
+    else if (key == "backbone")
+        !data.backbone                  ? lua_pushnil(L)
+        : data.backbone->calls_script() ? (void)push_text(L, "a function")
+                                        : (void)push<BackboneBox>(L, data.backbone);
     else if (key == "up") push_triple(L, data.up);
     else if (key == "carries") push_text(L, carries_word(data.carries));
     else if (key == "elements")

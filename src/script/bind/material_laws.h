@@ -9,4 +9,7 @@ namespace hinge::script {
 /// The laws that the table declares for the material `m`, of which E and yield_stress are read already.
 std::vector<std::shared_ptr<const beam::MaterialLaw>> read_material_laws(Options& o, const Material& m);
 
+/// A backbone that the script gives as a function (largest, x, y in rad, work in J), which returns the strength.
+std::shared_ptr<const beam::MaterialLaw> own_backbone(const LuaFunction& f);
+
 }  // namespace hinge::script
