@@ -191,9 +191,8 @@ local function name_of(value)
   for _, e in ipairs((read())) do
     if e.kind == "heading" then module = e.module or module end
     if e.kind == "function" and type(value) == "function" then
-      local owner = e.object == "hinge" and require "hinge" or e.object == "hinge.sections" and require "hinge".section
-        or e.object == "hinge.materials" and require "hinge".material
-        or e.object == "hinge.backbones" and require "hinge".backbone
+      local of_library = reference.tables[e.object]
+      local owner = e.object == "hinge" and require "hinge" or of_library and require "hinge"[of_library]
         or e.object == "hinge.job" and getmetatable(require "hinge.job".new(""))
         or e.separator == "." and module and package.loaded[module]
         or (debug.getregistry()[e.object] or {}).methods

@@ -14,6 +14,7 @@
 ---@class hinge
 ---@field version string
 ---@field section hinge.sections ready shapes, and any other section by its properties
+---@field heat hinge.heats properties of steel in fire, fire curves, temperatures
 ---units as numbers of SI: 4 * hinge.units.kN / hinge.units.m is 4000. m, mm, cm, km, inch, ft; kg, t, lb; s, ms, min,
 ---h, Hz, kmh; N, kN, MN, lbf, kip; Pa, kPa, MPa, GPa, psi, ksi, psf; J, kJ, MJ; rad, mrad, deg; gravity
 ---@field units table<string, number>
@@ -405,6 +406,55 @@ function backbone.ufc(options) end
 ---@field yield_rotation? number
 ---@field role? "primary"|"secondary" which rotation is allowed; default "primary"
 
+-- Heat ---------------------------------------------------------------------------------------------------------------
+
+---What heat makes of steel, fire curves, and how hot steel becomes in them.
+---@class hinge.heats
+local heat = {}
+
+---Properties of a material over its temperature, for model:heat: points { degrees Celsius, value }, straight between.
+---@class hinge.heat_properties
+---@field stiffness number[][] E over that of the declared material, 0.001 or more; G changes alike
+---@field strength number[][] the same of the yield stress, 0.001 or more; hardening and backbone change alike
+---@field elongation number[][] strain without stress
+
+---Carbon steel by EN 1993-1-2:2005, table 3.1 and 3.4.1.1, from -60 to 1100 degrees Celsius. strength: "yield", k_y,
+---the stress at a strain of 2 %, the default; or "proportional", k_p, where hot steel begins to yield.
+---```lua
+---local safe = hinge.heat.steel { strength = "proportional" }
+---print(safe.strength[6][1], safe.strength[6][2]) -- 500 degrees Celsius, 0.36
+---```
+---@param options? { strength?: "yield"|"proportional" }
+---@return hinge.heat_properties
+function heat.steel(options) end
+
+---Temperature of the gas in the standard fire ISO 834 (EN 1991-1-2, 3.2.1): 20 + 345 log10(8 t / 60 s + 1).
+---```lua
+---print(hinge.heat.iso834(1800)) -- 841.8 degrees Celsius after half an hour
+---```
+---@param time number s
+---@return number temperature degrees Celsius
+function heat.iso834(time) end
+
+---Temperature of unprotected steel in a fire over time, in steps of 5 s (EN 1993-1-2, 4.2.5.1, eq 4.25). What it
+---returns is for the field temperature of model:heat.
+---```lua
+---local points = hinge.heat.unprotected { section_factor = 140, duration = 1800 }
+---print(points[#points][1], points[#points][2]) -- s, degrees Celsius
+---```
+---@param options hinge.unprotected_options
+---@return number[][] points { time in s, degrees Celsius }
+function heat.unprotected(options) end
+
+---@class hinge.unprotected_options
+---@field section_factor number 1/m, surface over volume of the steel, A_m/V; 10 or more
+---@field duration number s
+---@field fire? fun(time: number): number temperature of the gas, degrees Celsius; default: hinge.heat.iso834
+---@field shadow? number k_sh, factor on the heat that comes in, above 0 to 1; default 1
+---@field convection? number W/(m^2 K), default 25
+---@field emissivity? number of steel and fire together, 0 to 1; default 0.7
+---@field every? number s between two points, default 60
+
 -- Sections -----------------------------------------------------------------------------------------------------------
 
 ---Cross-sections. The local z axis runs along the member. The local y axis is the direction of the member's `up`. The
@@ -724,7 +774,7 @@ function node:position(run) end
 ---@field group string? name of its first group, which sets its colour; nil: none
 ---@field section hinge.section
 ---@field material hinge.material
----@field backbone hinge.backbone? nil: none
+---@field backbone hinge.backbone|string? nil: none; "a function"
 ---@field up vec3 direction of the section's y axis, as given
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
 ---@field carries "both"|"tension"|"compression" as given
@@ -912,8 +962,12 @@ function model:member(options) end
 ---@field up? vec3
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one sets its colour
 ---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
----strength of its ends over their plastic rotation; default: constant. Not with the conventional element
----@field backbone? hinge.backbone
+---strength of its ends over their plastic rotation; default: constant. Not with the conventional element. A function
+---gets the largest plastic rotation of the end so far (rad), its plastic rotations about x and y (rad) and its plastic
+---work at the full strength (J), as they are where a step may end, and returns the strength over the fully plastic one,
+---0.01 or more. It is called often, in every step in which the end flows, and must depend on these four alone. A run
+---with such a function has one thread
+---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
 ---which axial forces it carries. both (default). tension: a cable or slender brace. It shortens without force, and
 ---carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No
 ---energy is dissipated by that. With a yield stress the member yields at N0 in the sense that it carries; its bending
@@ -1219,6 +1273,63 @@ function model:fracture(rule) end
 ---```
 ---@param options { member?: hinge.member, group?: hinge.group_like, at: number } one of member and group; at: s
 function model:remove(options) end
+
+---Heats members. Their temperature is given. A heated member gets longer by the strain of `properties` at this
+---temperature, and its stiffness and its strength are those parts of the declared ones. What is free to lengthen takes
+---no force; what is held is pressed. Of several declarations for one member the last one counts. Statics heats from
+---where the run begins, 20 degrees Celsius at first, to the temperature, as the load factor goes from 0 to 1; as a
+---load, heat may belong to a load case. A temperature over time acts in dynamics; statics keeps what it is at the time
+---of the run. In dynamics a number is there from the start. The energy balance has the account `heat`. It does not go
+---with integrator = "energy-momentum". Source: EN 1993-1-2:2005, 3.2 and 3.4.
+---```lua
+---local hot = hinge.model()
+---local left, right = hot:node { 0, 0, 0 }, hot:node { 4, 0, 0 }
+---local beam = hot:member { left, right, section = square, material = steel }
+---hot:fix(left, "all")
+---hot:fix(right, "all")
+---hot:heat { member = beam, temperature = 50 } -- degrees Celsius
+---print(beam:forces(hot:static {}:finish()).N) -- below 0: it is pressed
+---```
+---@param options hinge.heat_options
+function model:heat(options) end
+
+---@class hinge.heat_options
+---one of member and group; neither: all members
+---@field member? hinge.member
+---@field group? hinge.group_like
+---degrees Celsius, in the middle of the section: a number, points { { time in s, temperature }, ... } between which it
+---is linear, or a function of the time
+---@field temperature number|number[][]|fun(time: number): number
+---K, how much hotter the side of the section at +y (`up`) is than that at -y. A member that is free bends to the other
+---side. Default 0
+---@field across_y? number|number[][]|fun(time: number): number
+---@field across_x? number|number[][]|fun(time: number): number K, the side at +x and that at -x; default 0
+---@field properties? hinge.heat_properties default: hinge.heat.steel()
+---@field case? hinge.case_like load case that it belongs to; default: none. For a temperature that is a number
+
+---Makes members too short or too long: prestress. Several declarations for one member add up. It grows with the load
+---factor of statics, and in dynamics it is there from the start. Its work is in the account `heat` of the energy
+---balance.
+---```lua
+---local tight = hinge.model()
+---local left, right = tight:node { 0, 0, 0 }, tight:node { 4, 0, 0 }
+---local tie = tight:member { left, right, section = square, material = steel }
+---tight:fix(left, "all")
+---tight:fix(right, "all")
+---tight:prestress { member = tie, force = 1e4 } -- N
+---print(tie:forces(tight:static {}:finish()).N) -- 10000.0
+---```
+---@param options hinge.prestress_options
+function model:prestress(options) end
+
+---@class hinge.prestress_options
+---@field member? hinge.member one of member and group
+---@field group? hinge.group_like
+---without force the member is longer by this part of its length; below 0: shorter, so that it pulls. -0.1 to 0.1. One
+---of strain and force
+---@field strain? number
+---@field force? number N, above 0 tension: what the member would have between ends that do not move
+---@field case? hinge.case_like load case that it belongs to; default: none
 
 ---Declares which members can touch each other, and how. surface (the default): bars press on each other where their
 ---axes come closest. Each bar is round; its radius is half the smaller side of its section. A penetration g stores the
@@ -1928,7 +2039,7 @@ function run:state(member) end
 
 ---@alias hinge.end_a "N_a"|"Mx_a"|"My_a"|"Mz_a"|"Qx_a"|"Qy_a"|"f_y_a"
 ---@alias hinge.end_b "N_b"|"Mx_b"|"My_b"|"Mz_b"|"Qx_b"|"Qy_b"|"f_y_b"
----@alias hinge.member_value "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"member"|"x"|"y"|"z"
+---@alias hinge.member_value "f_y"|"N"|"broken"|"yielded"|"touched"|"plastic_work"|"temperature"|"member"|"x"|"y"|"z"
 ---@alias hinge.member_quantity hinge.member_value|hinge.end_a|hinge.end_b
 
 ---@alias hinge.rate "vx"|"vy"|"vz"|"vrx"|"vry"|"vrz"|"ax"|"ay"|"az"|"arx"|"ary"|"arz" velocity, acceleration
@@ -1937,7 +2048,8 @@ function run:state(member) end
 
 ---Reads one number for each member or each joint of the group, in the order of declaration. "member" and "node" give
 ---their indices. For members: f_y is the largest value in the member now. N is its mean axial force, N, 0 once it is
----broken. broken, yielded and touched are 1 or 0. plastic_work is in J. member is the index. x, y, z are the middle of
+---broken. broken, yielded and touched are 1 or 0. plastic_work is in J. temperature is that
+---in the middle of its section, degrees Celsius. member is the index. x, y, z are the middle of
 ---the member now, m. Names with _a and _b are the resultants at its ends, as in member:forces. For nodes: the
 ---quantities of run:probe; reactions are reaction_fx to reaction_mz. node is the index. node_x, node_y, node_z are the
 ---position now, m.

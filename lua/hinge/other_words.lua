@@ -17,7 +17,7 @@ local standard = there(
   "backbones of beams, columns and connections by published formulas, and the limits that go with them")
 local hardens = there({ "hinge.material" }, "the options hardening = { tangent = } and rate = { D =, q = }")
 local one_way = there({ "model:member" }, "the option carries = \"tension\" or \"compression\"")
-local temperature = missing({ "hinge.material" }, "a material keeps its properties during a run")
+local temperature = there({ "model:heat", "heat.steel" }, "members lengthen and lose stiffness and strength with heat")
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
 local released = there({ "model:connector", "model:fix" },
   "a pin is two nodes at one place, with a connector that is stiff in all directions but one")
@@ -54,7 +54,7 @@ return {
   ["rigid link"] = rigid, ["rigid body"] = rigid, ["rigid offset"] = rigid,
   truss = there({ "model:connector", "model:fix" }, released.how),
   cable = one_way, ["tension only"] = one_way, ["compression only"] = one_way, strut = one_way,
-  prestress = missing({ "model:connector" }, "a curve of a connector may have a force at zero deformation"),
+  prestressing = there({ "model:prestress" }, "members that were made too short, or their force between fixed ends"),
   utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
   imperfection = missing({ "model:node", "model:load" }, "nodes out of line, or a small load to the side"),
   isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),

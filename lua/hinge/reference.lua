@@ -125,13 +125,16 @@ function reference.read()
   return entries
 end
 
+--- Objects that are tables of the library: their names in it.
+reference.tables = { ["hinge.sections"] = "section", ["hinge.materials"] = "material", ["hinge.backbones"] = "backbone",
+  ["hinge.heats"] = "heat" }
+
 --- How a function is called, as in "model:node(position)".
 function reference.signature(f)
   local arguments = {}
   for _, p in ipairs(f.params) do arguments[#arguments + 1] = p.name .. (p.optional and "?" or "") end
-  local sections = (f.object == "hinge.sections" or f.object == "hinge.materials" or f.object == "hinge.backbones")
-    and "hinge." or ""
-  return ("%s%s%s%s(%s)"):format(sections, f.variable, f.separator, f.name, table.concat(arguments, ", "))
+  local before = reference.tables[f.object] and "hinge." or ""
+  return ("%s%s%s%s(%s)"):format(before, f.variable, f.separator, f.name, table.concat(arguments, ", "))
 end
 
 -- A paragraph or an item of a list, broken into lines of at most 120 columns: at blanks outside of `code`, and not

@@ -134,7 +134,8 @@ ElementPart EffectiveStiffness::part(int index, const State& state, const Config
         return {both.A[index & 1], index & 1 ? Mat6(both.bridge.transpose()) : both.bridge};
     }
     const ElementTangent* g = find(given, index);
-    return {single_part(index, state, pose, g ? g->own : stiffness_now(structure_, state, index, heat_of(pose.heat, index)).matrix()),
+    return {single_part(index, state, pose,
+                        g ? g->own : stiffness_now(structure_, state, index, heat_of(pose.heat, index)).matrix()),
             Mat6::Zero()};
 }
 

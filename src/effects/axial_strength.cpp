@@ -33,12 +33,19 @@ AxialStrength::AxialStrength(const Structure& structure) {
 
 void AxialStrength::look(const Workspace& w, const Step& step) {
     const auto look_at = [&](int i) {
-        if (may_exceed(scales_[i], w.state.force[i], w.assembly.fixed_end(i))) compare_ends(w, step, i);
+        if (may_exceed(scale_of(w, i), w.state.force[i], w.assembly.fixed_end(i))) compare_ends(w, step, i);
     };
     if (!w.is_due_every(every))
         for (const PlasticIncrement& y : w.yielding) look_at(y.element);
     else
         for (int i = 0; i < int(scales_.size()); ++i) look_at(i);
+}
+
+/// Of its strength now, which heat may have taken from.
+AxialStrength::Scales AxialStrength::scale_of(const Workspace& w, int index) const {
+    const Scales& s = scales_[index];
+    const double strength = heat_of(w.state.heat, index).strength;
+    return {s.n / strength, {s.m[0] / strength, s.m[1] / strength}};
 }
 
 /// Takes the largest of both ends and axes: for most elements that is all there is to do in a step.
@@ -52,7 +59,7 @@ bool AxialStrength::may_exceed(const Scales& scale, const Vec6& p, const beam::F
 }
 
 void AxialStrength::compare_ends(const Workspace& w, const Step& step, int index) {
-    const Scales& scale = scales_[index];
+    const Scales scale = scale_of(w, index);
     const Vec6& p = w.state.force[index];
     const beam::FixedEnd& fixed = w.assembly.fixed_end(index);
     for (int end : {0, 1}) {

@@ -54,6 +54,7 @@ private:
     struct Scales {
         double n = 0, m[2] = {0, 0};  ///< 1/N, 1/(N m); n = 0: nothing to look at
     };
+    Scales scale_of(const Workspace& w, int element) const;
     static bool may_exceed(const Scales& scale, const Vec6& p, const beam::FixedEnd& fixed);
     void compare_ends(const Workspace& w, const Step& step, int element);
     /// Compares a bending moment with the exact plastic one beside the axial force.

@@ -19,6 +19,7 @@ std::vector<T> of_all(const Model& model, std::vector<T> (*Declarer::*what)(cons
 }  // namespace
 
 std::vector<DeclaredLoad> declared_loads(const Model& model) { return of_all(model, &Declarer::loads); }
+std::vector<int> declared_cases(const Model& model) { return of_all(model, &Declarer::cases); }
 std::vector<AddedMass> added_masses(const Model& model) { return of_all(model, &Declarer::masses); }
 std::vector<NodeLink> node_links(const Model& model) { return of_all(model, &Declarer::links); }
 std::vector<DeclaredPlane> declared_planes(const Model& model) { return of_all(model, &Declarer::planes); }

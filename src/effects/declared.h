@@ -63,6 +63,9 @@ struct ScriptFunctions {
 /// Rising by place.
 std::vector<ScriptFunctions> script_functions(const Model& model);
 
+/// Load cases of what is declared and is no load: heat, prestress.
+std::vector<int> declared_cases(const Model& model);
+
 /// What one kind of effect declares; null for nothing.
 struct Declarer {
     std::vector<DeclaredLoad> (*loads)(const Model& model) = nullptr;
@@ -71,6 +74,7 @@ struct Declarer {
     std::vector<DeclaredPlane> (*planes)(const Model& model) = nullptr;
     std::optional<Vec3> (*gravity)(const Model& model) = nullptr;
     std::vector<ScriptFunctions> (*functions)(const Model& model) = nullptr;
+    std::vector<int> (*cases)(const Model& model) = nullptr;
 };
 
 }  // namespace hinge

@@ -370,8 +370,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
     if (rule.none() || (rule.plastic_only && !flow)) return holds;
     const bool by_section = rule.strain_measure == FractureRule::StrainMeasure::section && !w_.structure.conventional();
     const auto with_shear = [&](beam::FractureStrains strains) {
-        if (std::isfinite(rule.shear_strain))
-            add_shear(strains, index, resultants_at(index, 0));
+        if (std::isfinite(rule.shear_strain)) add_shear(strains, index, resultants_at(index, 0));
         return strains;
     };
     if (!by_section) {

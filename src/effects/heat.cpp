@@ -89,11 +89,10 @@ class Heat : public Effect, public Heater {
 public:
     Heat(Workspace& w, Host& host) : Effect(heat_effect, w, host) {
         const auto& list = declared(w.structure.model());
-        traits_.calls_script =
-            std::any_of(list.begin(), list.end(), [](const Heating& h) {
-                const auto is_function = [](const History& of_time) { return of_time && !of_time.points(); };
-                return is_function(h.history) || is_function(h.across_history[0]) || is_function(h.across_history[1]);
-            });
+        traits_.calls_script = std::any_of(list.begin(), list.end(), [](const Heating& h) {
+            const auto is_function = [](const History& of_time) { return of_time && !of_time.points(); };
+            return is_function(h.history) || is_function(h.across_history[0]) || is_function(h.across_history[1]);
+        });
         std::vector<int> of_member;
         for (int m = 0; m < int(w.structure.model().members().size()); ++m)
             of_member.push_back(heating_of(w.structure.model(), m));
@@ -160,8 +159,7 @@ public:
             for (const Vec6& elastic : d) of_declared += 0.25 * elastic.dot(k.times(elastic));
             if (in_pair(w_.structure, w_.state, e) && e % 2 == 1)
                 for (int i : {0, 1})
-                    of_declared +=
-                        0.5 * beam::pair_energy(pair_kind_of(w_.structure.elements()[e]), first[i], d[i]);
+                    of_declared += 0.5 * beam::pair_energy(pair_kind_of(w_.structure.elements()[e]), first[i], d[i]);
             for (int i : {0, 1}) first[i] = d[i];
             supplied += of_declared * (after.stiffness - before.stiffness);
         }
@@ -197,8 +195,8 @@ private:
             if (h.across_history[side]) at.across[side] = h.across_history[side](time);
         const double t = at.middle, half = 0.5 * std::max(std::abs(at.across[0]), std::abs(at.across[1]));
         if (!(t - half >= h.properties->least() && t + half <= h.properties->most()))
-            throw HookError(h.asked_at + ": model:heat: the temperature is " + number_text(t) + " degrees Celsius at t = " +
-                            number_text(time) + " s, and the properties are known from " +
+            throw HookError(h.asked_at + ": model:heat: the temperature is " + number_text(t) +
+                            " degrees Celsius at t = " + number_text(time) + " s, and the properties are known from " +
                             number_text(h.properties->least()) + " to " + number_text(h.properties->most()) +
                             (half > 0 ? ", on both sides of the section" : ""));
         return at;
@@ -211,8 +209,7 @@ private:
     }
     /// In dynamics, at a time.
     void set(ElementHeats& heat, double time) const {
-        for (const Heated& h : heated_)
-            set(heat, h, h.rule >= 0 ? at_time(rule(h), time) : Temperature(), h.strain);
+        for (const Heated& h : heated_) set(heat, h, h.rule >= 0 ? at_time(rule(h), time) : Temperature(), h.strain);
     }
 
     std::vector<Heated> heated_;  ///< rising
@@ -225,7 +222,9 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& kind) {
     std::string text = list.empty() ? "not declared" : "model:heat";
     for (const Heating& h : list) {
         text += &h == &list[0] ? "; " : ", ";
-        text += h.group >= 0 ? s.model().groups()[h.group] : h.member >= 0 ? "member " + std::to_string(h.member + 1) : "all members";
+        text += h.group >= 0    ? s.model().groups()[h.group]
+                : h.member >= 0 ? "member " + std::to_string(h.member + 1)
+                                : "all members";
         if (!h.varies()) text += " to " + number_text(h.temperature) + " degrees Celsius";
         else text += kind.dynamic ? " over time" : " as where the run begins";
     }
@@ -255,18 +254,28 @@ int Heating::choose(std::vector<Heating>& list, const std::vector<Heating>*, con
 }
 
 EffectKind heat_kind() {
-    return {.name = heat_effect,
-            .accounts = {{heat_effect, 45, "taken out by heat and prestress; negative: they have pressed, pulled or bent members", {},
-                          false, true}},
-            .plan = plan,
-            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                const Model& model = w.structure.model();
-                if (declared(model).empty() && model.declared<Prestress>(prestress_effect).empty() &&
-                    w.state.heat.empty())
-                    return nullptr;
-                return std::make_unique<Heat>(w, host);
-            },
-            .leave_out = leave_out_declared<heat_effect>};
+    return {
+        .name = heat_effect,
+        .accounts = {{heat_effect,
+                      45,
+                      "taken out by heat and prestress; negative: they have pressed, pulled or bent members",
+                      {},
+                      false,
+                      true}},
+        .plan = plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            const Model& model = w.structure.model();
+            if (declared(model).empty() && model.declared<Prestress>(prestress_effect).empty() && w.state.heat.empty())
+                return nullptr;
+            return std::make_unique<Heat>(w, host);
+        },
+        .leave_out = leave_out_declared<heat_effect>,
+        .declarer = {.cases = [](const Model& model) {
+            std::vector<int> list;
+            for (const Heating& h : declared(model)) list.push_back(h.load_case);
+            for (const Prestress& p : model.declared<Prestress>(prestress_effect)) list.push_back(p.load_case);
+            return list;
+        }}};
 }
 
 }  // namespace hinge

@@ -19,7 +19,9 @@ struct HeatProperties {
     Points strength;    ///< yield stress over the declared one
     Points elongation;  ///< strain without stress
     /// Range of temperatures that all three have, degrees Celsius.
-    double least() const { return std::max({stiffness.front().first, strength.front().first, elongation.front().first}); }
+    double least() const {
+        return std::max({stiffness.front().first, strength.front().first, elongation.front().first});
+    }
     double most() const { return std::min({stiffness.back().first, strength.back().first, elongation.back().first}); }
     template <class Self, class A>
     static void fields(Self& s, A& a) {

@@ -34,8 +34,8 @@ PairCompression pressed(const Structure& structure, const State& state, const st
     constexpr double clamped = std::numbers::pi * std::numbers::pi;  // N l^2 / EI, l: of one element
     const Element& e = structure.elements()[first];
     if (e.partner != first + 1 || state.broken[first] || state.broken[first + 1] || structure.conventional()) return {};
-    const double N = -0.5 * (force[first][4] + force[first + 1][4]), p = N * e.length * e.length / clamped /
-                                                                           heat_of(state.heat, first).stiffness;
+    const double N = -0.5 * (force[first][4] + force[first + 1][4]),
+                 p = N * e.length * e.length / clamped / heat_of(state.heat, first).stiffness;
     return {N, {p / e.rigidity.EIx, p / e.rigidity.EIy}};
 }
 

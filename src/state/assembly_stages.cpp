@@ -183,8 +183,8 @@ bool ElementAssembly::no_section_flows(int element, int i, const State& state, c
     const beam::SectionConditions at[2] = {conditions(state, element + i), conditions(state, element + i + 1)};
     const Element& e = structure_.elements()[element + i];
     if (no_section_flows(element, i, state, heats, p) && no_section_flows(element, i + 1, state, heats, p)) return;
-    const bool converged = beam::return_to_surface(pair_kind_of(e, heat), k, elastic, *law_now(e, heat), flow,
-                                                   return_tolerance_, at);
+    const bool converged =
+        beam::return_to_surface(pair_kind_of(e, heat), k, elastic, *law_now(e, heat), flow, return_tolerance_, at);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];

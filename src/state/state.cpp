@@ -59,7 +59,8 @@ bool makes_sense(const State& s, const Structure& structure) {
         long_as(structure.large() ? 0 : nodes, s.small_rotation) &&
         long_as(elements, s.plastic, s.force, s.point, s.plastic_work, s.hinge, s.yielded, s.touched, s.broken) &&
         long_as(structure.history_size(), s.history) && none_or(nodes, s.offset_mass) &&
-        none_or(elements, s.offset_arm) && none_or(elements, s.twist) && none_or(elements, s.turned) && none_or(elements, s.heat);
+        none_or(elements, s.offset_arm) && none_or(elements, s.twist) && none_or(elements, s.turned) &&
+        none_or(elements, s.heat);
     if (!whole) return false;
     for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
         if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;

@@ -150,7 +150,8 @@ local function frame(options)
   model:mass { node = n[2], mass = 40e3 }
   model:mass { node = n[3], mass = 40e3 }
   model:gravity { 0, 0, -9.81 }
-  model:heat { group = "hot", temperature = { { 0, 20 }, { 1, 800 } }, across_y = options.across and { { 0, 0 }, { 1, options.across } } }
+  local across = { { 0, 0 }, { 1, options.across or 0 } }
+  model:heat { group = "hot", temperature = { { 0, 20 }, { 1, 800 } }, across_y = across }
   return model, n
 end
 
@@ -316,7 +317,7 @@ case("wrong input is refused", function()
   local bare = sizeless:member { sizeless:node { 0, 0, 0 }, sizeless:node { 1, 0, 0 }, section = round,
     material = elastic }
   local refused = {
-    { model, { temperature = 1300 }, "'temperature' is 1300 degrees Celsius; the properties are known from -60 to 1100" },
+    { model, { temperature = 1300 }, "is 1300 degrees Celsius; the properties are known from -60 to 1100" },
     { model, { temperature = { { 0, 20 }, { 60, 1200 } } }, "1200 degrees Celsius at 60 s" },
     { model, { temperature = 1080, across_y = 100 }, "both sides of the section must be in that range" },
     { model, { temperature = "hot" }, "'temperature'" },

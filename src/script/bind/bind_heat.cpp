@@ -124,14 +124,15 @@ int heat_members(lua_State* L) {
     const auto& members = model->members();
     for (std::size_t m = 0; m < members.size(); ++m) {
         const auto& in = members[m].groups;
-        const bool heated = h.member >= 0 ? int(m) == h.member
-                                          : h.group < 0 || std::find(in.begin(), in.end(), h.group) != in.end();
+        const bool heated =
+            h.member >= 0 ? int(m) == h.member : h.group < 0 || std::find(in.begin(), in.end(), h.group) != in.end();
         const double size[2] = {members[m].section->depth, members[m].section->width};
         for (int side : {0, 1})
             if (heated && (h.across[side] != 0 || h.across_history[side]) && !(size[side] > 0))
-                o.complain(sides[side], "given",
-                           "needs a section with a size: give 'size' = { width, depth } in m to the section of member " +
-                               std::to_string(m + 1));
+                o.complain(
+                    sides[side], "given",
+                    "needs a section with a size: give 'size' = { width, depth } in m to the section of member " +
+                        std::to_string(m + 1));
     }
     h.asked_at = where(L);
     model->declare(heat_effect, std::move(h));
@@ -150,7 +151,8 @@ int prestress_members(lua_State* L) {
         throw InputError("model:prestress: field 'member' is missing; give a member, or group = a group");
     const auto strain = o.maybe_number("strain", "", Range::any), force = o.maybe_number("force", "N", Range::any);
     if (!strain == !force)
-        throw InputError(std::string("model:prestress: ") + (strain ? "both 'strain' and 'force' are" : "neither 'strain' nor 'force' is") +
+        throw InputError(std::string("model:prestress: ") +
+                         (strain ? "both 'strain' and 'force' are" : "neither 'strain' nor 'force' is") +
                          " given; give strain, the part of its length by which the member was made too long (below 0: "
                          "too short), or force (N), which it would have between ends that do not move");
     p.strain = strain.value_or(0), p.force = force.value_or(0);

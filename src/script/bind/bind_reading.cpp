@@ -273,8 +273,8 @@ std::vector<double> read_members(const RunRecord& r, const std::string& what, in
 int read(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:read").value;
     static const std::vector<std::string> of_members = [] {
-        std::vector<std::string> names = {"f_y",          "N",      "broken", "yielded", "touched",
-                                          "plastic_work", "temperature", "member", "x", "y", "z"};
+        std::vector<std::string> names = {"f_y",         "N",      "broken", "yielded", "touched", "plastic_work",
+                                          "temperature", "member", "x",      "y",       "z"};
         for (const char* end : {"_a", "_b"})
             for (const auto& q : resultants) names.push_back(q + end);
         return names;

@@ -374,6 +374,7 @@ std::vector<Warning> empty_cases(const ScriptModel& m, const LoadChoice& choice,
         if (load_case >= 0) holds[load_case] = 1;
     };
     for (const DeclaredLoad& l : declared_loads(m)) note(l.load_case);
+    for (const int load_case : declared_cases(m)) note(load_case);
     note(m.gravity_case.value_or(-1));
     std::vector<Warning> list;
     for (std::size_t i = 0; i < holds.size(); ++i)

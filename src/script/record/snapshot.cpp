@@ -57,9 +57,8 @@ void add_yield_along(output::Bar& bar, const Run& run, int element) {
     const double Mx = (bar.Mx[0] + bar.Mx[1]) / 2 + e.length * (bar.Qy[0] - bar.Qy[1]) / 8;
     const double My = (bar.My[0] + bar.My[1]) / 2 - e.length * (bar.Qx[0] - bar.Qx[1]) / 8;
     for (const int end : {-1, 1})
-        bar.yield_along[1] =
-            std::max(bar.yield_along[1],
-                     yield_function_at(run.structure(), run.state(), element, end, {Mx, My, bar.N, bar.Mz}));
+        bar.yield_along[1] = std::max(
+            bar.yield_along[1], yield_function_at(run.structure(), run.state(), element, end, {Mx, My, bar.N, bar.Mz}));
 }
 
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
