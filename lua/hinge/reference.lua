@@ -199,7 +199,8 @@ local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
 model:fix(wall)
 local beam = model:member { wall, tip, section = square, material = steel, group = "arm" }
 model:load { node = tip, force = { 0, 0, -1000 } }
-local run = model:static():finish()]]
+local run = model:static():finish()
+local plan = hinge.grid { model = hinge.model(), x = { 0, 6 }, z = { 0, 3 } }]]
 
 local opening = [[
 # Reference
@@ -210,8 +211,8 @@ options are given by name, as in `hinge.material { E = 206e9 }`. Wrong input is 
 goes wrong in the physics or the numbers is a result: see `verdict` of a run. "eq" and "section" refer to Lynn and
 Isobe's paper on the ASI-Gauss technique.
 
-Every example runs as it stands after these lines, a cantilever 1 m long with 1 kN at its tip. `job` is the second
-argument of a scenario's run.
+Every example runs as it stands after these lines, a cantilever 1 m long with 1 kN at its tip, and the grid of
+a portal. `job` is the second argument of a scenario's run.
 
 ```lua
 ]] .. reference.preamble .. "\n```\n"

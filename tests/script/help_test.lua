@@ -44,7 +44,7 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     ["hinge.section.box"] = "hinge.section.box(options) hinge.box_options",
     ["box"] = "hinge.section.box(options) hinge.box_options",
     ["hinge.energy"] = "hinge.energy",
-    ["node"] = "hinge.node model:node(position)",
+    ["node"] = "grid:node(place, storey?) hinge.node model:node(position)",
     ["run.energy"] = "hinge.energy",
     ["vec3"] = "vec3",
     ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",

@@ -93,6 +93,7 @@ local function scene()
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3, loads = {} }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.snapshot = s.run:snapshot()
+  s.grid = hinge.grid { model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }
   return s
 end
 local s = scene()
@@ -101,7 +102,7 @@ local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hin
   ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
-  ["hinge.connector"] = s.connector }
+  ["hinge.connector"] = s.connector, ["hinge.grid"] = s.grid }
 
 case("every object has the fields and methods that its declared type names", function()
   -- A value has the fields that its declared type names; { ... }[] and lists of a class are
@@ -229,6 +230,13 @@ local calls = {
   ["model:prestress"] = function(x) s.model:prestress(x) end,
   ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
+  ["hinge.grid"] = function(x) hinge.grid(with({ model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }, x)) end,
+  ["grid:defaults"] = function(x) s.grid:defaults(x) end,
+  ["grid:columns"] = function(x) s.grid:columns(x) end,
+  ["grid:beams"] = function(x) s.grid:beams(with({ along = "x" }, x)) end,
+  ["grid:braces"] = function(x) s.grid:braces(with({ from = "A1", to = "B1" }, x)) end,
+  ["grid:line"] = function(x) s.grid:line(with({ "A1, base", "A1, storey 1" }, x)) end,
+  ["grid:copy"] = function(x) s.grid:copy(with({ members = {}, by = { 1, 0, 0 } }, x)) end,
   ["run:hinges"] = function(x) s.run:hinges(x) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
