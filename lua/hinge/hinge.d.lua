@@ -587,6 +587,158 @@ function grid:copy(options) end
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
 ---@field carries? "both"|"tension"|"compression"
 
+-- Blast --------------------------------------------------------------------------------------------------------------
+
+---An explosion on the ground: the pressure that it puts on faces, and loads on members. The values are those of
+---Kingery and Bulmash (1984) for hemispherical charges of TNT on the ground, by the fits of Swisdak (1994, ADA526744).
+---The fits depend on the scaled distance Z = R / W^(1/3): R is the distance from the charge in m, W the charge in kg.
+---Each value has its own range of Z, see hinge.blast_parameters; outside of it the value is an error. Not included are
+---clearing, the negative phase, reflection between buildings, fragments, and charges above the ground.
+---```lua
+---local explosion = hinge.blast { charge = 10000, at = { 0, 0, 0 } }
+---local there = explosion:parameters(500)
+---print(there.arrival, there.incident_pressure, there.reflected_pressure) -- 1.276 s, 5055 Pa, 10245 Pa
+---```
+---@param options hinge.blast_options
+---@return hinge.explosion
+function hinge.blast(options) end
+
+---@class hinge.blast_options
+---@field charge number kg of TNT, above 0
+---@field at vec3 m, the point on the ground where the charge is
+---"surface": a hemispherical charge on the ground. Other kinds are refused. Default "surface"
+---@field kind? "surface"
+---the pressure over time. friedlander (default): P (1 - t/d) exp(-b t/d), with the b that gives the impulse. triangle:
+---the same peak P and the same impulse i, along a straight line that ends after 2 i / P
+---@field shape? "friedlander"|"triangle"
+---@field start? number s, the time of the explosion in the run; default 0
+---@field negative? boolean the negative phase; only false is there. Default false
+
+---What hinge.blast returns.
+---@class hinge.explosion
+---@field charge number kg of TNT
+---@field at vec3 m
+---@field kind "surface"
+---@field shape "friedlander"|"triangle"
+---@field start number s
+---@field negative boolean false
+local explosion = {}
+
+---Values of the blast wave at a distance from the charge, or at a point. A value whose range of Z does not reach there
+---is an error when it is read. It is an error at once where no value is known: below 0.06 and above 198.5 m/kg^(1/3).
+---```lua
+---local explosion = hinge.blast { charge = 500, at = { -20, 0, 0 } }
+---local there = explosion:parameters { 0, 0, 3 }
+---print(there.Z, there.duration, there.reflected_impulse) -- m/kg^(1/3), s, Pa s
+---print(explosion:parameters(400).incident_pressure) -- Pa, at Z = 50; reflected_pressure would be an error there
+---```
+---@param place number|vec3 distance in m, above 0, or a point in m
+---@return hinge.blast_parameters
+function explosion:parameters(place) end
+
+---Overpressures, and impulses of the positive phase. The ranges of Z are in m/kg^(1/3).
+---@class hinge.blast_parameters
+---@field distance number m, from the charge
+---@field Z number m/kg^(1/3), the scaled distance
+---@field arrival number s, from the explosion to the arrival of the wave; Z from 0.06 to 40
+---@field incident_pressure number Pa, peak on a face that the wave passes along; Z from 0.2 to 198.5
+---@field reflected_pressure number Pa, peak on a face that the wave meets head-on; Z from 0.06 to 40
+---@field duration number s, of the positive phase; Z from 0.2 to 40
+---@field incident_impulse number Pa s; Z from 0.2 to 158.7
+---@field reflected_impulse number Pa s; Z from 0.06 to 40
+---@field incident_decay number b of Friedlander's pulse with the incident peak and impulse; Z from 0.2 to 40
+---@field reflected_decay number the same of the reflected ones; Z from 0.2 to 40
+
+---Pressure on a small face. Up to an angle of 90 degrees between its normal and the line to the charge it is
+---p_reflected c^2 + p_incident (1 + c - 2 c^2), where c is the cosine of the angle. Two programs have ConWep's formula
+---in this form; its report (Randers-Pehrson and Bannister 1997) was not at hand. A face that is turned away has the
+---incident pressure. Z from 0.2 to 40 m/kg^(1/3).
+---```lua
+---local explosion = hinge.blast { charge = 500, at = { -20, 0, 0 } }
+---for t = 0.015, 0.045, 0.005 do
+---  print(t, explosion:pressure({ 0, 0, 2 }, { -1, 0, 0 }, t)) -- s, Pa: on a wall that looks to the charge
+---end
+---```
+---@param point vec3 m, on the face
+---@param normal vec3 direction out of the face, of any length above 0
+---@param time number s, of the run
+---@return number pressure Pa; 0 before the arrival and after the duration
+function explosion:pressure(point, normal, time) end
+
+---Puts the pressure on members, as model:load with `q` and a history. Each member is loaded over its whole length by
+---the pressure in its middle times its width, against the normal. The direction stays as it is when the member moves.
+---The history begins with a jump at the arrival and has the impulse exactly. A member is refused if the largest
+---pressures at its ends and in its middle differ by more than 20 % of the one in the middle; the message says how many
+---members are enough. If one member is refused, none is loaded.
+---```lua
+---local explosion = hinge.blast { charge = 100, at = { 0.5, -15, 0 } }
+---local force, impulse, parts = explosion:load(model, { group = "arm", normal = { 0, -1, 0 }, width = 0.05 })
+---print(force, impulse, parts[1].pressure) -- N, N s, Pa
+---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.05 }:finish()
+---```
+---@param model hinge.model
+---@param options hinge.blast_load_options
+---@return number force N, the sum of the largest forces of the members; they come at different times
+---@return number impulse N s, the sum of their impulses
+---@return hinge.blast_part[] parts one for each member
+function explosion:load(model, options) end
+
+---@class hinge.blast_load_options
+---@field members? hinge.member[] the members that are loaded; give either members or group
+---@field group? hinge.group_like all members of a group
+---@field normal vec3 direction out of the face, of any length above 0, 84 to 90 degrees from the axis of each member
+---m, above 0: how much of the face a member carries, across its length
+---@field width number|fun(member: hinge.member): number
+---true: members along which the pressure differs by more than 20 % are loaded by the pressure in their middle. Default
+---false
+---@field uneven? boolean
+---@field case? hinge.case|string the load case of the loads, see model:case; default: none, they act in every run
+
+---@class hinge.blast_part
+---@field member hinge.member
+---@field distance number m, from the charge to the middle of the member
+---@field arrival number s, in time of the run
+---@field duration number s
+---@field pressure number Pa, the peak
+---@field width number m
+---@field force number N, the peak on the member
+---@field impulse number N s, on the member
+
+---Pulses as histories for model:load.
+---@class hinge.blasts
+local blast = {}
+
+---A triangular pulse: the peak at once at the arrival, then along a straight line to 0.
+---```lua
+---model:load { node = tip, force = { 0, 0, -2000 }, history = hinge.blast.triangle { peak = 1, duration = 0.01 } }
+---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.03 }:finish()
+---```
+---@param options hinge.triangle_options
+---@return number[][] points { time in s, factor }, three of them
+function blast.triangle(options) end
+
+---@class hinge.triangle_options
+---@field peak number the largest factor, above 0
+---@field duration number s, above 0
+---@field arrival? number s, in time of the run; default 0
+
+---Friedlander's pulse: peak (1 - t/duration) exp(-decay t/duration), t from the arrival on. The points are denser where
+---it falls fast, and have its impulse exactly.
+---```lua
+---local pulse = hinge.blast.friedlander { peak = 1, duration = 0.02, decay = 1.5, arrival = 0.005 }
+---model:load { node = tip, force = { 0, 0, -2000 }, history = pulse }
+---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.03 }:finish()
+---```
+---@param options hinge.friedlander_options
+---@return number[][] points { time in s, factor }
+function blast.friedlander(options) end
+
+---@class hinge.friedlander_options
+---@field peak number the largest factor, above 0
+---@field duration number s, above 0
+---@field decay number b, 0 to 50; 0 is a triangle
+---@field arrival? number s, in time of the run; default 0
+
 -- Heat ---------------------------------------------------------------------------------------------------------------
 
 ---What heat makes of steel, fire curves, and how hot steel becomes in them.

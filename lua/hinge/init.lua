@@ -10,6 +10,7 @@ return check.strict({
   material = require "hinge.material",
   section = require "hinge.section",
   backbone = require "hinge.backbone",
+  blast = require "hinge.blast",
   grid = require "hinge.grid",
   heat = require "hinge.heat",
   units = require "hinge.units",

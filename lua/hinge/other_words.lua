@@ -33,6 +33,7 @@ return {
   ["acceleration record"] = shaken, accelerogram = shaken, ["ground motion"] = shaken, earthquake = shaken,
   ["time history"] = shaken, seismic = shaken,
   ["response spectrum"] = missing({ "hinge.ground", "model:move" }, "runs follow a record in time"),
+  explosion = there({ "hinge.blast", "explosion:load" }, "pressure of an explosion on the ground, and loads from it"),
   drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
   diaphragm = rigid,
   slab = floors, floor = floors, plate = floors, shell = floors, wall = floors, membrane = floors,

@@ -230,6 +230,15 @@ local calls = {
   ["model:prestress"] = function(x) s.model:prestress(x) end,
   ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
+  ["hinge.blast"] = function(x) hinge.blast(with({ charge = 100, at = { 0, 0, 0 } }, x)) end,
+  ["hinge.blast.triangle"] = function(x) hinge.blast.triangle(with({ peak = 1, duration = 1 }, x)) end,
+  ["hinge.blast.friedlander"] = function(x)
+    hinge.blast.friedlander(with({ peak = 1, duration = 1, decay = 1 }, x))
+  end,
+  ["explosion:load"] = function(x)
+    local explosion = hinge.blast { charge = 100, at = { -10, 0, 0 } }
+    explosion:load(s.model, with({ member = s.member, normal = { 0, -1, 0 }, width = 1 }, x))
+  end,
   ["hinge.grid"] = function(x) hinge.grid(with({ model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }, x)) end,
   ["grid:defaults"] = function(x) s.grid:defaults(x) end,
   ["grid:columns"] = function(x) s.grid:columns(x) end,
