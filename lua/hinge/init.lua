@@ -16,6 +16,8 @@ return check.strict({
   units = require "hinge.units",
   resume = core.resume,
   ground = require "hinge.ground",
+  record = require "hinge.records",
+  spectrum = require "hinge.spectrum",
   frame = free.frame,
   picture = free.picture,
   strip = free.strip,

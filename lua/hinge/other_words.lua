@@ -22,7 +22,7 @@ local support = there({ "model:fix", "model:move" }, "supports are fixed degrees
 local released = there({ "model:connector", "model:fix" },
   "a pin is two nodes at one place, with a connector that is stiff in all directions but one")
 local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
-local shaken = there({ "hinge.ground", "model:move" },
+local shaken = there({ "hinge.ground", "model:move", "hinge.record.read" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
 local used = missing({ "run:read", "member:state" }, "f_y of a section is 1 where it is fully plastic")
 local utilised = there({ "run:read", "member:state" }, used.how)
@@ -32,7 +32,7 @@ local grade = there({ "material.steel", "material.names" }, "a material by its n
 return {
   ["acceleration record"] = shaken, accelerogram = shaken, ["ground motion"] = shaken, earthquake = shaken,
   ["time history"] = shaken, seismic = shaken,
-  ["response spectrum"] = missing({ "hinge.ground", "model:move" }, "runs follow a record in time"),
+  ["response spectrum"] = there({ "hinge.spectrum" }, "the largest responses of oscillators to a record"),
   explosion = there({ "hinge.blast", "explosion:load" }, "pressure of an explosion on the ground, and loads from it"),
   drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
   diaphragm = rigid,

@@ -92,7 +92,7 @@ case("hinge reference finds a call by words that the reference does not use", fu
     ["-s diaphragms"] = "'diaphragms': see model:rigid_link, model:diaphragm (...)",
     ["-s inter-storey-drift"] = "...",
     ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
-    ["-s earthquake"] = "'earthquake': see hinge.ground, model:move (...)",
+    ["-s earthquake"] = "'earthquake': see hinge.ground, model:move, hinge.record.read (...)",
     ["-s supports"] = "'supports': see model:fix, model:move (supports are fixed degrees of freedom of a node)\n\n...",
   } do
     local status_of, said = asks(words)

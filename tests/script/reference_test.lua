@@ -181,6 +181,8 @@ local function with(options, more)
 end
 -- How each call with a table of options is made: whole, and with the fields of `x`. A table within is `call.field`.
 local square = { width = 0.1, depth = 0.1 }
+local record_file = os.tmpname()
+support.write(record_file, "0 0\n0.1 1\n0.2 0\n")
 local calls = {
   ["hinge.model"] = function(x) hinge.model(x) end,
   ["hinge.material"] = function(x) hinge.material(with({ E = 1 }, x)) end,
@@ -230,6 +232,8 @@ local calls = {
   ["model:prestress"] = function(x) s.model:prestress(x) end,
   ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
+  ["hinge.record.read"] = function(x) hinge.record.read(with({ file = record_file, unit = "g" }, x)) end,
+  ["hinge.spectrum"] = function(x) hinge.spectrum(with({ dt = 0.1, acceleration = { 0, 1, 0 } }, x)) end,
   ["hinge.blast"] = function(x) hinge.blast(with({ charge = 100, at = { 0, 0, 0 } }, x)) end,
   ["hinge.blast.triangle"] = function(x) hinge.blast.triangle(with({ peak = 1, duration = 1 }, x)) end,
   ["hinge.blast.friedlander"] = function(x)
