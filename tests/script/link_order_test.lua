@@ -24,7 +24,8 @@ case("of the fused files, other files can reach only what is theirs alone", func
   local merged, others = merged_functions(arg[3] .. "/hinge_engine_fused.o")
   checks.expect(others > 10, "only %d functions: is this the object of the fused files?", others)
   for _, name in ipairs(merged) do
-    checks.expect(name:find "^hinge::Condensed<%a+>::", "%s can take the place of another file's copy", name)
+    -- its own, or of the standard library for a type of its own: a build that is not optimised has these apart
+    checks.expect(name:find "hinge::Condensed<%a+>::", "%s can take the place of another file's copy", name)
   end
 end)
 
