@@ -13,6 +13,7 @@ return check.strict({
   blast = require "hinge.blast",
   grid = require "hinge.grid",
   heat = require "hinge.heat",
+  import = require "hinge.import",
   units = require "hinge.units",
   resume = core.resume,
   ground = require "hinge.ground",

@@ -128,7 +128,7 @@ end
 --- Objects that are tables of the library: their names in it.
 reference.tables = { ["hinge.sections"] = "section", ["hinge.materials"] = "material", ["hinge.backbones"] = "backbone",
   ["hinge.heats"] = "heat", ["hinge.blasts"] = "blast",
-  ["hinge.records"] = "record" }
+  ["hinge.records"] = "record", ["hinge.imports"] = "import" }
 
 --- How a function is called, as in "model:node(position)".
 function reference.signature(f)

@@ -232,6 +232,11 @@ local calls = {
   ["model:prestress"] = function(x) s.model:prestress(x) end,
   ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
+  ["hinge.import.s2k"] = function(x) hinge.import.s2k(with({ file = record_file }, x)) end,
+  ["hinge.import.tcl"] = function(x)
+    hinge.import.tcl(with({ file = record_file, units = { length = "m", force = "N" } }, x))
+  end,
+  ["hinge.import.csv"] = function(x) hinge.import.csv(with({ nodes = record_file, members = record_file }, x)) end,
   ["hinge.record.read"] = function(x) hinge.record.read(with({ file = record_file, unit = "g" }, x)) end,
   ["hinge.spectrum"] = function(x) hinge.spectrum(with({ dt = 0.1, acceleration = { 0, 1, 0 } }, x)) end,
   ["hinge.blast"] = function(x) hinge.blast(with({ charge = 100, at = { 0, 0, 0 } }, x)) end,
@@ -241,7 +246,7 @@ local calls = {
   end,
   ["explosion:load"] = function(x)
     local explosion = hinge.blast { charge = 100, at = { -10, 0, 0 } }
-    explosion:load(s.model, with({ member = s.member, normal = { 0, -1, 0 }, width = 1 }, x))
+    explosion:load(s.model, with({ members = { s.member }, normal = { 0, -1, 0 }, width = 1 }, x))
   end,
   ["hinge.grid"] = function(x) hinge.grid(with({ model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }, x)) end,
   ["grid:defaults"] = function(x) s.grid:defaults(x) end,
@@ -283,7 +288,8 @@ local calls = {
   ["space_frame.add"] = function(x) space_frame.add(hinge.model(), x) end,
 }
 -- Functions whose tables are data, or may hold any field.
-local free = set { "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate",
+local free = set { "hinge.import.build", "hinge.import.write",
+  "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate",
   "impact.side_by_side", "paper.figure" }
 
 -- The fields that a complaint about the field "zzz" names.

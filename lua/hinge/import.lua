@@ -1,0 +1,10 @@
+-- hinge.import: frames of other programs. Readers give a description of the frame (import/frame.lua) and notes on what
+-- they could not read; build makes a model of it, and write a script. Each is loaded when it is first called.
+local check = require "hinge.check"
+
+local import = {}
+for _, name in ipairs { "s2k", "tcl", "csv", "build", "write" } do
+  import[name] = function(...) return require("hinge.import." .. name)(...) end
+end
+
+return check.strict(import, "hinge.import")

@@ -1,0 +1,64 @@
+-- import.build: a model of hinge from the description of a frame (frame.lua).
+local core = require "hinge.core"
+local check = require "hinge.check"
+local in_full = require "hinge.import.in_full"
+local named = require "hinge.named"
+
+local where = "hinge.import.build"
+
+-- A section of the frame as an object.
+local function section_of(s)
+  if s.named then return core.section(named.properties(s.named)) end
+  local given = {}
+  for key, value in pairs(s) do given[key] = value end
+  given.name, given.kind = nil, s.kind or s.name
+  return core.section(given)
+end
+
+local function material_of(m)
+  return core.material { E = m.E, G = m.G, nu = m.nu, density = m.density, yield_stress = m.yield_stress }
+end
+
+local function add_releases(model, full, nodes)
+  for _, link in ipairs(full.links) do
+    model:rigid_link { from = nodes[link.from], to = nodes[link.to], dofs = "xyz" }
+  end
+  for _, s in ipairs(full.springs) do
+    model:connector { nodes[s.a], s.b and nodes[s.b], ground = not s.b or nil, axes = { x = s.x, y = s.y },
+      stiffness = s.stiffness }
+  end
+end
+
+local function add_loads(model, full, nodes, members)
+  for _, c in ipairs(full.cases) do
+    local case = model:case(c.name)
+    if c.gravity then case:gravity { 0, 0, c.gravity } end
+    for _, l in ipairs(c.loads) do
+      case:load { node = l.node and nodes[l.node], member = l.member and members[l.member], force = l.force,
+        moment = l.moment, q = l.q, at = l.at, axes = l.axes }
+    end
+  end
+end
+
+return function(frame, options, ...)
+  check.no_more(where, ...)
+  local full = in_full(where, frame, options)
+  local model = core.model(full.options)
+  local nodes, members, sections, materials = {}, {}, {}, {}
+  for _, n in ipairs(full.nodes) do nodes[n.name] = model:node { n.x, n.y, n.z } end
+  for _, n in ipairs(full.nodes) do
+    if n.fix and n.fix ~= "" then model:fix(nodes[n.name], n.fix) end
+  end
+  for _, s in ipairs(full.sections) do sections[s.name] = section_of(s) end
+  for _, m in ipairs(full.materials) do materials[m.name] = material_of(m) end
+  for _, m in ipairs(full.members) do
+    members[m.name] = model:member { nodes[m.a], nodes[m.b], section = sections[m.section],
+      material = materials[m.material], up = m.up, group = m.group }
+  end
+  add_releases(model, full, nodes)
+  for _, m in ipairs(full.masses) do
+    model:mass { node = nodes[m.node], mass = m.mass, inertia = m.inertia }
+  end
+  add_loads(model, full, nodes, members)
+  return model, nodes, members
+end

@@ -1,0 +1,256 @@
+-- The description of a frame that the readers give and that import.build and import.write take: a plain table, in SI.
+-- This module checks it and sums it up. Rows:
+--
+-- frame.nodes      { name =, x =, y =, z =, fix = }
+-- frame.materials  { name =, E =, G = or nu =, density =, yield_stress =, unit_weight = }
+-- frame.sections   { name =, named = } or { name =, and what hinge.section.general takes }
+-- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = } }
+-- frame.cases      { name =, self_weight =, loads = { { node = or member =, and what case:load takes } } }
+-- frame.masses     { node =, mass =, inertia = }
+local check = require "hinge.check"
+local named = require "hinge.named"
+local notes = require "hinge.import.notes"
+
+local frame_module = {}
+
+local upright = 1e-3 -- part of a member's length: one that is less beside the vertical counts as upright
+
+-- Checks --------------------------------------------------------------------------------------------------------------
+
+local text = { "string" }
+local function optional(kind, more)
+  local rule = { kind, optional = true }
+  for key, value in pairs(more or {}) do rule[key] = value end
+  return rule
+end
+local metres = { "number", unit = "m" }
+local function vector(unit) return optional("numbers", { count = 3, unit = unit }) end
+local rules = {
+  nodes = { name = text, x = metres, y = metres, z = metres, fix = optional "string" },
+  materials = { name = text, E = { "number", unit = "Pa", above = 0 }, nu = optional "number",
+    G = optional("number", { unit = "Pa", above = 0 }), yield_stress = optional("number", { unit = "Pa", above = 0 }),
+    density = optional("number", { unit = "kg/m^3", at_least = 0 }),
+    unit_weight = optional("number", { unit = "N/m^3" }) },
+  members = { name = text, a = text, b = text, section = text, material = text, up = vector(),
+    group = optional "string", release = optional "table" },
+  cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} } },
+  masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2" },
+}
+local general = { name = text, named = optional "string" }
+for _, field in ipairs { "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0",
+  "My0", "Mz0" } do general[field] = optional "number" end
+for _, field in ipairs { "plastic", "size", "outline", "reinforcement" } do general[field] = optional "table" end
+general.kind, general.interaction = optional "string", optional "string"
+rules.sections = general
+local load_rules = { node = optional "string", member = optional "string", force = vector "N", moment = vector "N m",
+  q = vector "N/m", at = optional("number", { at_least = 0, at_most = 1 }),
+  axes = { "string", one_of = { "global", "projected", "local" }, optional = true } }
+
+-- A group is a name or a list of names, which check.options has no kind for.
+local function take_group(where, row)
+  local group = row.group
+  if type(group) ~= "table" then return row, nil end
+  local copy = {}
+  for key, value in pairs(row) do copy[key] = value end
+  copy.group = nil
+  for i, name in ipairs(group) do check.value(where, ("group[%d]"):format(i), name, text) end
+  return copy, table.move(group, 1, #group, 1, {})
+end
+
+-- The rows of one part of the frame, checked and copied, and by their names.
+local function rows_of(where, frame, part)
+  local list = frame[part]
+  if list == nil then list = {} end
+  if type(list) ~= "table" then check.fail("%s: frame.%s is %s; must be a list", where, part, check.show(list)) end
+  local rows, by_name = {}, {}
+  for i, given in ipairs(list) do
+    local here = ("%s: frame.%s[%d]"):format(where, part, i)
+    if type(given) ~= "table" then check.fail("%s is %s; must be a table", here, check.show(given)) end
+    local row, group = take_group(here, given)
+    row = check.options(here, row, rules[part])
+    row.group = group or row.group
+    rows[i] = row
+    if row.name then
+      if by_name[row.name] then check.fail("%s: the name '%s' is there twice", here, row.name) end
+      by_name[row.name] = row
+    end
+  end
+  return rows, by_name
+end
+
+local function known(where, what, name, by_name)
+  if not by_name[name] then check.unknown(where, what, name, check.keys(by_name)) end
+end
+
+local function check_release(where, release)
+  for at, letters in pairs(release) do
+    if at ~= "a" and at ~= "b" then check.unknown(where .. ": release", "end", at, { "a", "b" }) end
+    local rest = type(letters) == "string" and letters:gsub("r[xyz]", ""):gsub("[%s,]", "")
+    if rest ~= "" then
+      check.fail("%s: release.%s is %s; must be rotations about the section's axes, such as 'rx,ry': rx and ry are "
+        .. "bending about x and y, rz is torsion", where, at, check.show(letters))
+    end
+  end
+end
+
+local function check_members(where, parts)
+  for i, m in ipairs(parts.members) do
+    local here = ("%s: frame.members[%d], '%s'"):format(where, i, m.name)
+    known(here .. ": field 'a'", "node", m.a, parts.node)
+    known(here .. ": field 'b'", "node", m.b, parts.node)
+    known(here, "section", m.section, parts.section)
+    known(here, "material", m.material, parts.material)
+    if m.a == m.b then check.fail("%s: both ends are node '%s'", here, m.a) end
+    if m.release then check_release(here, m.release) end
+  end
+end
+
+local function check_loads(where, parts)
+  for i, case in ipairs(parts.cases) do
+    for k, given in ipairs(case.loads) do
+      local here = ("%s: frame.cases[%d].loads[%d]"):format(where, i, k)
+      local load = check.options(here, given, load_rules)
+      if (load.node == nil) == (load.member == nil) then
+        check.fail("%s: give either 'node' or 'member'", here)
+      end
+      if load.node then known(here, "node", load.node, parts.node) end
+      if load.member then known(here, "member", load.member, parts.member) end
+    end
+  end
+  for i, mass in ipairs(parts.masses) do
+    known(("%s: frame.masses[%d]"):format(where, i), "node", mass.node, parts.node)
+  end
+end
+
+-- A node that no member joins cannot be a part of a run.
+local function check_lonely(where, parts)
+  local joined = {}
+  for _, m in ipairs(parts.members) do joined[m.a], joined[m.b] = true, true end
+  for _, node in ipairs(parts.nodes) do
+    if not joined[node.name] then
+      check.fail("%s: node '%s' belongs to no member; join it, or leave it out", where, node.name)
+    end
+  end
+end
+
+--- The parts of a frame, checked: nodes, materials, sections, members, cases, masses as lists; node, material, section
+--- and member by name.
+function frame_module.check(where, frame)
+  if type(frame) ~= "table" then
+    check.fail("%s: the frame is %s; give what a reader such as import.s2k returned", where,
+      frame == nil and "missing" or check.show(frame))
+  end
+  for key in pairs(frame) do
+    if not rules[key] and key ~= "source" then
+      check.unknown(where .. ": frame", "field", key, { "cases", "masses", "materials", "members", "nodes", "sections",
+        "source" })
+    end
+  end
+  local parts = { source = frame.source }
+  parts.nodes, parts.node = rows_of(where, frame, "nodes")
+  parts.materials, parts.material = rows_of(where, frame, "materials")
+  parts.sections, parts.section = rows_of(where, frame, "sections")
+  parts.members, parts.member = rows_of(where, frame, "members")
+  parts.cases = rows_of(where, frame, "cases")
+  parts.masses = rows_of(where, frame, "masses")
+  if #parts.members == 0 then check.fail("%s: the frame has no member", where) end
+  check_members(where, parts)
+  check_loads(where, parts)
+  check_lonely(where, parts)
+  return parts
+end
+
+-- Geometry ------------------------------------------------------------------------------------------------------------
+
+local function cross(u, v)
+  return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] }
+end
+
+local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
+
+--- The direction of a member from node a to node b, and its length, m.
+function frame_module.direction(a, b)
+  local d = { b.x - a.x, b.y - a.y, b.z - a.z }
+  local length = math.sqrt(dot(d, d))
+  return { d[1] / length, d[2] / length, d[3] / length }, length
+end
+
+--- The section's axes x and y of a member along z. Without `up`, y is as near to upwards as it can be; of an upright
+--- member it is the x of space. Nil where `up` is along the member.
+function frame_module.axes(z, up)
+  up = up or (math.sqrt(z[1] ^ 2 + z[2] ^ 2) > upright and { 0, 0, 1 } or { 1, 0, 0 })
+  local along = dot(up, z)
+  local y = { up[1] - along * z[1], up[2] - along * z[2], up[3] - along * z[3] }
+  local size = math.sqrt(dot(y, y))
+  if not (size > 1e-9 * math.sqrt(dot(up, up))) then return nil end
+  y = { y[1] / size, y[2] / size, y[3] / size }
+  return cross(y, z), y
+end
+
+-- What a reader begins and ends with ----------------------------------------------------------------------------------
+
+--- A frame without rows.
+function frame_module.new(source)
+  return { source = source, nodes = {}, materials = {}, sections = {}, members = {}, cases = {}, masses = {} }
+end
+
+--- The properties of a row of frame.sections.
+function frame_module.properties(section)
+  return section.named and named.properties(section.named) or section
+end
+
+--- What a frame consists of: counts, the length of all members (m), and masses (kg).
+function frame_module.summary(frame)
+  local node, section, material = {}, {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  for _, s in ipairs(frame.sections) do section[s.name] = frame_module.properties(s).area end
+  for _, m in ipairs(frame.materials) do material[m.name] = m.density or 0 end
+  local s = { nodes = #frame.nodes, members = #frame.members, sections = #frame.sections,
+    materials = #frame.materials, cases = #frame.cases, loads = 0, masses = #frame.masses, length = 0,
+    mass_of_members = 0, mass_of_nodes = 0 }
+  for _, m in ipairs(frame.members) do
+    local _, length = frame_module.direction(node[m.a], node[m.b])
+    s.length = s.length + length
+    s.mass_of_members = s.mass_of_members + length * section[m.section] * material[m.material]
+  end
+  for _, case in ipairs(frame.cases) do
+    s.loads = s.loads + #case.loads + ((case.self_weight or 0) ~= 0 and 1 or 0)
+  end
+  for _, m in ipairs(frame.masses) do s.mass_of_nodes = s.mass_of_nodes + m.mass end
+  return s
+end
+
+-- Takes the rows of a list for which keep(row) is true.
+local function filter(list, keep)
+  local kept = {}
+  for _, row in ipairs(list) do
+    if keep(row) then kept[#kept + 1] = row end
+  end
+  return kept
+end
+
+--- Takes out the nodes that no member joins, with their loads and masses; notes say so. Then the summary.
+-- places: where the file has a node, a load or a mass, by its table: { file =, line =, text = }.
+function frame_module.finish(frame, list, places)
+  local joined = {}
+  for _, m in ipairs(frame.members) do joined[m.a], joined[m.b] = true, true end
+  local function keep(what)
+    return function(row)
+      local name = what == "node" and row.name or row.node
+      if name == nil or joined[name] then return true end
+      local place = places[row]
+      notes.add(list, place, place.text, what == "node" and "no member that was read ends at this node"
+        or ("no member that was read ends at its node %s"):format(name))
+      return false
+    end
+  end
+  frame.nodes = filter(frame.nodes, keep "node")
+  frame.masses = filter(frame.masses, keep "mass")
+  for _, case in ipairs(frame.cases) do case.loads = filter(case.loads, keep "load") end
+  list.summary = frame_module.summary(frame)
+  list.summary.file = frame.source
+  notes.sort(list)
+  return frame, list
+end
+
+return frame_module

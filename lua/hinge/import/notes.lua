@@ -1,0 +1,113 @@
+-- What a reader of files has to say: the notes of what it could not read, and errors with file and line.
+local check = require "hinge.check"
+
+local notes = {}
+
+local Notes = { __name = "hinge.import_notes" }
+local widest = 90 -- characters of a line of the file that a note shows
+
+local function short(text)
+  text = text:gsub("%s+", " "):gsub("^ ", ""):gsub(" $", "")
+  return #text <= widest and text or text:sub(1, widest - 3) .. "..."
+end
+
+--- Notes without an entry.
+function notes.new() return setmetatable({ assumed = {}, skipped = {}, summary = {} }, Notes) end
+
+local known = setmetatable({}, { __mode = "k" }) -- the entries of a list, by what makes them the same
+
+-- Adds an entry, or counts one more where one of this key is there.
+local function add(list, place, text, reason, key)
+  known[list] = known[list] or {}
+  local entry = known[list][key]
+  if entry then
+    entry.count = (entry.count or 1) + 1
+    return
+  end
+  entry = { file = place.file, line = place.line, text = short(text), reason = reason }
+  list[#list + 1], known[list][key] = entry, entry
+end
+
+--- Adds an entry to the notes themselves, to notes.assumed or to notes.skipped. `place`: { file =, line = }. A line
+--- that is run again, in a loop of the file, is counted.
+function notes.add(list, place, text, reason)
+  add(list, place, text, reason, ("%s:%s:%s:%s"):format(place.file, place.line, reason, text))
+end
+
+--- Adds an entry to a list once for each reason; later ones are counted.
+function notes.once(list, place, text, reason) add(list, place, text, reason, reason) end
+
+local function line_of(entry)
+  local place = entry.line and ("%s:%d"):format(entry.file, entry.line) or entry.file
+  local more = entry.count and (" (and %d more like it)"):format(entry.count - 1) or ""
+  return ("  %s: %s%s%s"):format(place, entry.text, entry.reason and ": " .. entry.reason or "", more)
+end
+
+local function section(lines, title, list)
+  if #list == 0 then return end
+  lines[#lines + 1] = ("%s (%d):"):format(title, #list)
+  for _, entry in ipairs(list) do lines[#lines + 1] = line_of(entry) end
+end
+
+-- The summary in one sentence, then what was not read, what was assumed, and what is no part of a frame.
+function Notes:__tostring()
+  local s, count = self.summary, check.count
+  local lines = {}
+  if s.nodes then
+    lines[1] = ("%s: %s, %s of %.6g m, %s, %s, %s, %s"):format(s.file, count(s.nodes, "node"),
+      count(s.members, "member"), s.length, count(s.sections, "section"), count(s.materials, "material"),
+      count(s.cases, "load case"), count(s.loads, "load"))
+    lines[2] = ("  mass of the members %.6g kg, point masses %.6g kg"):format(s.mass_of_members, s.mass_of_nodes)
+  end
+  section(lines, "not read", self)
+  section(lines, "assumed", self.assumed)
+  section(lines, "no part of a frame", self.skipped)
+  return table.concat(lines, "\n")
+end
+
+--- Sorts all entries by file and line, in the order of the files.
+function notes.sort(all)
+  for _, list in ipairs { all, all.assumed, all.skipped } do
+    local order, count = {}, 0
+    for i, entry in ipairs(list) do
+      if not order[entry.file] then order[entry.file], count = count, count + 1 end
+      entry.at = i
+    end
+    table.sort(list, function(a, b)
+      if a.file ~= b.file then return order[a.file] < order[b.file] end
+      local x, y = a.line or 0, b.line or 0
+      return x < y or x == y and a.at < b.at
+    end)
+    for _, entry in ipairs(list) do entry.at = nil end
+  end
+end
+
+--- An error in a file: "hinge.import.s2k: frame.s2k:12: ...".
+function notes.fail(where, place, format, ...)
+  local what = select("#", ...) > 0 and format:format(...) or format
+  check.fail("%s: %s:%d: %s", where, place.file, place.line, what)
+end
+
+--- The whole text of a file, with line ends of one kind and without the mark of UTF-8.
+function notes.read(where, path)
+  local file, problem = io.open(path, "rb")
+  if not file then check.fail("%s: cannot read the file: %s", where, problem) end
+  local text, why = file:read "a"
+  file:close()
+  if not text then check.fail("%s: cannot read the file '%s': %s", where, path, why) end
+  return (text:gsub("^\239\187\191", ""):gsub("\r\n?", "\n"))
+end
+
+--- The lines of a text, each with its number: for number, line in notes.lines(text) do ... end
+function notes.lines(text)
+  local at, number = 1, 0
+  return function()
+    if at > #text then return nil end
+    local stop = text:find("\n", at, true) or #text + 1
+    local line = text:sub(at, stop - 1)
+    at, number = stop + 1, number + 1
+    return number, line
+  end
+end
+
+return notes

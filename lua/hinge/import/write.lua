@@ -1,0 +1,224 @@
+-- import.write: a frame as a script of hinge in tables of nodes and members, one line each.
+local check = require "hinge.check"
+local core = require "hinge.core"
+local in_full = require "hinge.import.in_full"
+
+local where = "hinge.import.write"
+local widest = 118 -- columns of a line
+
+-- Values as text ------------------------------------------------------------------------------------------------------
+
+-- The shortest text that gives the same number again: 2.1e11, 0.0149, 2.517e-4.
+local function number(x)
+  if x == 0 then return "0" end
+  local digits = 1
+  while digits < 17 and tonumber(("%%.%dg"):format(digits):format(x)) ~= x do digits = digits + 1 end
+  local mantissa, sign, power = ("%%.%de"):format(digits - 1):format(x):match "^(.*)e([+-])0*(%d+)$"
+  local short = mantissa .. "e" .. (sign == "-" and "-" or "") .. power
+  local plain = x == math.floor(x) and ("%.0f"):format(x) or ("%%.%dg"):format(digits):format(x)
+  return (plain:find "e" or #short < #plain) and short or plain
+end
+
+local function quoted(text) return (("%q"):format(text):gsub("\\\n", "\\n")) end
+
+local literal
+
+local function is_name(key) return type(key) == "string" and key:find "^[%a_][%w_]*$" and key ~= "end" end
+
+-- A table on one line: lists first, then the fields in order.
+local function table_text(value)
+  local parts = {}
+  for i, item in ipairs(value) do parts[i] = literal(item) end
+  for _, key in ipairs(check.keys(value)) do
+    if not math.tointeger(tonumber(key)) then
+      parts[#parts + 1] = ("%s = %s"):format(is_name(key) and key or "[" .. quoted(key) .. "]", literal(value[key]))
+    end
+  end
+  return "{ " .. table.concat(parts, ", ") .. " }"
+end
+
+function literal(value)
+  if type(value) == "number" then return number(value) end
+  if type(value) == "string" then return quoted(value) end
+  if type(value) == "table" then return table_text(value) end
+  return tostring(value)
+end
+
+-- A line that is broken at blanks after commas where it is too long.
+local function add_line(lines, text, indent)
+  while #text > widest do
+    local at
+    for stop in text:sub(1, widest):gmatch ", ()" do at = stop end
+    if not at or at <= #indent + 1 then break end
+    lines[#lines + 1] = text:sub(1, at - 2)
+    text = indent .. "  " .. text:sub(at)
+  end
+  lines[#lines + 1] = text
+end
+
+-- "name = value" of the fields that are there, in this order.
+local function fields(row, names)
+  local parts = {}
+  for _, name in ipairs(names) do
+    if row[name] ~= nil then parts[#parts + 1] = ("%s = %s"):format(name, literal(row[name])) end
+  end
+  return table.concat(parts, ", ")
+end
+
+-- Parts of the script -------------------------------------------------------------------------------------------------
+
+local section_fields = { "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0",
+  "My0", "Mz0", "plastic", "size", "interaction", "outline", "reinforcement" }
+
+local function add_materials(lines, full)
+  lines[#lines + 1] = "-- Pa, kg/m^3"
+  lines[#lines + 1] = "local materials = {"
+  for _, m in ipairs(full.materials) do
+    add_line(lines, ("  [%s] = hinge.material { %s },"):format(quoted(m.name),
+      fields(m, { "E", "G", "nu", "density", "yield_stress" })), "  ")
+  end
+  lines[#lines + 1] = "}\n\n-- m^2, m^3, m^4; x and y are the section's axes, and Ix bends about x\nlocal sections = {"
+  for _, s in ipairs(full.sections) do
+    local call = s.named and ("hinge.section.named %s"):format(quoted(s.named))
+      or ("hinge.section.general { kind = %s, %s }"):format(quoted(s.kind or s.name), fields(s, section_fields))
+    add_line(lines, ("  [%s] = %s,"):format(quoted(s.name), call), "  ")
+  end
+  lines[#lines + 1] = "}\n"
+end
+
+local function add_nodes(lines, full)
+  lines[#lines + 1] = "-- Nodes: name; x, y, z in m; what is fixed\nlocal nodes = {}\nfor _, n in ipairs {"
+  for _, n in ipairs(full.nodes) do
+    local fix = n.fix and n.fix ~= "" and ", " .. quoted(n.fix) or ""
+    lines[#lines + 1] = ("  { %s, %s, %s, %s%s },"):format(quoted(n.name), number(n.x), number(n.y), number(n.z), fix)
+  end
+  lines[#lines + 1] = "} do\n  nodes[n[1]] = model:node { n[2], n[3], n[4] }\n  if n[5] then model:fix(nodes[n[1]], "
+    .. "n[5]) end\nend\n"
+end
+
+local function add_members(lines, full)
+  lines[#lines + 1] = "-- Members: name; first and second node; section; material; direction of the section's y axis; "
+    .. "group\nlocal members = {}\nfor _, m in ipairs {"
+  for _, m in ipairs(full.members) do
+    local more = fields(m, { "up", "group" })
+    lines[#lines + 1] = ("  { %s, %s, %s, %s, %s%s },"):format(quoted(m.name), quoted(m.a), quoted(m.b),
+      quoted(m.section), quoted(m.material), more ~= "" and ", " .. more or "")
+  end
+  lines[#lines + 1] = [=[
+} do
+  members[m[1]] = model:member { nodes[m[2]], nodes[m[3]], section = sections[m[4]], material = materials[m[5]],
+    up = m.up, group = m.group }
+end
+]=]
+end
+
+-- Ends that are released: links and springs between the joint and the member's own node.
+local function add_releases(lines, full)
+  if #full.links == 0 and #full.springs == 0 then return end
+  lines[#lines + 1] = "-- Ends of members that are released: the member's own node follows the joint; what is not "
+    .. "released has\n-- a spring of 1000 times the member's stiffness"
+  for _, link in ipairs(full.links) do
+    lines[#lines + 1] = ("model:rigid_link { from = nodes[%s], to = nodes[%s], dofs = \"xyz\" }"):format(
+      quoted(link.from), quoted(link.to))
+  end
+  for _, s in ipairs(full.springs) do
+    local other = s.b and "nodes[" .. quoted(s.b) .. "]" or "ground = true"
+    add_line(lines, ("model:connector { nodes[%s], %s, axes = %s, stiffness = %s }"):format(quoted(s.a), other,
+      literal { x = s.x, y = s.y }, literal(s.stiffness)), "")
+  end
+  lines[#lines + 1] = ""
+end
+
+local function add_masses(lines, full)
+  if #full.masses == 0 then return end
+  lines[#lines + 1] = "-- Point masses: node; kg; inertia in kg m^2\nfor _, m in ipairs {"
+  for _, m in ipairs(full.masses) do
+    local inertia = m.inertia and ", inertia = " .. literal(m.inertia) or ""
+    lines[#lines + 1] = ("  { %s, %s%s },"):format(quoted(m.node), number(m.mass), inertia)
+  end
+  lines[#lines + 1] = "} do\n  model:mass { node = nodes[m[1]], mass = m[2], inertia = m.inertia }\nend\n"
+end
+
+-- The loads of a case on nodes, or those on members.
+local function add_loads(lines, case, what)
+  local rows = {}
+  for _, l in ipairs(case.loads) do
+    if l[what] then
+      rows[#rows + 1] = ("    { %s, %s },"):format(quoted(l[what]), fields(l, { "force", "moment", "q", "at", "axes" }))
+    end
+  end
+  if #rows == 0 then return end
+  lines[#lines + 1] = "  for _, l in ipairs {"
+  for _, row in ipairs(rows) do add_line(lines, row, "    ") end
+  lines[#lines + 1] = "  } do"
+  lines[#lines + 1] = ("    case:load { %s = %ss[l[1]], force = l.force, moment = l.moment%s }"):format(what, what,
+    what == "member" and ", q = l.q, at = l.at, axes = l.axes" or "")
+  lines[#lines + 1] = "  end"
+end
+
+local function add_case(lines, case)
+  lines[#lines + 1] = "do"
+  lines[#lines + 1] = ("  local case = model:case %s"):format(quoted(case.name))
+  if case.gravity then
+    lines[#lines + 1] = ("  case:gravity { 0, 0, %s } -- self weight, m/s^2"):format(number(case.gravity))
+  end
+  for _, what in ipairs { "node", "member" } do
+    add_loads(lines, case, what)
+  end
+  lines[#lines + 1] = "end\n"
+end
+
+local function add_cases(lines, full)
+  if #full.cases > 0 then lines[#lines + 1] = "-- Loads by case: N, N m, N/m, N m/m" end
+  for _, case in ipairs(full.cases) do add_case(lines, case) end
+end
+
+-- How a script goes on: a static run of the first case.
+local function add_end(lines, full)
+  local first = full.cases[1]
+  local loads = first and (", loads = %s"):format(literal { [first.name] = 1 }) or ""
+  lines[#lines + 1] = ("-- To go on: local run = model:static { steps = 1%s }:finish()"):format(loads)
+  lines[#lines + 1] = "return model, nodes, members"
+end
+
+-- The place of a file: one without a folder goes into the output folder.
+local function path_of(file)
+  local folder = core.out_dir()
+  return (file:find "/" or folder == ".") and file or folder .. "/" .. file
+end
+
+local mark = "written by hinge.import."
+
+-- A file that something else has written is not written over.
+local function must_be_own(path)
+  local file = io.open(path)
+  local first = file and (file:read "l" or "")
+  if file then file:close() end
+  if first and first ~= "" and not first:find(mark, 1, true) then
+    check.fail("%s: the file '%s' is there, and it is no script of import.write; give another name", where, path)
+  end
+end
+
+return function(frame, file, options, ...)
+  check.no_more(where, ...)
+  check.value(where, "file", file, { "string" })
+  if not file:find "%.lua$" then
+    check.fail("%s: the file is '%s'; its name must end in .lua", where, file)
+  end
+  local full = in_full(where, frame, options)
+  local source = frame.source and " of " .. tostring(frame.source):match "[^/]*$" or ""
+  local lines = { ("-- The frame%s, %s Units are SI: m, kg, s, N, Pa, rad."):format(source, mark),
+    'local hinge = require "hinge"\n', ("local model = hinge.model %s\n"):format(
+      next(full.options) and literal(full.options) or "{}") }
+  add_materials(lines, full)
+  add_nodes(lines, full)
+  add_members(lines, full)
+  add_releases(lines, full)
+  add_masses(lines, full)
+  add_cases(lines, full)
+  add_end(lines, full)
+  local path = path_of(file)
+  must_be_own(path)
+  if not core.planning() then core.write_text(path, table.concat(lines, "\n") .. "\n") end
+  return path
+end
