@@ -24,6 +24,7 @@ return check.strict({
   strip = free.strip,
   plot = free.plot,
   note = free.note,
+  robustness = function(...) return require "hinge.robustness"(...) end,
   scenario = require "hinge.scenario".new,
   study = function(...) return require "hinge.study".run(...) end,
   cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for

@@ -51,7 +51,8 @@ local function problem_of(example, name)
   meta.static, meta.dynamic, _G.print = static, dynamic, say
   if not ok then return tostring(message) end
   for _, run in ipairs(runs) do
-    if run.verdict == "failed" then return "a run failed: " .. run.reason end
+    local open, verdict = pcall(function() return run.verdict end) -- the model of a run may be closed by now
+    if open and verdict == "failed" then return "a run failed: " .. run.reason end
   end
   for key in pairs(environment) do
     if key ~= "job" and key ~= "print" then return ("it sets the global '%s'"):format(key) end
