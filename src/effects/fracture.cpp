@@ -335,11 +335,13 @@ int Fracture::weaker_end(int index, const beam::ReturnMapResult* flow) const {
 }
 
 /// At the end of the step, from the forces; where bending follows N, from where the nodes are.
-Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic, const beam::ReturnMapResult* flow) const {
+[[gnu::always_inline]] inline Vec6 Fracture::elastic_deformation(int index, const Vec6& plastic,
+                                                                 const beam::ReturnMapResult* flow) const {
     if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
     if (w_.structure.p_delta())
         return element_deformation(w_.structure, index, w_.trial) + taken_up(w_.state, index) - plastic;
-    return stiffness_now(w_.structure, w_.state, index, heat_of(w_.trial.heat, index)).solve(w_.force[index]);
+    const Vec6 d = declared_stiffness(w_.structure, w_.state, index).solve(w_.force[index]);
+    return w_.trial.heat.empty() ? d : Vec6(d / w_.trial.heat[std::size_t(index)].stiffness);
 }
 
 /// The whole deformation at the start of the step, without slack.
@@ -352,7 +354,8 @@ Vec6 Fracture::deformation_before(int index) const {
 }
 
 /// A deformation less the slack at the start of the step and that of `flow`: slack strains nothing.
-Vec6 Fracture::without_slack(Vec6 deformation, int index, const beam::ReturnMapResult* flow) const {
+[[gnu::always_inline]] inline Vec6 Fracture::without_slack(Vec6 deformation, int index,
+                                                           const beam::ReturnMapResult* flow) const {
     deformation[4] -= slack_of(w_.structure, w_.state, index) + (flow ? flow->slack : 0);
     return deformation;
 }
