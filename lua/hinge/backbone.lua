@@ -7,6 +7,7 @@ local published = require "hinge.backbones"
 local inch = 0.0254
 local drop = 0.001 -- rad: the rotation over which the last strength is lost, as in hinge.backbone
 local least = 0.01 -- of Mp: the strength that is always left
+local close = 0.003 -- of the moment: how far a column's moment may be off the published line between two points
 
 local section = { "section" }
 local material = { "material" }
@@ -14,6 +15,7 @@ local length = { "number", unit = "m", above = 0 }
 local no_length = { "number", unit = "m", at_least = 0, optional = true }
 local some_length = { "number", unit = "m", above = 0, optional = true }
 local axial = { "number", at_least = 0, below = 1, default = 0 }
+local interaction = { "string", one_of = { "paper", "exact" }, optional = true }
 
 -- Sections ------------------------------------------------------------------------------------------------------------
 
@@ -49,8 +51,79 @@ local function left_by_cut(where, o, m, reduced)
     check.fail("%s: field 'cut' is missing; give the depth of the cut at either side of the flanges, in m; 0 where the "
       .. "section of the member is the reduced one", where)
   end
-  check.value(where, "cut", o.cut, { "number", unit = "m", at_least = 0, at_most = m.b / 4 })
-  return 1 - 2 * o.cut * m.tf * (m.d - m.tf) / m.Zx
+  local most = m.b / 4
+  local cut = o.cut <= most * (1 + 1e-9) and math.min(o.cut, most) or o.cut -- a quarter may be rounded up
+  check.value(where, "cut", cut, { "number", unit = "m", at_least = 0, at_most = most })
+  return 1 - 2 * cut * m.tf * (m.d - m.tf) / m.Zx
+end
+
+-- Columns under an axial force ----------------------------------------------------------------------------------------
+
+-- The strengths of a backbone multiply all fully plastic resultants, the axial one too: with the factor f the section
+-- carries the moment f m(g / f) Mp under the axial force g times area times yield stress, where m(n) is its moment over
+-- Mp under n of its axial strength. Published moments hold under the axial force. f follows from them.
+
+-- m(n) about the strong axis, by the interaction that the section yields by.
+local function reduced_moment(where, s, asked)
+  if asked and s.interaction and s.interaction ~= asked then
+    check.fail("%s: field 'interaction' is '%s', but the section '%s' has interaction = '%s', by which it yields in a "
+      .. "run; leave the field out", where, asked, s.kind, s.interaction)
+  end
+  if (asked or s.interaction) ~= "exact" then return function(n) return math.sqrt(math.max(1 - n * n, 0)) end end
+  if not s:reduced_moments(0) then
+    check.fail("%s: field 'interaction' is 'exact'; the section '%s' has no outline for that; take hinge.section.h or "
+      .. "hinge.section.named", where, s.kind)
+  end
+  return function(n) return (s:reduced_moments(n)) end
+end
+
+-- Under the axial force g, moment: that over Mp which a factor gives; factor: that which a moment over Mp needs. nil
+-- where g is 0: then both are equal.
+local function under_force(where, o, g, fy)
+  local s = o.section
+  local m = reduced_moment(where, s, o.interaction)
+  if g == 0 then return nil end
+  for field, pair in pairs { N0 = { s.N0 or fy * s.plastic_area, fy * s.area, "N, area times yield stress" },
+    Mx0 = { s.Mx0 or fy * s.Zx, fy * s.Zx, "N m, Zx times yield stress" } } do
+    if math.abs(pair[1] / pair[2] - 1) > 0.01 then
+      check.fail("%s: the section '%s' has %s = %s; with axial_ratio above 0 it must be %s %s", where, s.kind, field,
+        check.show(pair[1]), check.show(pair[2]), pair[3])
+    end
+  end
+  local function moment(f) return f * m(g / f) end
+  local function factor(M)
+    local low, high = g, g + M -- m(n) is at least 1 - n
+    while high - low > 1e-12 do
+      local middle = (low + high) / 2
+      if moment(middle) < M then low = middle else high = middle end
+    end
+    return high
+  end
+  return { moment = moment, factor = factor }
+end
+
+-- Adds points between a and b, { rotation, moment over Mp, factor }, until a straight line between two factors gives
+-- the straight line between their moments.
+local function add_between(to, a, b, force, depth)
+  local M = (a[2] + b[2]) / 2
+  if depth == 0 or math.abs(force.moment((a[3] + b[3]) / 2) - M) <= close * M then return end
+  local c = { (a[1] + b[1]) / 2, M, force.factor(M) }
+  add_between(to, a, c, force, depth - 1)
+  to[#to + 1] = { c[1], c[3] }
+  add_between(to, c, b, force, depth - 1)
+end
+
+-- The backbone through points { plastic rotation, moment over Mp }, with all strength lost after the last of them.
+-- force: of under_force, or nil.
+local function through(points, wear, force)
+  local to, before = {}, nil
+  for i, p in ipairs(points) do
+    local here = { p[1], p[2], force and force.factor(p[2]) or p[2] }
+    if before and force then add_between(to, before, here, force, 8) end
+    to[#to + 1], before = { here[1], here[3] }, here
+    if i == #points and here[3] > least then to[#to + 1] = { here[1] + drop, least } end
+  end
+  return core.backbone { points = to, wear = wear }
 end
 
 -- Formulas ------------------------------------------------------------------------------------------------------------
@@ -77,7 +150,7 @@ end
 
 -- Of rotations of the chord and moments (N m), as published, the plastic rotation, which is what is left without M / K,
 -- and the strength over Mp. All strength is lost at the chord's rotation `ultimate`.
-local function from_chord(where, chord, ultimate, K, Mp, wear)
+local function from_chord(where, chord, ultimate, K, Mp, wear, force)
   local cut = {}
   for i, p in ipairs(chord) do
     local before = chord[i - 1]
@@ -97,13 +170,12 @@ local function from_chord(where, chord, ultimate, K, Mp, wear)
         .. "plastic rotation is left", where, check.show(p[1] - cut[1][1]), check.show((p[2] - cut[1][2]) / K))
     end
   end
-  local last = points[#points]
-  if last[2] > least then points[#points + 1] = { last[1] + drop, least } end
-  return core.backbone { points = points, wear = wear }
+  return through(points, wear, force)
 end
 
 -- What Lignos, and NIST, publish of a hinge: `row` has its laws. My: moment at yield, N m; K: of the chord, N m / rad.
-local function trilinear(where, row, x, My, K, Mp, wear)
+-- force: of under_force, or nil.
+local function trilinear(where, row, x, My, K, Mp, wear, force)
   local Mc = My * math.max(value(row.cap, x), row.least_cap or 0)
   local Mr = math.min(My * row.residual, Mc)
   local at_yield = My / K
@@ -114,18 +186,17 @@ local function trilinear(where, row, x, My, K, Mp, wear)
       where, check.show(at_cap - at_yield), check.show(fall), check.show(x.inches * inch))
   end
   local chord = { { at_yield, My }, { at_cap, Mc }, { at_cap + fall * (1 - Mr / Mc), Mr } }
-  return from_chord(where, chord, row.ultimate, K, Mp, wear)
+  return from_chord(where, chord, row.ultimate, K, Mp, wear, force)
 end
 
 -- a, b, c of ASCE 41. at_a: strength at a over that at yield; yield: over Mp. From a the strength falls straight over a
--- tenth of b - a, and 0.001 rad at least.
-local function from_abc(a, b, c, at_a, yield)
+-- tenth of b - a, and 0.001 rad at least. force: of under_force, or nil.
+local function from_abc(a, b, c, at_a, yield, force)
   local rest = math.max(c * yield, least)
   local down = a + math.max((b - a) / 10, drop)
   local points = { { 0, yield }, { a, at_a * yield }, { down, rest } }
   if b > down then points[4] = { b, rest } end
-  if rest > least then points[#points + 1] = { points[#points][1] + drop, least } end
-  return core.backbone { points = points }
+  return through(points, nil, force)
 end
 
 local function ratios_of(m, o, fy)
@@ -198,7 +269,7 @@ function backbone.nist(options, ...)
   local o = check.options(where, options, {
     kind = { "string", one_of = { "beam", "RBS", "column", "pre-Northridge" } }, section = section, material = material,
     monotonic = { "boolean", default = true }, shear_span = length, unbraced_length = some_length, axial_ratio = axial,
-    cut = no_length, wear = { "boolean", optional = true } })
+    interaction = interaction, cut = no_length, wear = { "boolean", optional = true } })
   if o.wear and not o.monotonic then
     check.fail("%s: wear = true does not go with monotonic = false: the envelope of cycles has their wear in it", where)
   end
@@ -208,8 +279,9 @@ function backbone.nist(options, ...)
   end
   only_for(where, o, "unbraced_length", { "beam", "RBS", "column" })
   local g = o.axial_ratio
-  if g > 0 and o.kind ~= "column" then
-    check.fail("%s: field 'axial_ratio' is %s; it is for kind = 'column' alone", where, check.show(g))
+  if o.kind ~= "column" and (g > 0 or o.interaction) then
+    local field = g > 0 and "axial_ratio" or "interaction"
+    check.fail("%s: field '%s' is %s; it is for kind = 'column' alone", where, field, check.show(o[field]))
   end
   local m, fy = measures(where, o.section), yield_of(where, o.material)
   local x = ratios_of(m, o, fy)
@@ -228,10 +300,8 @@ function backbone.nist(options, ...)
   elseif wears then
     wears = lignos_row(m, o.kind == "RBS").wear
   end
-  -- the strengths below are those without axial force: the section itself takes off what the axial force takes
-  local left = row.yield * left_by_cut(where, o, m, o.kind == "RBS")
-  return trilinear(where, laws, x, left * moment * Mp, K, moment * Mp,
-    wears and value(wears, x) or nil)
+  local My = row.yield * left_by_cut(where, o, m, o.kind == "RBS") * moment * Mp
+  return trilinear(where, laws, x, My, K, Mp, wears and value(wears, x) or nil, under_force(where, o, g, fy))
 end
 
 -- ASCE 41 -------------------------------------------------------------------------------------------------------------
@@ -288,7 +358,8 @@ local function asce_column(where, o, m, fy)
   local moment, tau = under_axial_force(g)
   local theta = moment * fy * m.Zx * o.length / (6 * tau * E * m.Ix)
   local slope = published.hardening
-  local made = from_abc(row.a, row.b, c, 1 + (g > slope.changes_at and slope.above or slope[1]) * row.a / theta, 1)
+  local at_a = 1 + (g > slope.changes_at and slope.above or slope[1]) * row.a / theta
+  local made = from_abc(row.a, row.b, c, at_a, moment, under_force(where, o, g, fy))
   if not rows.limits then return made end
   local limits = {}
   for level, of in pairs(rows.limits) do limits[level] = row[of[1]] * of[2] end
@@ -328,12 +399,13 @@ function backbone.asce41(options, ...)
   local o = check.options(where, options, {
     kind = { "string", one_of = { "beam", "column", "RBS", "free flange", "WUF" } }, section = section,
     material = material, length = length, unbraced_length = some_length,
-    axial_ratio = { "number", at_least = 0, below = 1, optional = true },
+    axial_ratio = { "number", at_least = 0, below = 1, optional = true }, interaction = interaction,
     edition = { "string", one_of = { "2017", "2023" }, optional = true }, cut = no_length,
     continuity_plates = { "boolean", optional = true }, panel_zone = { "number", above = 0, optional = true } })
   local joint = o.kind ~= "beam" and o.kind ~= "column"
   for field, fits in pairs { unbraced_length = o.kind == "column", axial_ratio = o.kind == "column",
-    edition = o.kind == "column", cut = o.kind == "RBS", continuity_plates = joint, panel_zone = joint } do
+    interaction = o.kind == "column", edition = o.kind == "column", cut = o.kind == "RBS", continuity_plates = joint,
+    panel_zone = joint } do
     if o[field] ~= nil and not fits then
       check.fail("%s: field '%s' does not go with kind = '%s'", where, field, o.kind)
     end

@@ -321,8 +321,15 @@ function backbone.lignos(options) end
 
 ---Beams and columns by NIST GCR 17-917-46 (2017). monotonic = true has the wear of cycles apart: that of Lignos for
 ---beams. monotonic = false is the envelope of the first cycles, without wear, for an analysis that counts none.
----Rotations are those of the chord, as of hinge.backbone.lignos. The strengths of a column are those without axial
----force: the section takes off what the axial force takes.
+---Rotations are those of the chord, as of hinge.backbone.lignos.
+---
+---The moments of a column are published for its axial force. A strength f of a backbone multiplies all fully plastic
+---resultants, so that a section carries the moment f m(n / f) Mp under n times its axial strength, where m is its
+---interaction. The strengths returned give the published moments where n = axial_ratio: within 0.4 % between the
+---published points, where points are added. Under less axial force than that the moment is greater than this one, but
+---not the one published for that axial force. Under more it is less, and the column gives way where n reaches f. All
+---strength, that of the axial force too, is lost at the ultimate rotation. Wear lowers f, and with it the axial
+---strength, so that the moment falls faster than published.
 ---```lua
 ---local w14 = hinge.section.named "W14X193"
 ---local a992 = hinge.material.steel("A992", { expected = true })
@@ -345,6 +352,9 @@ function backbone.nist(options) end
 ---@field unbraced_length? number m; only "pre-Northridge" goes without
 ---of a column: axial force under gravity over area times yield stress, 0 to 1; default 0
 ---@field axial_ratio? number
+---of a column: the interaction of N and Mx by which it yields in the run; default: that of the section, else "paper",
+---which is the model's default. Give "exact" where the model has interaction = "exact" and the section says none
+---@field interaction? "paper"|"exact"
 ---@field cut? number m; of an RBS, as of hinge.lignos_options
 ---@field wear? boolean false: without the wear of cycles; default true where monotonic
 
@@ -352,7 +362,7 @@ function backbone.nist(options) end
 ---lost at b. "beam": AISC 342-22, table C2.2, to which ASCE 41-23 refers. "column": table C3.6, or table 9-7.1 of ASCE
 ---41-17. Connections: ASCE 41-17. Up to a the slope is 3 % of the elastic one of a member in double curvature; of a
 ---column with more than 0.2 of its axial strength 1 %. At a the strength falls straight over a tenth of b - a, at least
----0.001 rad; at b over 0.001 rad.
+---0.001 rad; at b over 0.001 rad. The backbone of a column holds at its axial_ratio, as that of hinge.backbone.nist.
 ---
 ---The second result are the limits that go with it, for run:hinges. Those of the connections and of the columns of 2017
 ---were not confirmed, and are nil.
@@ -375,6 +385,7 @@ function backbone.asce41(options) end
 ---@field length number clear length of the member, m: for the yield rotation Mp length / (6 E Ix), and length / depth
 ---@field unbraced_length? number m; of a column, which must give it
 ---@field axial_ratio? number of a column: axial force under gravity over area times yield stress; default 0
+---@field interaction? "paper"|"exact" of a column, as of hinge.nist_options
 ---@field edition? "2017"|"2023" of a column; default "2023"
 ---@field cut? number m; of an RBS, as of hinge.lignos_options
 ---of a connection: false where continuity plates are needed and missing, 0.8 of a and b; default true. None are needed

@@ -1,6 +1,6 @@
 -- Backbones by published formulas: hinge.backbone.lignos, nist, asce41 and ufc against the formulas worked by hand in
 -- inches, mm and ksi for W24X76, W14X193 and W14X109; against numbers of public programs; and a cantilever that is
--- pushed. Wrong input is refused.
+-- pushed, also under an axial force. Wrong input is refused.
 --
 -- Run: lua5.4 tests/script/backbone_rules_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -53,6 +53,25 @@ local function same_points(made, points, what)
     near(made.points[i][1], p[1], 1e-7 * math.abs(p[1]) + 1e-12, ("%s: rotation %d"):format(what, i))
     near(made.points[i][2], p[2], 1e-7, ("%s: strength %d"):format(what, i))
   end
+end
+
+-- The part of Mp that the formulas leave beside an axial force.
+local function left_by_force(g) return g <= 0.2 and 1 - g / 2 or 9 / 8 * (1 - g) end
+
+-- A column's backbone under the axial force g with moments, by eq 14, in the place of its factors. They are over what
+-- the axial force leaves of Mp. Points between published ones, on the straight line, are left out. The last point,
+-- where all is lost, stays.
+local function published(made, g)
+  local points, to = {}, {}
+  for i, p in ipairs(made.points) do
+    points[i] = { p[1], i < #made.points and math.sqrt(p[2] ^ 2 - g ^ 2) / left_by_force(g) or p[2] }
+  end
+  for i, p in ipairs(points) do
+    local a, b = points[i - 1], points[i + 1]
+    local line = a and b and a[2] + (b[2] - a[2]) * (p[1] - a[1]) / (b[1] - a[1])
+    if not line or math.abs(p[2] - line) > 1e-9 then to[#to + 1] = p end
+  end
+  return { points = to, wear = made.wear }
 end
 
 case("slendernesses are those of AISC's tables", function()
@@ -135,8 +154,8 @@ end)
 case("NIST GCR 17-917-46: columns", function()
   local h, Lb, height, g = W14.h, 4 / inch / W14.r, 2, 0.4
   local function nist(monotonic, ratio)
-    return hinge.backbone.nist { kind = "column", monotonic = monotonic, section = column, material = steel,
-      shear_span = height, unbraced_length = 4, axial_ratio = ratio }
+    return published(hinge.backbone.nist { kind = "column", monotonic = monotonic, section = column, material = steel,
+      shear_span = height, unbraced_length = 4, axial_ratio = ratio }, ratio)
   end
   local moment = 9 / 8 * (1 - g) -- that an axial force of 0.4 leaves
   local k = 3 * E * column.Ix / height / moment
@@ -156,8 +175,8 @@ case("NIST GCR 17-917-46: columns", function()
   local thin_Lb = 4 / math.sqrt(thin.Iy / thin.area)
   near(w / (25000 * thin_h ^ -2.14 * thin_Lb ^ -0.53 * 0.8 ^ 4.92), 1, 1e-7, "wear, g = 0.2")
   -- monotonic, slender enough that the cap comes first: theta_p and the bounds
-  made = hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
-    unbraced_length = 4, axial_ratio = 0.2 }
+  made = published(hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
+    unbraced_length = 4, axial_ratio = 0.2 }, 0.2)
   local Mp, left_moment = 345e6 * thin.Zx, 1 - 0.2 / 2
   local stiff = 3 * E * thin.Ix / 2 / left_moment
   local most = 12.5 * thin_h ^ -0.2 * thin_Lb ^ -0.4 * 0.8 ^ 0.4
@@ -178,7 +197,7 @@ case("NIST GCR 17-917-46: bounds, and where laws change", function()
     local o = { kind = kind, section = section, material = steel, monotonic = monotonic, shear_span = 2,
       unbraced_length = 4 }
     for name, x in pairs(more or {}) do o[name] = x end
-    return hinge.backbone.nist(o)
+    return published(hinge.backbone.nist(o), o.axial_ratio or 0)
   end
   local function stiff(section, L, g)
     return 3 * E * section.Ix / L / (g <= 0.2 and 1 - g / 2 or 9 / 8 * (1 - g)) * (g > 0.5 and 4 * g * (1 - g) or 1)
@@ -283,8 +302,9 @@ end)
 case("ASCE 41: columns", function()
   local h, Lb = W14.h, 4 / inch / W14.r
   local function asce(edition, g, section)
-    return hinge.backbone.asce41 { kind = "column", section = section or column, material = steel, length = 4,
-      unbraced_length = 4, axial_ratio = g, edition = edition }
+    local made, limits = hinge.backbone.asce41 { kind = "column", section = section or column, material = steel,
+      length = 4, unbraced_length = 4, axial_ratio = g, edition = edition }
+    return published(made, g), limits
   end
   local function theta(g, moment)
     return moment * W14.Mp * 4 / (6 * E * column.Ix * (g > 0.5 and 4 * g * (1 - g) or 1))
@@ -451,6 +471,111 @@ case("a cantilever has the moment of the rule at the rotation of the rule", func
   near(lost, 1.05 * worn.points[2][1] / worn.wear, 0.15 * lost, "part of the moment that is worn off up to the cap")
 end)
 
+-- Backbones of columns by the formulas: plastic rotations (rad) and moments over Mp under the axial force g; and the
+-- function and the options of the library.
+local function nist_column(monotonic, g)
+  local w = W24
+  local h, Lb, moment = w.h, unbraced / inch / w.r, left_by_force(g)
+  local cap = monotonic and 12.5 * h ^ -0.2 * Lb ^ -0.4 * (1 - g) ^ 0.4 or 9.5 * h ^ -0.4 * Lb ^ -0.16 * (1 - g) ^ 0.2
+  local sizes = { yield = 1.15 * moment, cap = support.smallest_of(support.largest_of(cap, 1), 1.3) }
+  if monotonic then
+    sizes.residual, sizes.theta_u = 0.5 - 0.4 * g, 0.15
+    sizes.theta_p = 294 * h ^ -1.7 * Lb ^ -0.7 * (1 - g) ^ 1.6
+    sizes.theta_pc = 90 * h ^ -0.8 * Lb ^ -0.8 * (1 - g) ^ 2.5
+  else
+    sizes.residual, sizes.theta_u = 0.4 - 0.4 * g, 0.08 * (1 - 0.6 * g)
+    sizes.theta_p = 15 * h ^ -1.6 * Lb ^ -0.3 * (1 - g) ^ 2.3
+    sizes.theta_pc = 14 * h ^ -0.8 * Lb ^ -0.5 * (1 - g) ^ 3.2
+  end
+  return w, expected(sizes, w.Mp, K), "nist", { shear_span = span, monotonic = monotonic, wear = false }
+end
+local function asce_column(_, g)
+  local w = W14
+  local h, Lb, moment = w.h, unbraced / inch / w.r, left_by_force(g)
+  local a = 0.8 * (1 - g) ^ 2.2 / (0.1 * Lb + 0.8 * h) - 0.0035
+  local b = 7.4 * (1 - g) ^ 2.3 / (0.5 * Lb + 2.9 * h) - 0.006
+  local theta = moment * w.Mp * 2 * span / (6 * E * w.section.Ix)
+  return w, abc(a, b, 0.9 * (1 - g), 1 + (g > 0.2 and 0.01 or 0.03) * a / theta, moment), "asce41",
+    { length = 2 * span, edition = "2017" }
+end
+
+-- Plastic rotations and moments over Mp of the foot of a cantilever, under the axial force g, pushed to each of
+-- `wanted`, which are such pairs. It is short and stiff, so that its tip does not go back where the moment falls.
+local function moments_under(w, backbone, g, law, wanted)
+  local L, stiff = 0.5, hinge.material { E = 5 * E, yield_stress = 345e6 }
+  local model = hinge.model { displacement = "small", interaction = law }
+  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  local member = model:member { foot, tip, section = w.section, material = stiff, up = { 0, 0, 1 }, elements = 2,
+    backbone = backbone }
+  model:fix(foot, "all")
+  model:fix(tip, "y,rx,rz")
+  model:case("axial"):load { node = tip, force = { -g * w.section.area * 345e6, 0, 0 } }
+  model:case("sway"):load { node = tip, force = { 0, 0, -w.Mp / L } }
+  local give = L / (3 * stiff.E * w.section.Ix) + 1 / (L * stiff.G * w.section.shear_area_y) -- elastic, rad / (N m)
+  local run, found = model:static { loads = { axial = 1 }, steps = 1 }:finish(), {}
+  for i, at in ipairs(wanted) do
+    run = model:static { from = run, loads = { axial = 1, sway = 1 }, steps = 5,
+      control = { node = tip, "uz", to = -(at[1] + at[2] * w.Mp * give) * L } }:finish()
+    equal(run.verdict, "completed", run.reason)
+    local _, _, uz = tip:displacement(run)
+    local M = math.abs(member:forces(run).Mx)
+    found[i] = { -uz / L - M * give, M / w.Mp }
+  end
+  return found
+end
+
+-- Where to look: just after yield, at the cap, on the way down and on the level after it, with moments over Mp.
+local function looked_at(points)
+  local function between(i, part)
+    local a, b = points[i], points[i + 1]
+    return { a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2]) }
+  end
+  local to = { between(1, 0.02), between(1, 0.5), points[2], between(2, 0.25), between(2, 0.5), between(2, 0.75) }
+  if #points > 4 then to[7], to[8] = points[3], between(3, 0.5) else to[7] = between(2, 0.99) end
+  return to
+end
+
+case("columns have the published moments in a run under their axial force", function()
+  for name, t in pairs { ["NIST, monotonic"] = { nist_column, true }, ["NIST, first cycles"] = { nist_column, false },
+    ["ASCE 41-17"] = { asce_column } } do
+    for _, g in ipairs { 0.1, 0.3, 0.5 } do
+      local w, points, call, o = t[1](t[2], g)
+      local wanted = looked_at(points)
+      o.kind, o.section, o.material, o.unbraced_length, o.axial_ratio = "column", w.section, steel, unbraced, g
+      for _, law in ipairs { "paper", "exact" } do
+        o.interaction = law
+        local what = ("%s, g = %g, %s"):format(name, g, law)
+        for i, found in ipairs(moments_under(w, hinge.backbone[call](o), g, law, wanted)) do
+          -- between its points the backbone is within 0.4 % of the published line
+          near(found[2] / wanted[i][2], 1, 0.01, ("%s: moment at %.4f rad"):format(what, wanted[i][1]))
+          near(found[1], wanted[i][1], 1e-3, what .. ": rotation")
+        end
+      end
+    end
+  end
+end)
+
+case("the backbone of a column follows the interaction of its section", function()
+  local function first(name, law, asked)
+    local section = hinge.section.named(name, { interaction = law })
+    return hinge.backbone.nist { kind = "column", section = section, material = steel, shear_span = 2,
+      unbraced_length = 4, axial_ratio = 0.5, interaction = asked }.points[1][2]
+  end
+  near(first "W14X193", math.sqrt((1.15 * 9 / 16) ^ 2 + 0.25), 1e-9, "default: eq 14")
+  near(first("W14X193", "paper"), first "W14X193", 1e-12, "of the section: paper")
+  near(first("W14X193", "exact"), first("W14X193", nil, "exact"), 1e-12, "of the section: exact")
+  near(first("W14X193", "exact", "exact"), first("W14X193", nil, "exact"), 1e-12, "said twice")
+  -- Stress blocks by hand, in inches: web, fillets and the inner part of the flanges carry the axial force, the rest of
+  -- the flanges the moment.
+  local f = first("W14X193", "exact")
+  local flange, area = 15.7 * 1.44, column.area / inch ^ 2
+  local inner = (area * 0.5 / f - (area - 2 * flange)) / 2
+  expect(inner > 0 and inner < flange, "the neutral axis is in a flange: %g", inner)
+  local rest = flange - inner
+  local m = 2 * rest * (15.5 - rest / 15.7) / 2 / (column.Zx / inch ^ 3)
+  near(f * m, 1.15 * 9 / 16, 1e-6, "by stress blocks")
+end)
+
 case("limits go into run:hinges", function()
   local backbone, limits = hinge.backbone.asce41 { kind = "beam", section = beam, material = steel, length = 2 * span }
   local worst = pushed(backbone, 0.05):hinges({ limit = limits }).worst
@@ -512,6 +637,10 @@ case("wrong input is refused at the script's line", function()
   refused("no yield_stress", "lignos", lignos { material = hinge.material { E = E } })
   refused("'cut' is missing", "lignos", lignos { reduced = true })
   refused("'cut' is 0.058 m", "lignos", lignos { reduced = true, cut = 0.058 }) -- a quarter of the width is 0.0571 m
+  local deep = hinge.section.named "W36X150"
+  equal(#hinge.backbone.asce41 { kind = "RBS", section = deep, material = steel, length = 9, cut = 0.0762 }.points, 5,
+    "a quarter of the width, 0.3048 m")
+  refused("'cut' is 0.07621 m", "asce41", { kind = "RBS", section = deep, material = steel, length = 9, cut = 0.07621 })
   refused("'cut' is -0.01 m", "lignos", lignos { reduced = true, cut = -0.01 })
   refused("(RBS) alone", "lignos", lignos { cut = 0.02 })
   refused("'shear_span' is missing", "lignos", { section = beam, material = steel, unbraced_length = 2 })
@@ -519,6 +648,19 @@ case("wrong input is refused at the script's line", function()
   refused("one of beam, RBS", "nist", lignos { kind = "beams" })
   refused("monotonic = false", "nist", lignos { kind = "pre-Northridge" })
   refused("it is for kind = 'column' alone", "nist", lignos { kind = "beam", axial_ratio = 0.1 })
+  refused("'interaction' is 'exact'; it is for kind = 'column' alone", "nist", lignos { kind = "beam",
+    interaction = "exact" })
+  local exact = hinge.section.named("W24X76", { interaction = "exact" })
+  refused("the section 'W24X76' has interaction = 'exact'", "nist", lignos { kind = "column", section = exact,
+    interaction = "paper" })
+  local bare = { area = beam.area, Ix = beam.Ix, Iy = beam.Iy, J = beam.J, plastic = { A = beam.area, Zx = beam.Zx },
+    size = { width = beam.width, depth = beam.depth, web = beam.web, flange = beam.flange } }
+  refused("has no outline", "nist", lignos { kind = "column", section = hinge.section.general(bare), axial_ratio = 0.2,
+    interaction = "exact" })
+  bare.N0 = 1.02 * beam.area * 345e6
+  refused("has N0 = ", "nist", lignos { kind = "column", section = hinge.section.general(bare), axial_ratio = 0.2 })
+  bare.N0, bare.Mx0 = nil, 0.98 * beam.Zx * 345e6
+  refused("has Mx0 = ", "nist", lignos { kind = "column", section = hinge.section.general(bare), axial_ratio = 0.2 })
   refused("'unbraced_length' is missing", "nist", { kind = "column", section = column, material = steel,
     shear_span = 2 })
   refused("below 1", "nist", lignos { kind = "column", axial_ratio = 1 })
@@ -527,6 +669,7 @@ case("wrong input is refused at the script's line", function()
   refused("does not go with monotonic = false", "nist", lignos { kind = "beam", monotonic = false, wear = true })
   local function asce(more) return with({ section = beam, material = steel, length = 6 }, more) end
   refused("does not go with kind = 'beam'", "asce41", asce { kind = "beam", axial_ratio = 0.1 })
+  refused("'interaction' does not go with kind = 'RBS'", "asce41", asce { kind = "RBS", interaction = "exact" })
   refused("does not go with kind = 'column'", "asce41", asce { kind = "column", cut = 0.1 })
   refused("'unbraced_length' is missing", "asce41", asce { kind = "column" })
   refused("one of 2017, 2023", "asce41", asce { kind = "column", edition = "2013" })
