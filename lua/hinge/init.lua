@@ -10,6 +10,7 @@ return check.strict({
   material = require "hinge.material",
   section = require "hinge.section",
   backbone = require "hinge.backbone",
+  benchmark = function(...) return require "hinge.benchmark".new(...) end,
   blast = require "hinge.blast",
   grid = require "hinge.grid",
   heat = require "hinge.heat",
