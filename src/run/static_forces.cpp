@@ -124,9 +124,26 @@ void StaticForces::find_reactions(double factor) {
     }
 }
 
+/// The best fit of the loads to the internal forces.
+double StaticForces::factor_at_start() const {
+    constexpr double accuracy = 1e-4;  // of the internal forces: what a run that has converged leaves is less
+    double loads = 0, both = 0, internal = 0;
+    for (std::size_t i = 0; i < w_.external.size(); ++i) {
+        const Vec6 load = problem_.without_supported(i, w_.external[i]),
+                   r = problem_.without_supported(i, w_.resisting[i] - (held_.empty() ? Vec6(Vec6::Zero()) : held_[i]));
+        for (int c = 0; c < 6; ++c) {
+            const double unit = c < 3 ? 1 : std::pow(problem_.mean_length, -2);
+            loads += unit * load[c] * load[c], both += unit * load[c] * r[c], internal += unit * r[c] * r[c];
+        }
+    }
+    if (!(loads > 0)) return 0;
+    const double missing = internal - both * both / loads;
+    return missing <= accuracy * accuracy * internal ? both / loads : 0;
+}
+
 /// By the mean load factor of the step. Of weights, the part that the load factor has not reached yet is held back.
-void StaticForces::add_work(double& work) const {
-    const double mean = 0.5 * (w_.state.factor + w_.factor);
+void StaticForces::add_work(double begun, double& work) const {
+    const double mean = 0.5 * (begun + w_.factor);
     for (std::size_t i = 0; i < w_.external.size(); ++i) {
         const Vec3 du = w_.trial.displacement[i] - w_.state.displacement[i], turned = w_.rotation_step[i];
         const auto on = [&](const Vec6& load) { return load.head<3>().dot(du) + load.tail<3>().dot(turned); };

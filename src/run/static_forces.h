@@ -31,8 +31,12 @@ public:
         double relative() const { return norm / scale; }
     };
     Residual residual() const;
-    /// Adds the work that loads do from the state to the configuration that is tried, J.
-    void add_work(double& work) const;
+    /// Adds the work that loads do from the state, where the load factor is `begun`, to the configuration that is
+    /// tried, J.
+    void add_work(double begun, double& work) const;
+    /// The load factor with which the start is in equilibrium: that of the run that this one goes on from, with the
+    /// same loads. 0 where there is none.
+    double factor_at_start() const;
     /// Forces of the supports, at a load factor.
     void find_reactions(double factor);
     /// True if a load's tangent is unsymmetric: a moment, or a load that follows the rotation of its member.

@@ -22,6 +22,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     assembly_.update_active(state_);
     forces_.recover();
     forces_.find_reactions(0);
+    factor_at_start_ = forces_.factor_at_start();
     if (constraints_) constraints_->reduction().refuse_held(problem_.held);
     refuse_mechanism();
     stability_.begin();
@@ -134,7 +135,7 @@ void Statics::commit(const Substep& substep) {
 /// The trial becomes the state.
 void Statics::commit_state() {
     const Step step{state_.time, 0, false, 0, {}, {}};
-    forces_.add_work(state_.accumulated["work"]);
+    forces_.add_work(substeps_ == 0 ? factor_at_start_ : state_.factor, state_.accumulated["work"]);
     forces_.find_reactions(w_.factor);
     for (const auto& law : effects_->contact_laws) law->end_statics();
     for (const auto& e : effects_->all) e->accumulate_energy(step, state_.accumulated);

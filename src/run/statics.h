@@ -85,6 +85,7 @@ private:
     LoadControl load_to_target_;  ///< for the step that ends a path of arc length
     StepHalving halving_;
     long substeps_ = 0;
+    double factor_at_start_ = 0;  ///< StaticForces::factor_at_start
     bool limit_ = false;
 };
 

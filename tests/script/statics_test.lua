@@ -431,6 +431,19 @@ case("control by displacement from another run drives to the total displacement,
   end
 end)
 
+case("the work of runs that go on from each other, driven there and back, is that of the elastic energy", function()
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = bar, material = steel }
+  model:load { node = tip, force = { 0, 0, 1 } }
+  local run
+  for _, z in ipairs { 1e-3, 4e-3, -2e-3 } do
+    run = model:static { from = run, steps = 5, control = { node = tip, "uz", to = z } }:finish()
+    near(run.energy.energy_error, 0, 1e-9 * run.energy.elastic, ("energy error up to %g m"):format(z))
+  end
+end)
+
 case("an overloaded frame names its limit load, and the control that it names goes on past it", function()
   -- Loads beyond what a frame carries: the limit load is named, with who gives way, and what goes on past it. Tries
   -- that Newton's method gets nowhere with are given up: 966 factorisations, not 1198.
