@@ -49,7 +49,18 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
     return list;
 }
 
-class MemberLoads : public Effect, public Load, public SectionForceSource, public StepLimiter {
+/// What a change of the nodes' places and rotations rotates two nodes' axes by: that of the chord, and about it the
+/// mean of the nodes. 3 x 12. `span`: of the chord, m.
+Eigen::Matrix<double, 3, 12> rotation_of_axes(const Vec3& span) {
+    const Vec3 z = span.normalized();
+    Eigen::Matrix<double, 3, 12> by;
+    by.block<3, 3>(0, 6) = skew(z) / span.norm();
+    by.block<3, 3>(0, 0) = -by.block<3, 3>(0, 6);
+    by.block<3, 3>(0, 3) = by.block<3, 3>(0, 9) = 0.5 * z * z.transpose();
+    return by;
+}
+
+class MemberLoads : public Effect, public Load, public Force, public SectionForceSource, public StepLimiter {
 public:
     MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host, {.mean_forces = true}) {
         const Structure& s = w.structure;
@@ -66,6 +77,20 @@ public:
                     if (place_[node] < 0) place_[node] = int(nodes_.size()), nodes_.push_back(node);
         }
         before_.assign(nodes_.size(), Vec6::Zero());
+    }
+
+    // ---- loads in local axes: statics has the derivative of their directions by the nodes' motion
+    // --------------------
+    void add_forces(double, std::vector<Vec6>&) override {}
+    bool has_blocks() const override {
+        return !w_.kind.dynamic && w_.structure.large() &&
+               std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.local; });
+    }
+    bool blocks_follow() const override { return has_blocks(); }
+    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+        if (has_blocks())
+            for (const Loaded& l : loads_)
+                if (l.local) add_derivative(l, at, factor_now(l, w_.factor), blocks);
     }
 
     /// Of those with a history as in Loads::add_static_loads.
@@ -378,6 +403,39 @@ private:
             m[plane] = l.local ? f[1 - plane] + c[plane] : axes.col(1 - plane).dot(f) + axes.col(plane).dot(c);
         }
         return m;
+    }
+
+    /// Subtracts from the stiffness what the forces on two nodes change by when the axes that carry them rotate.
+    static void add_rotating(const int node[2], const Vec3& span, const Vec6 f[2], Blocks& blocks) {
+        const Eigen::Matrix<double, 3, 12> by = rotation_of_axes(span);
+        Mat12 K;
+        for (int end : {0, 1}) {
+            K.middleRows<3>(6 * end) = skew(f[end].head<3>()) * by;
+            K.middleRows<3>(6 * end + 3) = skew(f[end].tail<3>()) * by;
+        }
+        blocks.stiffness(node[0], node[1], K);
+    }
+
+    void add_derivative(const Loaded& l, const ConfigurationView& at, double factor, Blocks& blocks) const {
+        const auto& elements = w_.structure.elements();
+        const auto place = [&](int node) { return Vec3(w_.structure.position()[node] + at.displacement[node]); };
+        for (std::size_t i = 0; i < l.shares.size(); ++i) {
+            const int element = l.ends.first + int(i);
+            if (w_.state.broken[element]) continue;
+            const int* node = elements[element].node;
+            const Mat3 to_space = factor * axes_of(element_frame(w_.structure, element, at));
+            Vec6 f[2];
+            for (int end : {0, 1}) f[end] << to_space * l.shares[i].force[end], to_space * l.shares[i].moment[end];
+            add_rotating(node, place(node[1]) - place(node[0]), f, blocks);
+        }
+        if (!l.ends.whole(w_.state)) return;
+        const MemberEnds::Chord chord = l.ends.chord(w_.structure, at);
+        const int node[2] = {elements[l.ends.first].node[0], elements[l.ends.first + l.ends.count - 1].node[1]};
+        Vec3 m[2];
+        for (int end : {0, 1}) m[end] = factor * (chord.axes * end_moment(l, end, chord.axes));
+        Vec6 f[2];
+        l.ends.pass_on(w_.structure, chord.span, m, [&](int n, const Vec6& force) { f[n == node[1]] = force; });
+        add_rotating(node, chord.span, f, blocks);
     }
 
     /// Calls add(node, force and moment in space) with all that a load asks of the nodes at such a place.
