@@ -99,7 +99,13 @@ local function under_force(where, o, g, fy)
     end
     return high
   end
-  return { moment = moment, factor = factor }
+  -- by how much of itself the moment falls where a hundredth of the factor is lost, over that hundredth
+  local function sensitivity(f)
+    local by = 1e-4 * f
+    return (moment(f + by) - moment(f - by)) / (2 * by) * f / moment(f)
+  end
+  return { moment = moment, factor = factor, sensitivity = sensitivity,
+    interaction = o.interaction or s.interaction or "paper" }
 end
 
 -- Adds points between a and b, { rotation, moment over Mp, factor }, until a straight line between two factors gives
@@ -114,8 +120,9 @@ local function add_between(to, a, b, force, depth)
 end
 
 -- The backbone through points { plastic rotation, moment over Mp }, with all strength lost after the last of them.
--- force: of under_force, or nil.
-local function through(points, wear, force)
+-- residual: moment over Mp that wear leaves; force: of under_force, or nil. Wear lowers the factor, by which the moment
+-- falls faster: so that it falls as published, wear is the larger by as much.
+local function through(points, wear, residual, force)
   local to, before = {}, nil
   for i, p in ipairs(points) do
     local here = { p[1], p[2], force and force.factor(p[2]) or p[2] }
@@ -123,7 +130,10 @@ local function through(points, wear, force)
     to[#to + 1], before = { here[1], here[3] }, here
     if i == #points and here[3] > least then to[#to + 1] = { here[1] + drop, least } end
   end
-  return core.backbone { points = to, wear = wear }
+  local function factor(M) return force and force.factor(M) or M end
+  return core.backbone { points = to, wear = wear and force and wear * force.sensitivity(to[1][2]) or wear,
+    residual = wear and residual > least and factor(residual) / to[1][2] or nil,
+    interaction = force and force.interaction }
 end
 
 -- Formulas ------------------------------------------------------------------------------------------------------------
@@ -150,7 +160,7 @@ end
 
 -- Of rotations of the chord and moments (N m), as published, the plastic rotation, which is what is left without M / K,
 -- and the strength over Mp. All strength is lost at the chord's rotation `ultimate`.
-local function from_chord(where, chord, ultimate, K, Mp, wear, force)
+local function from_chord(where, chord, ultimate, K, Mp, wear, residual, force)
   local cut = {}
   for i, p in ipairs(chord) do
     local before = chord[i - 1]
@@ -170,7 +180,7 @@ local function from_chord(where, chord, ultimate, K, Mp, wear, force)
         .. "plastic rotation is left", where, check.show(p[1] - cut[1][1]), check.show((p[2] - cut[1][2]) / K))
     end
   end
-  return through(points, wear, force)
+  return through(points, wear, residual, force)
 end
 
 -- What Lignos, and NIST, publish of a hinge: `row` has its laws. My: moment at yield, N m; K: of the chord, N m / rad.
@@ -186,7 +196,7 @@ local function trilinear(where, row, x, My, K, Mp, wear, force)
       where, check.show(at_cap - at_yield), check.show(fall), check.show(x.inches * inch))
   end
   local chord = { { at_yield, My }, { at_cap, Mc }, { at_cap + fall * (1 - Mr / Mc), Mr } }
-  return from_chord(where, chord, row.ultimate, K, Mp, wear, force)
+  return from_chord(where, chord, row.ultimate, K, Mp, wear, Mr / Mp, force)
 end
 
 -- a, b, c of ASCE 41. at_a: strength at a over that at yield; yield: over Mp. From a the strength falls straight over a
@@ -196,7 +206,7 @@ local function from_abc(a, b, c, at_a, yield, force)
   local down = a + math.max((b - a) / 10, drop)
   local points = { { 0, yield }, { a, at_a * yield }, { down, rest } }
   if b > down then points[4] = { b, rest } end
-  return through(points, nil, force)
+  return through(points, nil, 0, force)
 end
 
 local function ratios_of(m, o, fy)

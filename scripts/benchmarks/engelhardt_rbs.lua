@@ -2,10 +2,8 @@
 --
 -- Run     hinge run scripts/benchmarks/engelhardt_rbs.lua
 -- Shows   loss of strength in cycles by Lignos and Krawinkler's backbone with wear (2011); nothing was fitted
--- Expect  strength is lost too fast: 8, 15, 25 and 47 % less than the test in later cycles. The test keeps two
---         thirds of its strength at 0.06 rad. With half the wear the errors are 1, 0, 4 and 19 %: in OpenSees'
---         IMKBilin, for which the numbers are published, each half cycle wears one direction alone, in hinge both.
---         Nor does wear in hinge end at the residual strength
+-- Expect  strength within 1 % of the test in the cycles up to 0.04 rad, 7 % below it in the second at 0.04 rad, and
+--         29 % below it in the second at 0.06 rad, where the test keeps two thirds of its strength
 local hinge = require "hinge"
 
 -- W36X150, half of the width cut; yield stress measured, mean by area; span: from the column's face to the point of no
@@ -57,18 +55,15 @@ return hinge.benchmark {
     .. "has not",
   run = function(b, job)
     local curve, peaks, most = bent(backbone)
-    local _, slower, greatest = bent(hinge.backbone { points = backbone.points, wear = 2 * backbone.wear })
     local function row(what, first, tolerance)
       b:row { what, computed = (peaks[first] + peaks[first + 1]) / 2 / most,
         reference = (measured[first] + measured[first + 1]) / 2, tolerance = tolerance, elements = elements,
         steps = steps }
     end
-    row("second cycle at 0.027 rad", 21, 0.13)
-    row("first cycle at 0.040 rad", 23, 0.22)
-    row("second cycle at 0.040 rad", 25, 0.37)
-    row("second cycle at 0.060 rad", 29, 0.75)
-    b:row { "second cycle at 0.060, half the wear", computed = (slower[29] + slower[30]) / 2 / greatest,
-      reference = (measured[29] + measured[30]) / 2, tolerance = 0.3, elements = elements, steps = steps }
+    row("second cycle at 0.027 rad", 21, 0.015)
+    row("first cycle at 0.040 rad", 23, 0.03)
+    row("second cycle at 0.040 rad", 25, 0.13)
+    row("second cycle at 0.060 rad", 29, 0.45)
     local test = { x = {}, y = {}, name = "test, each half cycle", style = "points" }
     for i, part in pairs(measured) do
       table.insert(test.x, turns[i])

@@ -3,10 +3,9 @@
 -- Run     hinge run scripts/benchmarks/macrae_columns.lua
 -- Shows   what published backbones of columns are worth before a test: no number was fitted
 -- Expect  the envelope of the first cycles finds the greatest moment of C3 within 2 %, and its rotation at 80 % within
---         5 %. The monotonic backbone with wear is 18 and 21 % below the greatest moments of C0 and C3, since its cap
---         lies beyond 0.1 rad and wear takes the hardening before. The work of C3 is 21 % below, with half the wear
---         5 %: in OpenSees' IMKBilin each half cycle wears one direction alone, in hinge both. C8 is 47 % too weak,
---         as the published moment at yield is: 1.15 * 9/8 (1 - 0.76) Mp = 86 kN m
+--         5 %. The monotonic backbone with wear finds the work of C3 within 2 %. It is 18 and 20 % below the greatest
+--         moments of C0 and C3, since its cap lies beyond 0.1 rad and wear takes the hardening before. C8 is 43 % too
+--         weak, as the published moment at yield is: 1.15 * 9/8 (1 - 0.76) Mp = 86 kN m
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local column = require "column"
 local hinge = require "hinge"
@@ -31,12 +30,10 @@ local tests = {
     y = { 103, 119, 149, 146, -107, -121, -153, -154 } },
 }
 
--- more: a factor on the wear, rad, that takes all strength.
-local function rule(P, monotonic, more)
-  local made = hinge.backbone.nist { kind = "column", section = section, material = steel, shear_span = L,
+local function rule(P, monotonic)
+  return hinge.backbone.nist { kind = "column", section = section, material = steel, shear_span = L,
     unbraced_length = L, axial_ratio = P / (section.area * steel.yield_stress), interaction = "exact",
     monotonic = monotonic }
-  return hinge.backbone { points = made.points, wear = made.wear and (more or 1) * made.wear }
 end
 
 local function bent(P, backbone, turns)
@@ -65,12 +62,10 @@ return hinge.benchmark {
         elements = elements, steps = steps }
     end
     row("C0, greatest moment", column.most(found.C0), 396.9, "kN m", 0.3)
-    row("C3, greatest moment", column.most(found.C3), 317.1, "kN m", 0.25)
-    row("C3, work in 8 cycles", found.C3.energies[16], 121.3, "kN m", 0.25)
-    local slower = bent(tests.C3.P, rule(tests.C3.P, true, 2), column.turns(tests.C3.sizes))
-    row("C3, work in 8 cycles, half the wear", slower.energies[16], 121.3, "kN m", 0.03)
-    row("C8, greatest moment", column.most(found.C8), 162.9, "kN m", 0.2)
-    row("C8, work in 7 cycles", found.C8.energies[14], 12.7, "kN m", 0.4)
+    row("C3, greatest moment", column.most(found.C3), 317.1, "kN m", 0.3)
+    row("C3, work in 8 cycles", found.C3.energies[16], 121.3, "kN m", 0.04)
+    row("C8, greatest moment", column.most(found.C8), 162.9, "kN m", 0.65)
+    row("C8, work in 7 cycles", found.C8.energies[14], 12.7, "kN m", 0.5)
     local envelope = bent(tests.C3.P, rule(tests.C3.P, false), { 0.02, 0.05 })
     row("C3, greatest moment, envelope of NIST", column.most(envelope), 317.1, "kN m", 0.03)
     row("C3, 80 %, envelope of NIST", column.fallen_to(envelope, 0.8), 0.038, "rad", 0.07)

@@ -3,11 +3,9 @@
 --
 -- Run     hinge run scripts/benchmarks/ozkula_columns.lua
 -- Shows   the monotonic backbone of NIST (2017) with its wear on members of building size; nothing was fitted
--- Expect  the greatest moment of 2Z is 18 % too low, that of 1H 20 %. Both lose their strength far too fast: 2Z keeps
---         its strength in the test to 0.063 rad, and has a third of it in hinge. Half the wear is nearer in both: in
---         OpenSees' IMKBilin, for which the numbers are published, each half cycle wears one direction alone, in hinge
---         both. Under the axial force of 1H wear takes more of the moment than published: it lowers the axial strength
---         by the same part
+-- Expect  the greatest moment of 2Z is 17 % too low, that of 1H 20 %. Both lose their strength too fast: 2Z keeps its
+--         strength in the test to 0.063 rad, and has 43 % of it in hinge; 1H has half of it. Wear by the formula takes
+--         more from members of this size than the tests did
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local column = require "column"
 local hinge = require "hinge"
@@ -18,7 +16,7 @@ local L, steps, elements = 5.486, 20, 2
 -- greatest moments (MN m) of the first cycle at each size of rotation (rad); most and last: of all, and of the last.
 local tests = {
   { "2Z, no axial force", P = 0, Fy = 366.1e6, r = 0.0232,
-    most = 3.10, last = 2.95, tolerance = { 0.3, 1, 0.75 },
+    most = 3.10, last = 2.95, tolerance = { 0.3, 0.9 },
     size = { depth = 0.622, width = 0.328, web = 0.0154, flange = 0.0244 },
     turns = { { 0.0079, 2 }, { 0.0100, 4 }, { 0.0136, 2 }, { 0.0182, 2 }, { 0.0274, 2 }, { 0.0360, 2 }, { 0.0452, 2 },
       { 0.0540, 1 }, { 0.0630, 2 } },
@@ -27,15 +25,14 @@ local tests = {
     y = { 1.72, 1.95, 2.27, 2.47, 2.76, 3.04, 3.04, 3.04, 3.08, -1.71, -2.00, -2.24, -2.48, -2.92, -3.10, -2.85, -2.95,
       -2.95 } },
   { "1H, 0.49 Np", P = 6209e3, Fy = 382.6e6, r = 0.0232,
-    most = 2.64, last = 2.51, tolerance = { 0.05, 1.3, 0.6 },
+    most = 2.64, last = 2.51, tolerance = { 0.3, 0.75 },
     size = { depth = 0.64, width = 0.328, web = 0.0191, flange = 0.034 },
     turns = { { 0.0055, 6 }, { 0.0077, 6 }, { 0.0100, 4 } },
     x = { 0.0054, 0.0077, 0.0099, -0.0050, -0.0073, -0.0085 },
     y = { 1.89, 2.47, 2.64, -1.64, -2.27, -2.63 } },
 }
 
--- more: a factor on the wear, rad, that takes all strength.
-local function bent(t, more)
+local function bent(t)
   t.size.r = nil
   local section = hinge.section.h(t.size)
   t.size.r = t.r
@@ -43,7 +40,7 @@ local function bent(t, more)
   local rule = hinge.backbone.nist { kind = "column", section = hinge.section.h(t.size), material = steel,
     shear_span = L / 2, unbraced_length = L, axial_ratio = t.P / (section.area * t.Fy), interaction = "exact" }
   local curve = column.bent { section = section, material = steel, L = L, P = t.P, clamped = true,
-    backbone = hinge.backbone { points = rule.points, wear = more * rule.wear }, turns = column.turns(t.turns),
+    backbone = rule, turns = column.turns(t.turns),
     steps = steps, elements = elements }
   for i, y in ipairs(curve.y) do curve.y[i] = y / 1e3 end
   return curve, curve.peaks[#curve.peaks] / 1e3
@@ -61,12 +58,10 @@ return hinge.benchmark {
         elements = elements, steps = steps }
     end
     for i, t in ipairs(tests) do
-      local curve, last = bent(t, 1)
-      local _, slower = bent(t, 2)
+      local curve, last = bent(t)
       local name = t[1]:match "^%w+"
       row(name .. ", greatest moment", column.most(curve), t.most, t.tolerance[1])
       row(name .. ", last half cycle", last, t.last, t.tolerance[2])
-      row(name .. ", last half cycle, half the wear", slower, t.last, t.tolerance[3])
       panels[i] = { title = t[1], x_label = "rotation of the chord (rad)", y_label = "end moment (MN m)",
         y_range = { -3.3, 5 }, series = { { x = curve.x, y = curve.y, name = "NIST, monotonic with wear" },
           { x = t.x, y = t.y, name = "test, first cycles", style = "points" } } }

@@ -6,7 +6,9 @@
 //
 // A hinge follows the backbone at the largest plastic rotation that it has had, |(rotation about x, about y)|, in
 // either direction. Each cycle wears it as well, as far as `wear` is given (Ibarra, Medina and Krawinkler 2005, with
-// the exponent 1): its strength falls with its plastic work E, by the factor 1 - E / (wear My).
+// the exponent 1). There an excursion of the plastic work dE takes dE / (Et - E) of the strength in its own direction,
+// with Et = wear My. Each direction has half of the work of a cycle, so that the strength falls by the factor
+// sqrt(1 - E / Et), down to the residual one: over the rotation in a straight line, for E falls with it.
 #include <algorithm>
 #include <cmath>
 
@@ -31,11 +33,12 @@ public:
             text += (text.empty() ? "" : ", ") + number_text(p.strength) +
                     (p.rotation > 0 ? " at " + number_text(p.rotation) + " rad" : "");
         if (of_.wear > 0) text += "; wear " + number_text(of_.wear) + " rad";
+        if (of_.wear > 0 && of_.residual > 0) text += " down to " + number_text(of_.residual);
         return "backbone (" + text + ")";
     }
     void save(Writer& to) const override {
         for (const auto& p : of_.points) to(p.rotation, p.strength);
-        to(of_.wear);
+        to(of_.wear, of_.residual);
     }
 
     int history_size() const override { return 5; }
@@ -48,14 +51,12 @@ public:
         if (history && history[inside] > 0) return {greatest_, 0, greatest_};
         const Step s = step(zone, history, e);
         Turned out;
-        out.factor = std::max(least_strength, s.strength * s.worn_to);
-        out.mean = std::max(least_strength, 0.5 * s.mean * (s.worn_from + s.worn_to));
-        if (out.factor > least_strength && work > 0) {
+        const double floor = std::max(least_strength, std::min(of_.residual, s.strength));
+        out.factor = std::max(floor, s.strength * s.worn_to);
+        out.mean = std::max(floor, 0.5 * s.mean * (s.worn_from + s.worn_to));
+        if (out.factor > floor && work > 0) {
             if (s.largest_to > s.largest_from) out.slope = s.slope * s.worn_to * s.to.dot(s.by) / s.to.norm() / work;
-            if (of_.wear > 0) {
-                const double over = 1 + s.worn_by;
-                out.slope -= s.strength * s.worn_from * 2 * s.worn_by / (over * over) / work;
-            }
+            if (of_.wear > 0) out.slope -= s.strength * s.worn_by / work;
         }
         return out;
     }
@@ -94,7 +95,7 @@ private:
         s.worn_from = s.worn_to = 1 - (history ? history[worn] : 0);
         if (of_.wear > 0) {
             s.worn_by = 0.5 * turn * s.mean / of_.points.front().strength / of_.wear;
-            s.worn_to *= std::max(0.0, (1 - s.worn_by) / (1 + s.worn_by));
+            s.worn_to = std::max(0.0, s.worn_to - s.worn_by);
         }
         return s;
     }
@@ -138,6 +139,7 @@ std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& b) {
         if (!(std::isfinite(p.strength) && p.strength >= 0.01))
             throw InputError("the strengths of a backbone must be 0.01 or more");
     }
+    if (!(std::isfinite(b.residual) && b.residual >= 0)) throw InputError("the residual strength must be 0 or more");
     if (!(std::isfinite(b.wear) && b.wear >= 0)) throw InputError("wear must be 0 rad or more");
     return std::make_shared<BackboneLaw>(b);
 }

@@ -35,8 +35,10 @@ struct Backbone {
     struct Point {
         double rotation, strength;  ///< largest plastic rotation so far, rad; factor on the fully plastic resultants
     };
-    std::vector<Point> points;  ///< the first one at 0 rad; straight between two, constant beyond the last
-    double wear = 0;            ///< plastic work over My that takes all strength, rad; 0: cycles do not wear it
+    std::vector<Point> points;     ///< the first one at 0 rad; straight between two, constant beyond the last
+    double wear = 0;               ///< plastic work over My that takes all strength, rad; 0: cycles do not wear it
+    std::string interaction = "";  ///< of the sections that it is made for: "paper", "exact", "" for any
+    double residual = 0;           ///< factor on the fully plastic resultants below which wear takes nothing
 };
 /// Raises InputError unless the rotations begin at 0 and rise, and all strengths are 0.01 or more.
 std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& backbone);

@@ -7,6 +7,7 @@
 #include "beam/plastic_domain.h"
 #include "core/errors.h"
 #include "core/text.h"
+#include "laws/laws.h"
 
 namespace hinge {
 
@@ -64,6 +65,17 @@ int Model::add_member(MemberData m) {
                          m.material->laws[0]->name() +
                          "; a member that carries axial force of one sign yields at a constant force: give it a "
                          "material without hardening and rate");
+    if (const auto* backbone = m.backbone ? beam::backbone_of(*m.backbone) : nullptr;
+        backbone && !backbone->interaction.empty()) {
+        const Interaction has =
+            m.section->interaction == Interaction::by_model ? options_.interaction : m.section->interaction;
+        if (backbone->interaction != (has == Interaction::exact ? "exact" : "paper"))
+            throw InputError(
+                "backbone is made for interaction '" + backbone->interaction + "' of N and M, and the " +
+                (m.section->interaction == Interaction::by_model ? "model" : "section") + " has '" +
+                (has == Interaction::exact ? "exact" : "paper") +
+                "'; its strengths beside an axial force would be wrong: give the same interaction to both");
+    }
     if (m.carries != Carries::both && m.backbone)
         throw InputError(
             std::string("carries is '") + carries_word(m.carries) +

@@ -71,7 +71,8 @@ local function published(made, g)
     local line = a and b and a[2] + (b[2] - a[2]) * (p[1] - a[1]) / (b[1] - a[1])
     if not line or math.abs(p[2] - line) > 1e-9 then to[#to + 1] = p end
   end
-  return { points = to, wear = made.wear }
+  -- wear is larger by (dM / df) f / M of M = sqrt(f^2 - g^2), so that the moment falls as published
+  return { points = to, wear = made.wear and made.wear * (1 - (g / made.points[1][2]) ^ 2) }
 end
 
 case("slendernesses are those of AISC's tables", function()
@@ -166,11 +167,11 @@ case("NIST GCR 17-917-46: columns", function()
   same_points(made, expected({ yield = 1.15, cap = 1.3, residual = 0.4 - 0.4 * g, theta_u = 0.08 * (1 - 0.6 * g),
     theta_p = 15 * h ^ -1.6 * Lb ^ -0.3 * (1 - g) ^ 2.3, theta_pc = 14 * h ^ -0.8 * Lb ^ -0.5 * (1 - g) ^ 3.2 },
     W14.Mp, k), "first cycles, g = 0.4")
-  near(nist(true, 0.4).wear, 3, 1e-12, "at its bound")
+  near(nist(true, 0.4).wear, 3, 1e-7, "at its bound")
   near(nist(true, 0.6).wear, 268000 * h ^ -2.30 * Lb ^ -1.30 * 0.4 ^ 1.19, 1e-6, "wear, g = 0.6")
   local thin = hinge.section.named "W24X55"
-  local w = hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
-    unbraced_length = 4, axial_ratio = 0.2 }.wear
+  local w = published(hinge.backbone.nist { kind = "column", section = thin, material = steel, shear_span = 2,
+    unbraced_length = 4, axial_ratio = 0.2 }, 0.2).wear
   local thin_h = (23.6 - 2 * 1.01) / 0.395
   local thin_Lb = 4 / math.sqrt(thin.Iy / thin.area)
   near(w / (25000 * thin_h ^ -2.14 * thin_Lb ^ -0.53 * 0.8 ^ 4.92), 1, 1e-7, "wear, g = 0.2")
@@ -216,7 +217,7 @@ case("NIST GCR 17-917-46: bounds, and where laws change", function()
   same_points(nist(thin, "column", true, { unbraced_length = 0.35 }), expected({ yield = 1.15, cap = 1.3,
     theta_u = 0.15, residual = 0.5, theta_p = 294 * thin_h ^ -1.7 * thin_Lb ^ -0.7, theta_pc = 0.3 }, 345e6 * thin.Zx,
     stiff(thin, 2, 0)), "W24X55: theta_pc at its bound")
-  near(nist(column, "column", true, { axial_ratio = 0.2 }).wear, 3, 1e-12, "wear at its bound, g = 0.2")
+  near(nist(column, "column", true, { axial_ratio = 0.2 }).wear, 3, 1e-7, "wear at its bound, g = 0.2")
   thin_Lb = thin_Lb * 4 / 0.35
   near(nist(thin, "column", true, { axial_ratio = 0.35 }).wear / (25000 * thin_h ^ -2.14 * thin_Lb ^ -0.53
     * 0.65 ^ 4.92), 1, 1e-7, "wear, g = 0.35")
@@ -464,11 +465,11 @@ case("a cantilever has the moment of the rule at the rotation of the rule", func
     local factor = pushed(backbone, part * at_cap).factor
     expect(factor < Mc / W24.Mp * 0.9995, "%g of the rotation of the cap: %g Mp", part, factor)
   end
-  -- the wear takes the plastic work up to the cap, about theta_p at 1.05 My, of 0.893 My
+  -- the wear takes half of the plastic work up to the cap, about theta_p at 1.05 My, of 0.893 My
   options.wear = nil
   local worn = hinge.backbone.lignos(options)
   local lost = 1 - pushed(worn, at_cap).factor / (Mc / W24.Mp)
-  near(lost, 1.05 * worn.points[2][1] / worn.wear, 0.15 * lost, "part of the moment that is worn off up to the cap")
+  near(lost, 1.05 * worn.points[2][1] / worn.wear / 2, 0.15 * lost, "part of the moment that is worn off up to the cap")
 end)
 
 -- Backbones of columns by the formulas: plastic rotations (rad) and moments over Mp under the axial force g; and the

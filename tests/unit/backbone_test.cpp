@@ -76,7 +76,7 @@ TEST_CASE("backbone: a cycle within the largest rotation keeps the strength, and
                     work += 0.5 * (moment + (before > 0 ? before : moment)) * std::abs(flow.section[1][0]);
                 before = flow.lambda[1] > 0 ? moment : 0;
                 const double largest = beam.history[std::size_t(law->history_size()) + 3],
-                             wanted = by_hand(largest) * (wear > 0 ? 1 - work / 1.1 / wear : 1);
+                             wanted = by_hand(largest) * (wear > 0 ? std::sqrt(1 - work / 1.1 / wear) : 1);
                 if (flow.lambda[1] > 0) off = largest_of(off, std::abs(moment - wanted));
             }
             from = to;
