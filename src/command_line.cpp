@@ -36,7 +36,8 @@ void add_sandbox(CLI::App& verb, Request& request) {
 void add_run(CLI::App& app, Request& request) {
     auto* verb = app.add_subcommand("run", "Run a script; 'hinge SCRIPT' is the same");
     verb->add_option("script", request.script, "Lua script")->required();
-    verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    verb->add_option("settings", request.overrides,
+                     "Parameters of the script's scenario, key=value; the key may be an option, too");
     verb->add_option("--case", request.case_name, "One of the scenario's cases");
     verb->add_option(
         "--out", request.out,
@@ -68,7 +69,8 @@ void add_plan(CLI::App& app, Request& request) {
         "plan",
         "List the effects that a script simulates, with the reason and the line of the script for each; runs nothing");
     verb->add_option("script", request.script, "Lua script")->required();
-    verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    verb->add_option("settings", request.overrides,
+                     "Parameters of the script's scenario, key=value; the key may be an option, too");
     verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*verb, request);
 }
@@ -78,7 +80,8 @@ void add_check(CLI::App& app, Request& request) {
                                     "Print counts, mass and natural periods of the models that a script runs, "
                                     "and warn of likely mistakes in them; runs nothing");
     verb->add_option("script", request.script, "Lua script")->required();
-    verb->add_option("settings", request.overrides, "Parameters of the script's scenario, key=value");
+    verb->add_option("settings", request.overrides,
+                     "Parameters of the script's scenario, key=value; the key may be an option, too");
     verb->add_option("--case", request.case_name, "One of the scenario's cases");
     add_sandbox(*verb, request);
     verb->footer("Exit status: 0 done, also with warnings; 2 the script or its input is wrong.");
@@ -277,6 +280,46 @@ void declare_verbs(CLI::App& app, Request& request) {
         add(app, request);
 }
 
+/// Whether the words differ by one letter, or by two neighbours that have changed places.
+bool is_slip(const std::string& a, const std::string& b) {
+    std::size_t from = 0, to_a = a.size(), to_b = b.size();
+    while (from < to_a && from < to_b && a[from] == b[from]) ++from;
+    while (to_a > from && to_b > from && a[to_a - 1] == b[to_b - 1]) --to_a, --to_b;
+    const std::size_t left_a = to_a - from, left_b = to_b - from;
+    return (left_a <= 1 && left_b <= 1) ||
+           (left_a == 2 && left_b == 2 && a[from] == b[from + 1] && a[from + 1] == b[from]);
+}
+
+/// "--filter plastic" and "--filter=plastic" behind the script are filter=plastic, where the verb has no such option,
+/// nor one of nearly that name.
+void take_parameters(const CLI::App& verb, std::vector<std::string>& words) {
+    const std::string name_of_verb = verb.get_name();  // hinge study passes what it does not know on to sbatch
+    if (name_of_verb != "run" && name_of_verb != "plan" && name_of_verb != "check") return;
+    std::vector<std::string> options;
+    for (const CLI::Option* option : verb.get_options()) options.push_back(option->get_name(false, false));
+    bool script = false;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        const std::string& word = words[i];
+        if (word.rfind("--", 0) != 0) {
+            script = script || word.rfind('-', 0) != 0;
+            continue;
+        }
+        const std::size_t equals = word.find('=');
+        const std::string option = word.substr(0, equals), name = option.substr(2);
+        const bool is_name = !name.empty() && std::all_of(name.begin(), name.end(),
+                                                          [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+        if (!script || !is_name || option == "--help" || verb.get_option_no_throw(option) != nullptr ||
+            std::any_of(options.begin(), options.end(), [&](const auto& other) { return is_slip(option, other); }))
+            continue;
+        if (equals != std::string::npos) {
+            words[i] = word.substr(2);
+        } else if (i + 1 < words.size() && words[i + 1].rfind('-', 0) != 0) {
+            words[i] = name + "=" + words[i + 1];
+            words.erase(words.begin() + long(i) + 1);
+        }
+    }
+}
+
 }  // namespace
 
 CommandLine read_command_line(std::vector<std::string> words) {
@@ -302,7 +345,8 @@ CommandLine read_command_line(std::vector<std::string> words) {
     if (!words.empty() && (!line.named || words[0] == "--sandbox" || words[0].rfind("--live", 0) == 0))
         words.insert(words.begin(), "run");  // hinge SCRIPT is hinge run SCRIPT
     std::replace(words.begin(), words.end(), std::string("--live"),
-                 std::string("--live=0"));     // the next word is no port
+                 std::string("--live=0"));  // the next word is no port
+    if (!words.empty() && is_verb(words[0])) take_parameters(*app.get_subcommand(words[0]), words);
     std::reverse(words.begin(), words.end());  // CLI11 takes them from the back
     try {
         app.parse(words);

@@ -200,6 +200,10 @@ local elsewhere = "cd " .. quote(folder) .. " && " .. hinge .. " run "
 case("a run writes summary.json into the folder of its script and case", function()
   equal(run(hinge .. " " .. plain .. " answer=6*7 --out " .. quote(path "plain")), 0, "hinge SCRIPT")
   equal(summary "plain".results.given, 42, "key=value of a script of plain statements")
+  for _, how in ipairs { "--answer 6*8", "--answer=6*8" } do
+    equal(run(hinge .. " " .. plain .. " " .. how .. " --out " .. quote(path "plain")), 0, how)
+    equal(summary "plain".results.given, 48, how)
+  end
   equal(run(elsewhere .. two_nodes), 0, "status of a finished run")
   equal(summary "out/two_nodes".verdict, "completed", "verdict, in out/SCRIPT")
   local cases = script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }")
