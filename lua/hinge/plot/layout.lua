@@ -104,14 +104,15 @@ function layout.ranges(plot)
   end
 end
 
---- The text that gnuplot puts beside the marks of an axis at most, in letters.
+--- The text that gnuplot puts beside the marks of an axis at most, in letters. Its steps are 0.2, 0.5 or 1 times a
+--- power of ten: 5 to 10 marks.
 function layout.letters(range)
-  local step = 10 ^ math.floor(math.log(math.abs(range[2] - range[1]) / 4, 10))
+  local from, to = math.min(range[1], range[2]), math.max(range[1], range[2])
+  local power = 10 ^ math.floor(math.log(to - from, 10))
+  local of_power = (to - from) / power
+  local step = power * (of_power < 2 and 0.2 or of_power < 5 and 0.5 or 1)
   local most = 1
-  for k = 0, 4 do
-    local v = range[1] + (range[2] - range[1]) * k / 4
-    most = math.max(most, #("%g"):format(math.floor(v / step + 0.5) * step))
-  end
+  for k = math.ceil(from / step), math.floor(to / step) do most = math.max(most, #("%g"):format(k * step)) end
   return math.min(most, 8)
 end
 
