@@ -7,7 +7,8 @@ Grid.__index = Grid
 Grid.__name = "hinge.grid"
 
 -- What model:member takes beside its nodes.
-local member_options = { "section", "material", "up", "group", "elements", "backbone", "carries" }
+local member_options = { "section", "material", "up", "group", "elements", "backbone", "carries", "ends",
+  "release" }
 local of_member = {}
 for _, name in ipairs(member_options) do of_member[name] = true end
 
@@ -272,7 +273,9 @@ function Grid:copy(options, ...)
   local made = {}
   for _, member in ipairs(o.members) do
     local given = {}
-    for _, field in ipairs(member_options) do given[field] = member[field] end
+    for _, field in ipairs(member_options) do
+      if field ~= "release" then given[field] = member[field] end -- which is in member.ends
+    end
     given.group = member:groups()
     if #given.group == 0 then given.group = nil end
     if given.carries == "both" then given.carries = nil end

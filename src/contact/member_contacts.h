@@ -27,10 +27,13 @@ struct Bar {
     int element = -1;
     int body = 0;             ///< the body that it belongs to
     int node[2] = {-1, -1};   ///< the nodes of its two ends
+    int joint[2] = {-1, -1};  ///< the nodes to which joints join its ends; -1: no joint
     Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: the free end of a broken element
     double radius = 0;        ///< m, half the depth of the member
     double stiffness = 0;     ///< EA of the member, N
 
+    /// Bars that meet at one node do not touch each other.
+    int meets_at(int i) const { return joint[i] >= 0 ? joint[i] : node[i]; }
     End end(int i) const { return {node[i], i == 1 ? arm : Vec3::Zero()}; }
 };
 

@@ -10,7 +10,8 @@ namespace hinge::contact {
 namespace {
 
 bool share_node(const Bar& a, const Bar& b) {
-    return a.node[0] == b.node[0] || a.node[0] == b.node[1] || a.node[1] == b.node[0] || a.node[1] == b.node[1];
+    return a.meets_at(0) == b.meets_at(0) || a.meets_at(0) == b.meets_at(1) || a.meets_at(1) == b.meets_at(0) ||
+           a.meets_at(1) == b.meets_at(1);
 }
 
 std::vector<int> order_by_element(const std::vector<Bar>& bars) {

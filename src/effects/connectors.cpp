@@ -7,12 +7,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "beam/tangent.h"
 #include "core/errors.h"
-#include "core/rotation.h"
 #include "effects/kinds.h"
+#include "effects/relative_rotation.h"
 
 namespace hinge {
 namespace {
@@ -72,9 +70,9 @@ double steepest(const Curve& curve) {
 
 /// Where a connector is.
 struct Placed {
-    Mat3 axes, of_spin;  ///< of_spin: d(rotation vector)/d(rotation on top of it)
-    Vec3 arm;            ///< from a to b
-    Vec6 deformation;    ///< m, rad
+    RelativeRotation turn;
+    Vec3 arm;          ///< from a to b
+    Vec6 deformation;  ///< m, rad
     Mat6x12 B;
 };
 
@@ -258,40 +256,29 @@ private:
                         : " between " + w_.structure.node_name(c.a) + " and " + w_.structure.node_name(c.b));
     }
 
-    /// Of rotations that differ by multiples of 2 pi the one next to where it was counts.
     Placed place(std::size_t i, const ConfigurationView& at, const ConnectorNow& before) const {
         const Connector& c = declared()[i];
         const auto& X = w_.structure.position();
         const Vec3 arm = c.a < 0 ? Vec3(Vec3::Zero()) : Vec3(X[c.b] - X[c.a]);
         const Vec3 moved = c.a < 0 ? at.displacement[c.b] : Vec3(at.displacement[c.b] - at.displacement[c.a]);
         Placed p;
+        p.turn = relative_rotation(w_.structure, at, c.a, c.b, c.axes, before.deformation.tail<3>());
+        const Mat3 to_axes = p.turn.axes.transpose();
         if (w_.structure.large()) {
-            const Quat of_a = c.a < 0 ? Quat::Identity() : at.rotation[c.a];
-            p.axes = of_a.toRotationMatrix() * c.axes;
             p.arm = arm + moved;
-            p.deformation.head<3>() = p.axes.transpose() * p.arm - c.axes.transpose() * arm;
-            Vec3 rotation = c.axes.transpose() * rotation_vector(of_a.conjugate() * at.rotation[c.b]);
-            if (const double angle = rotation.norm(); angle > 0) {
-                const double whole = 2 * std::numbers::pi;
-                rotation += std::round((before.deformation.tail<3>().dot(rotation) / angle - angle) / whole) * whole /
-                            angle * rotation;
-            }
-            p.deformation.tail<3>() = rotation;
-            p.of_spin = beam::inverse_tangent(rotation);
+            p.deformation.head<3>() = to_axes * p.arm - c.axes.transpose() * arm;
         } else {
             const Vec3 rotation = c.a < 0 ? Vec3(Vec3::Zero()) : at.small_rotation[c.a];
-            p.axes = c.axes;
             p.arm = arm;
-            p.deformation.head<3>() = c.axes.transpose() * (moved - rotation.cross(arm));
-            p.deformation.tail<3>() = c.axes.transpose() * (at.small_rotation[c.b] - rotation);
-            p.of_spin.setIdentity();
+            p.deformation.head<3>() = to_axes * (moved - rotation.cross(arm));
         }
+        p.deformation.tail<3>() = p.turn.rotation;
         p.B.setZero();
-        p.B.block<3, 3>(0, 6) = p.axes.transpose();
-        p.B.block<3, 3>(3, 9) = p.of_spin * p.axes.transpose();
+        p.B.block<3, 3>(0, 6) = to_axes;
+        p.B.block<3, 3>(3, 9) = p.turn.by_spin();
         if (c.a >= 0) {
-            p.B.block<3, 3>(0, 0) = -p.axes.transpose();
-            p.B.block<3, 3>(0, 3) = p.axes.transpose() * skew(p.arm);
+            p.B.block<3, 3>(0, 0) = -to_axes;
+            p.B.block<3, 3>(0, 3) = to_axes * skew(p.arm);
             p.B.block<3, 3>(3, 3) = -p.B.block<3, 3>(3, 9);
         }
         return p;
@@ -370,18 +357,8 @@ private:
     /// What the rotation of axes, arm and moments adds to the stiffness; its symmetric part.
     static void add_rotation_of_axes(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
         Mat12 G = Mat12::Zero();
-        const Vec3 m = f.tail<3>();
-        if (!m.isZero(0)) {
-            const Vec3 rotation = p.deformation.tail<3>();
-            const Mat3 slope = beam::inverse_tangent_derivative(rotation, m);
-            const Mat3 P = p.axes * slope * p.of_spin * p.axes.transpose();
-            const Mat3 M = skew(p.axes * (p.of_spin.transpose() * m));
-            G.block<3, 3>(9, 9) = P;
-            G.block<3, 3>(3, 9) = -P;
-            G.block<3, 3>(9, 3) = -P - M;
-            G.block<3, 3>(3, 3) = P + M;
-        }
-        const Mat3 F = skew(p.axes * f.head<3>());
+        add_moment_curvature(p.turn, f.tail<3>(), G);
+        const Mat3 F = skew(p.turn.axes * f.head<3>());
         G.block<3, 3>(6, 3) -= F;
         G.block<3, 3>(3, 6) += F;
         G.block<3, 3>(0, 3) += F;

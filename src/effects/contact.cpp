@@ -237,6 +237,7 @@ private:
             } else {
                 for (int end : {0, 1}) bar.node[end] = e.node[end];
             }
+            for (int end : {0, 1}) bar.joint[end] = w_.structure.declared_node(bar.node[end]);
             bars_.push_back(bar);
         }
     }

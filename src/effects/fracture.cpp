@@ -19,9 +19,7 @@ namespace {
 using Where = FractureRule::Where;
 
 /// The script's node at an end of an element, -1 inside a member.
-int joint_at(const Structure& s, const Element& e, int end) {
-    return e.node[end - 1] < int(s.model().nodes().size()) ? e.node[end - 1] : -1;
-}
+int joint_at(const Structure& s, const Element& e, int end) { return s.declared_node(e.node[end - 1]); }
 
 bool calls_functions(const Model& model) {
     const auto& rules = fracture_rules(model);

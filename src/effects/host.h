@@ -39,6 +39,8 @@ public:
     virtual void leave_out(const std::vector<int>& resting) = 0;
     /// A force has vanished at once: the next step begins with the acceleration found anew.
     virtual void accelerations_anew() = 0;
+    /// Constraints have ended: those that are left are found anew where the step ends. Statics keeps its own.
+    virtual void constraints_changed() = 0;
     /// Elements' part in M has changed.
     virtual void mass_changed(int element) = 0;
     /// What an impulse does to the nodes where the step is tried to end.

@@ -3,10 +3,21 @@
 #include "effects/declared.h"
 
 namespace hinge {
+namespace {
+
+/// Those of the model, and the joints of members' ends.
+std::vector<NodeLink> links_of(const Structure& structure) {
+    std::vector<NodeLink> links = node_links(structure.model());
+    const int declared = int(structure.model().nodes().size());
+    for (int n = declared; n < declared + structure.joints(); ++n) links.push_back({structure.declared_node(n), n});
+    return links;
+}
+
+}  // namespace
 
 Bodies joined_bodies(const Structure& structure, const State& state) {
     Bodies bodies = find_bodies(structure, state);
-    for (const NodeLink& link : node_links(structure.model())) {
+    for (const NodeLink& link : links_of(structure)) {
         if (link.a < 0 || link.b < 0) continue;
         const int keep = bodies.of_node[link.a], gone = bodies.of_node[link.b];
         if (keep == gone || keep < 0 || gone < 0) continue;
@@ -20,7 +31,7 @@ std::vector<char> held_bodies(const Structure& structure, const State& state, co
     std::vector<char> held(bodies.count, 0);
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
         if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
-    for (const NodeLink& link : node_links(structure.model()))
+    for (const NodeLink& link : links_of(structure))
         for (const auto& [by, what] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}})
             if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.elements_at(by).empty()))
                 held[bodies.of_node[what]] = 1;
@@ -32,7 +43,7 @@ std::vector<char> carried_bodies(const Structure& structure, const State& state,
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
         for (int c : {0, 1, 2})
             if (bodies.of_node[n] >= 0 && g[c] != 0 && state.held[n] >> c & 1) carried[bodies.of_node[n]] = 1;
-    const std::vector<NodeLink> links = node_links(structure.model());
+    const std::vector<NodeLink> links = links_of(structure);
     for (bool more = true; more;) {
         more = false;
         for (const NodeLink& link : links) {

@@ -101,6 +101,9 @@ struct MemberData {
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed
     Carries carries = Carries::both;
+    /// Bit i: end i is joined to its node by a joint (effects/joints.h), so that it has a node of its own.
+    std::uint8_t joints = 0;
+    bool has_joint(int end) const { return joints >> end & 1; }
 };
 
 /// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,

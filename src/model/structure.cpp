@@ -143,10 +143,50 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         position_.push_back(n.position);
         fixed_.push_back(n.fixed);
     }
+    add_joints();
     KindMap alike;
     for (std::size_t index = 0; index < m.members().size(); ++index) add_member(int(index), alike);
     place_histories();
     list_elements_of_nodes(position_.size(), elements_, first_element_, elements_of_nodes_);
+}
+
+/// Ends of members that have a joint: nodes in the place of the script's. One that no member joins rigidly would have
+/// neither stiffness against rotation nor mass.
+void Structure::add_joints() {
+    for (std::size_t index = 0; index < model_->members().size(); ++index)
+        for (int end : {0, 1}) {
+            const MemberData& member = model_->members()[index];
+            if (!member.has_joint(end)) continue;
+            joined_.push_back({int(index), end});
+            position_.push_back(position_[member.node[end]]);
+            fixed_.push_back(0);
+        }
+    if (joined_.empty()) return;
+    std::vector<char> carried(model_->nodes().size(), 0);
+    for (const MemberData& member : model_->members())
+        for (int end : {0, 1})
+            if (!member.has_joint(end)) carried[member.node[end]] = 1;
+    for (const JoinedEnd& end : joined_)
+        if (const int node = model_->members()[end.member].node[end.end]; !carried[node] && fixed_[node] != 63)
+            throw InputError("model:member: every member at " + node_name(node) +
+                             " has a joint there, so that nothing holds the rotation of the node itself; leave the "
+                             "joint out at one of these members (the node then rotates with it), or fix the node in "
+                             "all directions");
+}
+
+int Structure::end_node(int member, int end) const {
+    const MemberData& data = model_->members()[member];
+    if (!data.has_joint(end)) return data.node[end];
+    const auto at = std::lower_bound(joined_.begin(), joined_.end(), JoinedEnd{member, end});
+    return int(model_->nodes().size() + (at - joined_.begin()));
+}
+
+int Structure::declared_node(int node) const {
+    const int declared = int(model_->nodes().size());
+    if (node < declared) return node;
+    if (node >= declared + joints()) return -1;
+    const JoinedEnd& end = joined_[node - declared];
+    return model_->members()[end.member].node[end.end];
 }
 
 void Structure::add_member(int index, KindMap& alike) {
@@ -154,10 +194,10 @@ void Structure::add_member(int index, KindMap& alike) {
     const Vec3 start = position_[member.node[0]], span = position_[member.node[1]] - start;
     const Quat rotation = axes_of(member, span);
     const double length = span.norm() / member.elements, radius = contact_radius(*member.section);
-    int left = member.node[0];
+    int left = end_node(index, 0);
     for (int i = 0; i < member.elements; ++i) {
         const bool first_of_pair = i % 2 == 0;
-        int right = member.node[1], partner = -1;
+        int right = end_node(index, 1), partner = -1;
         if (i + 1 < member.elements) {
             right = int(position_.size());
             position_.push_back(start + double(i + 1) / member.elements * span);
@@ -229,6 +269,7 @@ beam::Inertia Structure::inertia_of(const beam::Rigidity& rigidity, double lengt
 std::vector<Vec6> Structure::initial_velocity() const {
     std::vector<Vec6> v = model_->velocities();
     v.reserve(position_.size());
+    for (const JoinedEnd& end : joined_) v.push_back(v[model_->members()[end.member].node[end.end]]);
     for (const MemberData& member : model_->members())
         for (int i = 1; i < member.elements; ++i) {
             const double t = double(i) / member.elements;
@@ -256,6 +297,9 @@ std::string Structure::node_name(int node) const {
     const int declared = int(model_->nodes().size());
     if (node < declared)
         std::snprintf(text, sizeof text, "node %d at {%.4g, %.4g, %.4g} m", node + 1, x.x(), x.y(), x.z());
+    else if (const int at = declared_node(node); at >= 0)
+        std::snprintf(text, sizeof text, "end %s of member %d at node %d",
+                      joined_[node - declared].end == 0 ? "a" : "b", joined_[node - declared].member + 1, at + 1);
     else
         std::snprintf(text, sizeof text, "inner node of member %d at {%.4g, %.4g, %.4g} m",
                       elements_[elements_at(node)[0]].member + 1, x.x(), x.y(), x.z());

@@ -42,7 +42,8 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m);
 /// with them.
 enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };
 
-/// Nodes and elements of a run. Nodes 0..declared-1 are the script's; the rest lie inside members.
+/// Nodes and elements of a run. Nodes 0..declared-1 are the script's. Then come the ends of members that have a joint,
+/// in the place of their node; the rest lie inside members.
 class Structure {
 public:
     Structure(const Structure&) = delete;  // elements refer to it
@@ -78,6 +79,12 @@ public:
     }
     bool large() const { return model_->options().displacement == Displacement::large; }
     bool conventional() const { return model_->options().formulation == Formulation::conventional; }
+    /// The node of a member's end (0, 1): the script's, or its own where it has a joint.
+    int end_node(int member, int end) const;
+    /// The script's node that a node belongs to: itself, that to which a joint joins it; -1 inside members.
+    int declared_node(int node) const;
+    /// Number of ends with a joint: their nodes follow the script's.
+    int joints() const { return int(joined_.size()); }
     /// Where the history variables of an element's sections begin in State::history, and how many there are of all.
     std::size_t history_at(int element) const { return history_at_[element]; }
     std::size_t history_size() const { return history_at_.empty() ? 0 : history_at_.back(); }
@@ -101,6 +108,7 @@ private:
     };
     struct KindKey;
     using KindMap = std::map<KindKey, const Kind*>;
+    void add_joints();
     void add_member(int index, KindMap& alike);
     const Kind& kind_of(const MemberData& member, const Quat& rotation, double length, double s, int middle,
                         KindMap& alike);
@@ -108,6 +116,11 @@ private:
     beam::Inertia inertia_of(const beam::Rigidity& rigidity, double length, int middle) const;
     std::deque<Kind> kinds_;
     std::vector<std::size_t> history_at_;  ///< of each element, and the size of all; empty where no law has any
+    struct JoinedEnd {
+        int member, end;
+        auto operator<=>(const JoinedEnd&) const = default;
+    };
+    std::vector<JoinedEnd> joined_;                       ///< rising
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
     bool can_yield_ = false, laws_call_script_ = false;
 };

@@ -256,6 +256,7 @@ void Dynamics::commit() {
     for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
     for (const auto& e : effects_->all) e->after_commit(step_);
+    if (constraints_due_) rebuild_constraints();
     if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
@@ -295,6 +296,7 @@ void Dynamics::break_elements() {
 
 /// Those of nodes that are left; a node that is no longer joined has its own mass again.
 void Dynamics::rebuild_constraints() {
+    constraints_due_ = false;
     for (const std::vector<int>& group : constraints_->reduction().groups())
         for (const int n : group)
             for (const int e : structure_->elements_at(n)) mass_.changed(e);

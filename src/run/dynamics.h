@@ -52,6 +52,7 @@ private:
     void set_offset_mass(int node, const Mat6& mass) override;
     void leave_out(const std::vector<int>& resting) override;
     void accelerations_anew() override { anew_ = true; }
+    void constraints_changed() override { constraints_due_ = true; }
     void mass_changed(int element) override { mass_.changed(element); }
     ImpulseResponse respond(const std::vector<Vec6>& impulse) override;
     bool has_effective_stiffness() const override { return !explicit_steps(); }
@@ -127,12 +128,13 @@ private:
     bool may_take_back_ = false;                                      ///< a step may fail and be undone
     FastSpin spin_;
     Step step_;
-    bool anew_ = false;            ///< the next step begins with the acceleration found anew
-    std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps; with control by default
-    double motion_ = 0;            ///< of the step that is tried
-    bool unseen_ = false;          ///< step control has not looked at the step that is tried
-    std::vector<double> lumped_;   ///< kg, at each node
-    bool rejected_ = false;        ///< the step failed in a way that a shorter one may mend
+    bool constraints_due_ = false;  ///< constraints have ended in the step
+    bool anew_ = false;             ///< the next step begins with the acceleration found anew
+    std::vector<double> motions_;   ///< J, motion_of_trial() of the last two steps; with control by default
+    double motion_ = 0;             ///< of the step that is tried
+    bool unseen_ = false;           ///< step control has not looked at the step that is tried
+    std::vector<double> lumped_;    ///< kg, at each node
+    bool rejected_ = false;         ///< the step failed in a way that a shorter one may mend
     struct Sleep {
         bool awake = false;
         long quiet = 0;

@@ -20,6 +20,7 @@ public:
     void set_offset_mass(int, const Mat6&) override {}
     void leave_out(const std::vector<int>&) override {}
     void accelerations_anew() override {}
+    void constraints_changed() override {}
     void mass_changed(int) override {}
     ImpulseResponse respond(const std::vector<Vec6>&) override { return {}; }
     void change_steady_load(int, const Vec3&) override {}

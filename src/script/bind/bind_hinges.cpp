@@ -79,8 +79,7 @@ void push_row(lua_State* L, const RunRecord& r, const HingeRecords& all, const H
     };
     lua_createtable(L, 0, 24);
     push_handle<MemberBox>(L, r.model, e.member), lua_setfield(L, -2, "member");
-    const int node = h.end == 0 ? -1 : e.node[h.end - 1];
-    if (node >= 0 && node < int(structure.model().nodes().size()))
+    if (const int node = h.end == 0 ? -1 : structure.declared_node(e.node[h.end - 1]); node >= 0)
         push_handle<NodeBox>(L, r.model, node), lua_setfield(L, -2, "node");
     if (const auto& groups = structure.model().members()[std::size_t(e.member)].groups; !groups.empty())
         lua_pushstring(L, structure.model().groups()[std::size_t(groups[0])].c_str()), lua_setfield(L, -2, "group");

@@ -3,6 +3,7 @@
 
 #include "beam/plastic_domain.h"
 #include "effects/gravity.h"
+#include "script/bind/bind_joints.h"
 #include "script/bind/material_laws.h"
 #include "script/checks/size_notice.h"
 #include "script/lua/objects.h"
@@ -171,7 +172,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements", "backbone", "carries"}, 2);
+    o.expect({"section", "material", "up", "group", "elements", "backbone", "carries", "ends", "release"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -211,6 +212,8 @@ int add_member(lua_State* L) {
     const std::string carries = o.word("carries", {"both", "tension", "compression"}, "both");
     for (const Carries c : {Carries::tension, Carries::compression})
         if (carries == carries_word(c)) data.carries = c;
+    const auto joints = read_joints(o);
+    for (int end : {0, 1}) data.joints |= std::uint8_t(joints[end] ? 1 << end : 0);
     std::vector<std::string> fresh;
     read_groups(o, *m, data.groups, fresh);
     o.finish(2);
@@ -221,6 +224,7 @@ int add_member(lua_State* L) {
         o.complain("group", "'" + *twice + "' twice", "give each group once");
     if (fresh.empty()) {
         const int index = accept(L, *m, std::move(data));
+        declare_joints(L, *m, index, joints);
         tell_members(*context(L), m->members().size());
         push_handle<MemberBox>(L, m, index);
         return 1;
@@ -229,6 +233,7 @@ int add_member(lua_State* L) {
     std::vector<int> names = data.groups;
     data.groups.clear();
     const int index = accept(L, *m, data);
+    declare_joints(L, *m, index, joints);
     tell_members(*context(L), m->members().size());
     for (const auto& name : fresh) names.push_back(m->group(name));
     m->set_member_groups(index, names);

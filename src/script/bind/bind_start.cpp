@@ -82,6 +82,12 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
     }
     std::size_t inner = m.nodes().size();
     for (const MemberData& member : m.members())
+        for (int end : {0, 1})
+            if (member.has_joint(end)) {
+                anew[inner] = anew[member.node[end]];
+                velocity[inner++] = velocity[member.node[end]];
+            }
+    for (const MemberData& member : m.members())
         for (int i = 1; i < member.elements; ++i, ++inner) {
             const double t = double(i) / member.elements;
             anew[inner] = anew[member.node[0]] && anew[member.node[1]];

@@ -74,7 +74,8 @@ std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& add
         body.nodes.push_back(n);
         if (structure.fixed()[n]) body.supports.push_back(n);
     }
-    for (const MemberData& m : structure.model().members()) ++bodies[found.of_node[m.node[0]]].members;
+    for (int m = 0; m < int(structure.model().members().size()); ++m)
+        ++bodies[found.of_node[structure.end_node(m, 0)]].members;
     for (const Element& e : structure.elements()) {
         Piece& body = bodies[found.of_node[e.node[0]]];
         body.mass += e.mass();

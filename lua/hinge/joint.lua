@@ -1,0 +1,15 @@
+-- hinge.joint: a function that makes a joint, and a table of those that make one by EN 1993-1-8:2005.
+local core = require "hinge.core"
+local check = require "hinge.check"
+
+local joint = {
+  end_plate = require "hinge.joints.end_plate",
+  fin_plate = require "hinge.joints.fin_plate",
+  base_plate = require "hinge.joints.base_plate",
+}
+
+return setmetatable(joint, {
+  __call = function(_, ...) return core.joint(...) end,
+  __index = function(t, key) check.unknown("hinge.joint", "field", key, check.keys(t)) end,
+  __name = "hinge.joint",
+})

@@ -1,0 +1,418 @@
+// Joints of member ends: pins, semi-rigid and partial-strength joints, and joints that break.
+//
+// An end with a joint has a node of its own (Structure::end_node) in the place of the script's. Constraints tie its
+// displacement to that of the script's node. A moment resists its rotation relative to that node, about the axes of the
+// section, which rotate with the node. The curve of an axis is a sum of springs, each in series with a slider: their
+// stiffnesses are the differences of the slopes. So unloading is elastic, a cycle follows Masing's rule, and each step
+// dissipates energy or none.
+#include "effects/joints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "core/errors.h"
+#include "core/text.h"
+#include "effects/constrainer.h"
+#include "effects/kinds.h"
+#include "effects/relative_rotation.h"
+
+namespace hinge {
+namespace {
+
+/// Stiffness of a rigid axis over that of its member, 4 EI / L or GJ / L. With more, conjugate gradients may not
+/// converge, and explicit steps would be shorter.
+constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
+
+const char* const axis_names[] = {"Mx", "My", "Mz"};
+
+/// A spring in series with a slider that holds up to `strength`.
+struct Part {
+    double stiffness, strength;  ///< N m/rad, N m
+};
+
+std::vector<Part> parts_of(const JointAxis& axis) {
+    std::vector<double> slopes;
+    std::pair<double, double> last{0, 0};
+    for (const auto& point : axis.curve) {
+        slopes.push_back((point.second - last.second) / (point.first - last.first));
+        last = point;
+    }
+    slopes.push_back(0);
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < axis.curve.size(); ++i) {
+        const double k = slopes[i] - slopes[i + 1];
+        parts.push_back({k, k * axis.curve[i].first});
+    }
+    return parts;
+}
+
+/// What an axis resists with at a rotation.
+struct Resistance {
+    double moment = 0, slope = 0, stored = 0, dissipated = 0;
+};
+
+/// `slid`: where the sliders are; they are moved.
+Resistance resist(const std::vector<Part>& parts, double rotation, std::vector<double>& slid) {
+    Resistance r;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto& [k, strength] = parts[i];
+        if (k == 0) continue;
+        double m = k * (rotation - slid[i]);
+        if (std::abs(m) > strength) {
+            m = std::copysign(strength, m);
+            r.dissipated += m * (rotation - m / k - slid[i]);
+            slid[i] = rotation - m / k;
+        } else {
+            r.slope += k;
+        }
+        r.moment += m;
+        r.stored += 0.5 * m * m / k;
+    }
+    return r;
+}
+
+class Joints : public Effect,
+               public Force,
+               public Constrainer,
+               public BreakListener,
+               public StepLimiter,
+               public RunChecker {
+public:
+    Joints(Workspace& w, Host& host) : Effect(joints_effect, w, host) {
+        for (const Joint& j : declared()) made_.push_back(make(j));
+        for (const Made& m : made_) refuse(m);
+        if (!w.state.data.find<JointsNow>(joints_effect)) w.state.data.set(joints_effect, JointsNow{});
+        list().resize(declared().size());
+        now_.resize(declared().size());
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            for (int k = 0; k < 3; ++k) list()[i].slid[k].resize(made_[i].parts[k].size(), 0.0);
+            traits_.forces_vanish = traits_.forces_vanish || declared()[i].is.can_break();
+        }
+        for (std::size_t i = 0; i < made_.size(); ++i) go_on(i);
+        at_start_ = stored(w.state);
+    }
+
+    // ---- forces ---------------------------------------------------------------------------------------------------
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken) continue;
+            const Made& m = made_[i];
+            now_[i].of_end = resisting[m.end].head<3>() - w_.external[m.end].head<3>();
+            const RelativeRotation r = turn(i, w_.trial);
+            const Vec3 in_space = r.by_spin().transpose() * evaluate(i, r.rotation).moment;
+            resisting[m.node].tail<3>() -= in_space;
+            resisting[m.end].tail<3>() += in_space;
+        }
+    }
+    bool has_blocks() const override {
+        return std::any_of(list().begin(), list().end(), [](const JointNow& j) { return !j.broken; });
+    }
+    bool blocks_follow() const override {
+        if (w_.structure.large()) return has_blocks();
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!list()[i].broken && !declared()[i].is.is_linear()) return true;
+        return false;
+    }
+    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken) continue;
+            const RelativeRotation r = turn(i, at);
+            const Evaluated e = evaluate(i, r.rotation);
+            add(i, r, e.slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks);
+        }
+    }
+    void add_stiffest(Blocks& most) const override {
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!list()[i].broken) add(i, turn(i, w_.state), made_[i].stiffness, Vec3::Zero(), most);
+    }
+
+    // ---- constraints ----------------------------------------------------------------------------------------------
+    /// A node that follows another one passes the end on to that one.
+    void add_constraints(const ConfigurationView&, std::vector<LinearConstraint>& list_of_all) const override {
+        std::unordered_map<int, std::size_t> follows;
+        for (std::size_t i = 0; i < list_of_all.size(); ++i)
+            follows[6 * list_of_all[i].dependent.node + list_of_all[i].dependent.component] = i;
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken) continue;
+            for (int c = 0; c < 3; ++c) {
+                LinearConstraint tie{"model:member, ends", {made_[i].end, c}, {{{made_[i].node, c}, 1}}};
+                if (const auto at = follows.find(6 * made_[i].node + c); at != follows.end())
+                    tie.terms = list_of_all[at->second].terms;
+                list_of_all.push_back(std::move(tie));
+            }
+        }
+    }
+    void place(const ConfigurationView&, const std::vector<Vec3>&, Configuration& to) const override {
+        for_each_tied([&](int node, int end) { to.displacement[end] = to.displacement[node]; });
+    }
+    void set_velocities(Configuration& of) const override {
+        for_each_tied([&](int node, int end) { of.velocity[end].head<3>() = of.velocity[node].head<3>(); });
+    }
+    void set_accelerations(Configuration& of) const override {
+        for_each_tied([&](int node, int end) { of.acceleration[end].head<3>() = of.acceleration[node].head<3>(); });
+    }
+    void add_curvature(const ConfigurationView&, const std::vector<Vec6>&, Blocks&) const override {}
+
+    // ---- a step ---------------------------------------------------------------------------------------------------
+    void accumulate_energy(const Step&, Accounts& sums) const override {
+        double work = 0;
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!list()[i].broken) work += evaluate(i, turn(i, w_.trial).rotation).dissipated;
+        sums["joint_dissipated"] += work;
+    }
+    void before_commit(const Step& step) override {
+        bool any = false;
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken) continue;
+            keep(i);
+            if (list()[i].over < 0 || !w_.kind.dynamic) continue;
+            release(i, step.end());
+            any = true;
+        }
+        if (!any) return;
+        host_.constraints_changed();
+        changed(w_.trial);
+    }
+    /// A node whose last element has broken holds nothing any more. The run finds its constraints anew after that.
+    void broke(const Break&) override {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken || !(lost(made_[i].node) || lost(made_[i].end))) continue;
+            release(i, w_.state.time);
+            lost_any_ = true;
+        }
+    }
+    void all_broke() override {
+        if (lost_any_) changed(w_.state);
+        lost_any_ = false;
+    }
+    bool allows_long_step() const override {
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!list()[i].broken && (!declared()[i].is.is_linear() || declared()[i].is.can_break())) return false;
+        return true;
+    }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for_each_tied([&](int node, int end) {
+            for (const int n : {node, end})
+                if (bodies.of_node[n] >= 0) rests[bodies.of_node[n]] = 0;
+        });
+    }
+
+    // ---- energy, warnings and checkpoint --------------------------------------------------------------------------
+    void add_energy(const State& state, Accounts& sums) const override {
+        sums["joint_stored"] += stored(state) - at_start_;
+    }
+    /// Statics breaks no joint.
+    void check_run(std::vector<RunWarning>& warnings) const override {
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            const JointNow& j = list()[i];
+            if (w_.kind.dynamic || j.over < 0) continue;
+            warnings.push_back({name_of(i) + " is beyond its capacity: " + why(i) + "; statics breaks no joint",
+                                "a dynamic run that goes on from here breaks it", made_[i].member});
+        }
+    }
+    void save(Writer& to) const override { to(at_start_); }
+    void restore(Reader& from) override { from(at_start_); }
+    bool restored(std::span<const State* const> states) override {
+        return std::all_of(states.begin(), states.end(), [&](const State* s) {
+            const auto* there = s->data.find<JointsNow>(joints_effect);
+            if (!there || there->list.size() != made_.size()) return false;
+            for (std::size_t i = 0; i < made_.size(); ++i)
+                for (int k = 0; k < 3; ++k)
+                    if (there->list[i].slid[k].size() != made_[i].parts[k].size()) return false;
+            return true;
+        });
+    }
+
+private:
+    /// A declared joint in this structure.
+    struct Made {
+        int member, side;
+        int node, end;   ///< the script's node, and the member's own
+        Vec3 stiffness;  ///< of the elastic part about each axis, N m/rad
+        std::vector<Part> parts[3];
+        Mat3 axes;  ///< columns x y z of the section
+    };
+    struct Evaluated {
+        Vec3 moment = Vec3::Zero(), slope = Vec3::Zero();
+        double stored = 0, dissipated = 0;
+        std::vector<double> slid[3];
+    };
+    /// What the member's end has put on its node where forces were found last.
+    struct Now {
+        Vec3 of_end = Vec3::Zero();  ///< N, in space
+    };
+
+    const std::vector<Joint>& declared() const { return w_.structure.model().declared<Joint>(joints_effect); }
+    std::vector<JointNow>& list() const { return w_.state.data.find<JointsNow>(joints_effect)->list; }
+    bool lost(int node) const { return w_.state.gone[node] && !w_.structure.elements_at(node).empty(); }
+
+    Made make(const Joint& j) const {
+        const Structure& s = w_.structure;
+        Made m{j.member, j.end, s.model().members()[j.member].node[j.end], s.end_node(j.member, j.end), {}, {}, {}};
+        const Element& e = s.elements()[s.elements_at(m.end)[0]];
+        const double length = e.length * s.model().members()[j.member].elements;
+        const Vec3 own = Vec3(4 * e.rigidity.EIx, 4 * e.rigidity.EIy, e.rigidity.GJ) / length;
+        m.axes = e.axes.toRotationMatrix();
+        for (int k = 0; k < 3; ++k) {
+            const JointAxis& axis = j.is.axis[k];
+            m.parts[k] = parts_of(axis);
+            m.stiffness[k] = std::isfinite(axis.stiffness)
+                                 ? axis.stiffness
+                                 : (w_.kind.explicit_steps ? rigid_part_explicit : rigid_part) * own[k];
+        }
+        return m;
+    }
+
+    /// A run that goes on from one with another stiffness of rigid axes begins with the moments of that one.
+    void go_on(std::size_t i) {
+        for (int k = 0; k < 3; ++k)
+            if (!std::isfinite(declared()[i].is.axis[k].stiffness))
+                list()[i].offset[k] = list()[i].rotation[k] - list()[i].moment[k] / made_[i].stiffness[k];
+    }
+
+    /// Joints at nodes that a support moves along a path.
+    void refuse(const Made& m) const {
+        const Structure& s = w_.structure;
+        for (const DeclaredLoad& load : declared_loads(s.model()))
+            if (load.motion && load.node == m.node && w_.kind.dynamic)
+                throw InputError("model:member: " + s.node_name(m.node) + ", to which a joint joins member " +
+                                 std::to_string(m.member + 1) +
+                                 ", is moved by model:move; that does not go together yet: join a short rigid member "
+                                 "to the support, and the joint to its other end");
+    }
+
+    template <class F>
+    void for_each_tied(F f) const {
+        for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!list()[i].broken) f(made_[i].node, made_[i].end);
+    }
+
+    RelativeRotation turn(std::size_t i, const ConfigurationView& at) const {
+        const Made& m = made_[i];
+        return relative_rotation(w_.structure, at, m.node, m.end, m.axes, list()[i].rotation);
+    }
+
+    Evaluated evaluate(std::size_t i, const Vec3& rotation) const { return evaluate(made_[i], rotation, list()[i]); }
+    static Evaluated evaluate(const Made& m, const Vec3& rotation, const JointNow& from) {
+        Evaluated e;
+        for (int k = 0; k < 3; ++k) {
+            if (m.parts[k].empty()) {
+                const double turned = rotation[k] - from.offset[k];
+                e.moment[k] = m.stiffness[k] * turned;
+                e.slope[k] = m.stiffness[k];
+                e.stored += 0.5 * e.moment[k] * turned;
+                continue;
+            }
+            e.slid[k] = from.slid[k];
+            const Resistance r = resist(m.parts[k], rotation[k], e.slid[k]);
+            e.moment[k] = r.moment, e.slope[k] = r.slope;
+            e.stored += r.stored, e.dissipated += r.dissipated;
+        }
+        return e;
+    }
+
+    void add(std::size_t i, const RelativeRotation& r, const Vec3& slope, const Vec3& moment, Blocks& blocks) const {
+        const Mat3 S = r.by_spin();
+        const Mat3 k = S.transpose() * slope.asDiagonal() * S;
+        Mat12 K = Mat12::Zero();
+        K.block<3, 3>(3, 3) = K.block<3, 3>(9, 9) = k;
+        K.block<3, 3>(3, 9) = K.block<3, 3>(9, 3) = -k;
+        Mat12 G = Mat12::Zero();
+        add_moment_curvature(r, moment, G);
+        K += 0.5 * (G + G.transpose());
+        blocks.stiffness(made_[i].node, made_[i].end, K);
+    }
+
+    /// Takes what the step has led to, and sees whether it reaches a capacity.
+    void keep(std::size_t i) {
+        const Made& m = made_[i];
+        const JointProperties& is = declared()[i].is;
+        JointNow& j = list()[i];
+        j.rotation = turn(i, w_.trial).rotation;
+        Evaluated e = evaluate(i, j.rotation);
+        for (int k = 0; k < 3; ++k)
+            if (!m.parts[k].empty()) j.slid[k] = std::move(e.slid[k]);
+        j.moment = e.moment;
+        const Mat3 turned = w_.structure.large() ? Mat3(w_.trial.rotation[m.end].toRotationMatrix() * m.axes) : m.axes;
+        const Vec3 f = turned.transpose() * now_[i].of_end;
+        j.tension = m.side == 0 ? -f.z() : f.z();
+        j.shear = f.head<2>().norm();
+        j.over = -1;
+        for (int k = 0; k < 3; ++k)
+            if (std::abs(j.rotation[k]) >= is.axis[k].capacity) j.over = k;
+        if (j.tension >= is.tension) j.over = 3;
+        if (j.shear >= is.shear) j.over = 4;
+    }
+
+    double stored(const State& state) const {
+        const auto* there = state.data.find<JointsNow>(joints_effect);
+        double energy = 0;
+        for (std::size_t i = 0; there && i < there->list.size(); ++i) {
+            const JointNow& j = there->list[i];
+            if (!j.broken) energy += evaluate(made_[i], turn_in(i, state, j), j).stored;
+        }
+        return energy;
+    }
+    Vec3 turn_in(std::size_t i, const State& state, const JointNow& j) const {
+        const Made& m = made_[i];
+        return relative_rotation(w_.structure, state, m.node, m.end, m.axes, j.rotation).rotation;
+    }
+
+    std::string name_of(std::size_t i) const {
+        return "the joint at end " + std::string(made_[i].side == 0 ? "a" : "b") + " of member " +
+               std::to_string(made_[i].member + 1);
+    }
+    std::string why(std::size_t i) const {
+        const JointNow& j = list()[i];
+        char text[80] = "its node has lost its last member";
+        if (j.over >= 0 && j.over < 3)
+            std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
+                          axis_names[j.over]);
+        if (j.over == 3) std::snprintf(text, sizeof text, "tension of %.4g N", j.tension);
+        if (j.over == 4) std::snprintf(text, sizeof text, "shear force of %.4g N", j.shear);
+        return text;
+    }
+
+    void release(std::size_t i, double time) {
+        JointNow& j = list()[i];
+        w_.state.accumulated["joint_dissipated"] += evaluate(i, j.rotation).stored;
+        j.broken = true;
+        j.broken_at = time;
+        host_.note_activation(joints_effect, false, name_of(i) + " broke: " + why(i));
+    }
+    void changed(const ConfigurationView& at) {
+        host_.accelerations_anew();
+        host_.blocks_changed(at);
+    }
+
+    std::vector<Made> made_;
+    std::vector<Now> now_;
+    double at_start_ = 0;  ///< J
+    bool lost_any_ = false;
+};
+
+std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+    const std::size_t n = s.model().declared<Joint>(joints_effect).size();
+    return {{joints_effect, n > 0, n == 0 ? "not declared" : count_text(long(n), "member end"),
+             s.model().asked_at(joints_effect)}};
+}
+
+}  // namespace
+
+EffectKind joints_kind() {
+    return {.name = joints_effect,
+            .accounts = {{"joints", 73, "stored in joints now, and dissipated by them", {}, false, true},
+                         {"joint_stored", 73, "stored in the springs of joints", "joints"},
+                         {"joint_dissipated", 74, "plastic work of joints, and what their breaks released", "joints"}},
+            .plan = plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (w.structure.model().declared<Joint>(joints_effect).empty()) {
+                    w.state.data.erase(joints_effect);
+                    return nullptr;
+                }
+                return std::make_unique<Joints>(w, host);
+            }};
+}
+
+}  // namespace hinge

@@ -1,0 +1,86 @@
+// Joints of member ends, as a script declares them, and what a run keeps of them.
+#pragma once
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/types.h"
+
+namespace hinge {
+
+inline constexpr const char* joints_effect = "joints";
+
+/// Moment of a joint over the rotation of the member's end relative to its node, about one axis of the section.
+struct JointAxis {
+    static constexpr double infinite = std::numeric_limits<double>::infinity();
+    double stiffness = infinite;  ///< N m/rad, elastic; infinite: rigid; 0: free
+    /// Rotation (rad) and moment (N m), both rising from more than 0, with slopes that fall: the first point ends the
+    /// elastic part. Beyond the last one the moment stays. Empty: elastic.
+    std::vector<std::pair<double, double>> curve;
+    double capacity = infinite;  ///< rad: the rotation, of either sign, at which the joint breaks
+
+    bool is_free() const { return stiffness == 0; }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.stiffness, s.curve, s.capacity);
+    }
+};
+
+/// Properties of a joint: about x, y and z of the section; and the forces at which it breaks.
+struct JointProperties {
+    JointAxis axis[3];
+    double tension = JointAxis::infinite;  ///< N, along the member
+    double shear = JointAxis::infinite;    ///< N, across the member
+
+    bool can_break() const {
+        return tension < JointAxis::infinite || shear < JointAxis::infinite || axis[0].capacity < JointAxis::infinite ||
+               axis[1].capacity < JointAxis::infinite || axis[2].capacity < JointAxis::infinite;
+    }
+    bool is_linear() const { return axis[0].curve.empty() && axis[1].curve.empty() && axis[2].curve.empty(); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.axis, s.tension, s.shear);
+    }
+};
+
+/// A joint at an end (0, 1) of a member.
+struct Joint {
+    int member, end;
+    JointProperties is;
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.member, s.end, s.is);
+    }
+};
+
+/// A joint where the last step that was kept ended.
+struct JointNow {
+    bool broken = false;
+    double broken_at = 0;           ///< s
+    Vec3 rotation = Vec3::Zero();   ///< of the member's end relative to the node, about x, y, z of the section, rad
+    Vec3 moment = Vec3::Zero();     ///< N m, that the joint puts on the node
+    Vec3 offset = Vec3::Zero();     ///< of rigid axes: the rotation without moment, rad
+    double tension = 0, shear = 0;  ///< N
+    std::vector<double> slid[3];    ///< rad: plastic rotation of each part of the curve
+    int over = -1;  ///< what has reached its capacity: 0 to 2 a rotation, 3 tension, 4 shear; -1: nothing
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.over);
+    }
+};
+
+struct JointsNow {
+    static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
+    std::vector<JointNow> list;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.list);
+    }
+};
+
+}  // namespace hinge

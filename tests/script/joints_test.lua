@@ -1,0 +1,349 @@
+-- Joints of member ends: pins, semi-rigid and partial-strength joints by closed forms, with any number of elements;
+-- cycles, breaking, the energy balance, floors that are rigid in their plane, checkpoints; wrong input is refused.
+--
+-- Run: lua5.4 tests/script/joints_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "joints"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local E, side, g = 206e9, 0.05, 9.81
+local EI = E * side ^ 4 / 12
+-- rigid in shear, so that the sums of beams by hand are exact
+local stiff = hinge.material { E = E, G = 1e6 * E, density = 7850 }
+local steel = hinge.material { E = E, density = 7850 }
+local square = hinge.section.solid { width = side, depth = side }
+
+-- A beam of 2 m between two walls, under a load along it.
+local function beam(options, elements, displacement)
+  local model = hinge.model { displacement = displacement or "small", elements_per_member = elements }
+  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+  model:fix { a, b }
+  local all = { a, b, section = square, material = stiff }
+  for name, value in pairs(options) do all[name] = value end
+  local member = model:member(all)
+  model:load { member = member, q = { 0, 0, -100 } }
+  return member, model:static():finish(), a
+end
+
+case("pins and semi-rigid ends of a loaded beam by hand, with 2, 4 and 8 elements", function()
+  local q, L = 100, 2
+  local small = 1e-6 * q * L ^ 2 -- of the solution, with axes that are 1000 times as stiff as the member
+  for _, elements in ipairs { 2, 4, 8 } do
+    local what = elements .. " elements: "
+    local a, b = beam({ release = { a = "Mx", b = { "Mx", "My" } } }, elements):forces()
+    near(a.Mx, 0, small, what .. "moment at a pin")
+    near(math.abs(a.Qy) + math.abs(b.Qy), q * L, small, what .. "shear forces of a simple beam")
+    a, b = beam({ release = { b = "Mx" } }, elements):forces()
+    near(math.abs(a.Mx), q * L ^ 2 / 8, 1e-6 * q * L ^ 2, what .. "q L^2 / 8 where the other end is pinned")
+    near(b.Mx, 0, small, what .. "its pin")
+    local k = 3 * EI / L
+    local member, _, node = beam({ ends = { a = hinge.joint { Mx = { stiffness = k } },
+      b = hinge.joint { Mx = { stiffness = k } } } }, elements)
+    local M = q * L ^ 2 / 12 / (1 + 2 * EI / (k * L))
+    near(math.abs(member:forces().Mx), M, small, what .. "semi-rigid ends")
+    local joint = member:joint "a"
+    near(math.abs(joint.Mx), M, small, what .. "moment of the joint")
+    near(math.abs(joint.rotation_x), M / k, small / k, what .. "its rotation")
+    near(joint.shear, q * L / 2, small, what .. "its shear force")
+    equal(joint.broken, false, what .. "broken")
+    local _, _, z, _, my = node:reaction()
+    near(z, q * L / 2, small, what .. "reaction of a support that has only a joint")
+    near(math.abs(my), M, small, what .. "its moment")
+  end
+  equal(beam({}, 2):joint "a", nil, "an end without a joint has none")
+end)
+
+-- The head of a column of 3 m on a rotational spring k, under H across and P along it: by the exact beam-column.
+local function sway_by_hand(H, P, k)
+  local L, beta = 3, math.sqrt(P / EI)
+  local D = H * math.sin(beta * L) / (P * beta) / (math.cos(beta * L) / P - math.sin(beta * L) / (k * beta))
+  return (D - H * L) / P
+end
+
+case("a column on a semi-rigid base under compression: the exact beam-column, two elements", function()
+  local k = 2 * EI / 3
+  -- the smallest root of k L / EI = alpha tan(alpha), alpha = L sqrt(P / EI), with k L / EI = 2
+  local critical = 1.0768740 ^ 2 * EI / 9
+  for _, part in ipairs { 0.3, 0.6, 0.9 } do
+    local model = hinge.model()
+    local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+    model:fix(foot)
+    model:member { foot, head, section = square, material = stiff,
+      ends = { a = hinge.joint { Mx = { stiffness = k }, My = { stiffness = k } } } }
+    model:load { node = head, force = { 1, 0, -part * critical } }
+    equal(model:static { steps = 4, tolerance = 1e-10 }:finish().verdict, "completed", "static run")
+    local by_hand = sway_by_hand(1, part * critical, k)
+    near(head:displacement(), by_hand, 5e-4 * by_hand, ("sway at %g of the critical load"):format(part))
+  end
+end)
+
+case("a portal whose beam is pinned: two cantilevers", function()
+  local model = hinge.model { displacement = "small" }
+  local feet, heads = {}, {}
+  for i = 1, 2 do
+    feet[i], heads[i] = model:node { 5 * i, 0, 0 }, model:node { 5 * i, 0, 3 }
+    model:fix(feet[i])
+    model:member { feet[i], heads[i], section = square, material = stiff }
+  end
+  local pinned = { "Mx", "My" }
+  model:member { heads[1], heads[2], section = square, material = stiff, release = { a = pinned, b = pinned } }
+  model:load { node = heads[1], force = { 100, 0, 0 } }
+  model:static():finish()
+  local sway = 50 * 3 ^ 3 / (3 * EI)
+  -- the beam's own shortening is 2.4e-4 of the sway of a square of 50 mm
+  near((heads[1]:displacement() + heads[2]:displacement()) / 2, sway, 1e-6 * sway, "sway")
+end)
+
+-- A nearly rigid arm of 1 m on a joint, whose tip moves to each of these heights.
+local function cycle(points, heights)
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  local rigid = hinge.material { E = 1e6 * E, G = 1e6 * E, density = 7850 }
+  local arm = model:member { wall, tip, section = square, material = rigid,
+    ends = { a = hinge.joint { Mx = { points = points } } } }
+  model:load { node = tip, force = { 0, 0, 1 } }
+  local run, forces = nil, {}
+  for i, z in ipairs(heights) do
+    run = model:static { from = run, steps = 20, control = { node = tip, "uz", to = z } }:finish()
+    equal(run.verdict, "completed", "static run: " .. tostring(run.reason))
+    forces[i] = run.factor
+  end
+  return forces, run, arm
+end
+
+case("cycles follow Masing's rule and dissipate the loop", function()
+  local points = { { 0.002, 200 }, { 0.006, 400 }, { 0.016, 500 } }
+  local forces, run, arm = cycle(points, { 0.004, 0.02, -0.02, 0.02, 0.02 - 0.008 })
+  local tolerance = 1e-3 -- the arm bends a little
+  near(forces[1], 300, tolerance * 300, "on the second part of the curve")
+  near(forces[2], 500, tolerance * 500, "beyond the last point")
+  near(forces[3], -500, tolerance * 500, "the other way")
+  near(forces[4], 500, tolerance * 500, "back")
+  -- unloading is the curve at twice the scale: 2 x 0.004 rad take 2 x 300 N m off
+  near(forces[5], 500 - 2 * 300, tolerance * 600, "unloading by twice the curve")
+  near(arm:joint("a").Mx, -forces[5], 1e-6 * 500, "moment of the joint")
+  -- from -0.02 to 0.02 rad each slider moves beyond twice its yield rotation, at its strength
+  local strengths = { (200 / 0.002 - 200 / 0.004) * 0.002, (200 / 0.004 - 100 / 0.01) * 0.006, 100 / 0.01 * 0.016 }
+  local half = 0
+  for i, point in ipairs(points) do half = half + strengths[i] * 2 * (0.02 - point[1]) end
+  local _, back = cycle(points, { 0.02, -0.02, 0.02 })
+  near(back.energy.joint_dissipated, half, 2e-3 * half, "half a loop")
+  near(back.energy.energy_error, 0, 1e-2 * half, "energy error: steps across the corners of the curve")
+  near(run.energy.energy_error, 0, 1e-6 * half, "energy error of a run whose corners are at ends of steps")
+end)
+
+-- A bar of 1 m that swings down from a wall.
+local function pendulum(joint, options)
+  local model = hinge.model()
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  local bar = model:member { wall, tip, section = square, material = steel, ends = { a = hinge.joint(joint) } }
+  model:gravity { 0, 0, -g }
+  local all = { dt = 1e-3, duration = 1 }
+  for name, value in pairs(options or {}) do all[name] = value end
+  return model:dynamic(all), bar, tip
+end
+local mass = 7850 * side ^ 2
+
+case("a pendulum swings through the lowest point with all of its energy", function()
+  for integrator, options in pairs { newmark = {}, explicit = { dt = "auto", duration = 0.7 } } do
+    options.integrator = integrator
+    local run, _, tip = pendulum({ Mx = "free" }, options)
+    local lowest = 0
+    for _ in run:steps() do lowest = support.smallest_of(lowest, (select(3, tip:displacement()))) end
+    equal(run.verdict, "completed", integrator .. ": " .. tostring(run.reason))
+    near(lowest, -1, 1e-3, integrator .. ": lowest point")
+    near(run.energy.energy_error, 0, 1e-4 * mass * g, integrator .. ": energy error")
+    local x, y = tip:position()
+    near(x * x + y * y + select(3, tip:position()) ^ 2, 1, 1e-4, integrator .. ": distance from the wall")
+  end
+end)
+
+case("a plastic joint brings it to rest, and takes its energy", function()
+  local run, bar = pendulum({ Mx = { stiffness = 1e5, strength = 60 } }, { duration = 3 })
+  run:finish()
+  equal(run.verdict, "completed", tostring(run.reason))
+  local energy = run.energy
+  near(energy.joint_dissipated, -energy.gravity, 2e-3 * mass * g, "plastic work")
+  near(energy.energy_error, 0, 1e-3 * mass * g, "energy error")
+  -- the rotation at which the work of the constant moment is that of the weight: 60 phi = m g / 2 sin(phi) is at 1.6
+  -- or beyond, where the moment of the weight is less than the joint holds
+  expect(math.abs(bar:joint("a").rotation_x) > 1.5, "rotation %g rad", bar:joint("a").rotation_x)
+end)
+
+case("it breaks by rotation, tension and shear, falls freely, and keeps the energy balance", function()
+  local rotation = { Mx = { stiffness = 1e5, strength = 60, capacity = 0.5 } }
+  for what, joint in pairs { rotation = rotation, tension = { Mx = "free", tension = 250 },
+    ["shear force"] = { Mx = "free", shear = 120 } } do
+    local run, bar, tip = pendulum(joint)
+    run:finish()
+    equal(run.verdict, "completed", what .. ": " .. tostring(run.reason))
+    local broken = bar:joint("a").broken
+    expect(broken and broken < 0.6, "%s: broken at %s", what, broken)
+    local told = false
+    for _, change in ipairs(run.state_changes) do
+      told = told or change.effect == "joints" and support.has(change.why, "end a of member 1 broke: " .. what)
+    end
+    expect(told, "%s: run.state_changes tells of it", what)
+    near(run.energy.energy_error, 0, 2e-3 * mass * g, what .. ": energy error")
+    equal(bar:joint("a").shear, 0, what .. ": a broken joint carries nothing")
+    local falls = run:momentum().linear[3]
+    expect(falls < -0.9 * mass * g * (1 - broken), "%s: momentum %g", what, falls)
+    expect((select(3, tip:displacement())) < -1, "%s: the tip has fallen", what)
+  end
+end)
+
+case("statics breaks no joint, and warns", function()
+  local model = hinge.model()
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = square, material = steel, ends = { a = hinge.joint { shear = 50 } } }
+  model:load { node = tip, force = { 0, 0, -60 } }
+  local run = model:static():finish()
+  equal(run.verdict, "completed", "verdict")
+  expect(support.has(table.concat(run.warnings, "\n"), "is beyond its capacity: shear force of 60"), "warnings: %s",
+    table.concat(run.warnings, "\n"))
+end)
+
+case("pinned beams in a floor that is rigid in its plane", function()
+  local function floor(diaphragm, integrator)
+    local model = hinge.model { displacement = integrator and "large" or "small" }
+    local heads, pinned = {}, { "Mx", "My" }
+    for _, x in ipairs { 0, 4 } do
+      for _, y in ipairs { 0, 4 } do
+        local foot, head = model:node { x, y, 0 }, model:node { x, y, 3 }
+        model:fix(foot)
+        model:member { foot, head, section = square, material = steel }
+        heads[#heads + 1] = head
+      end
+    end
+    for _, pair in ipairs { { 1, 2 }, { 3, 4 }, { 1, 3 }, { 2, 4 } } do
+      model:member { heads[pair[1]], heads[pair[2]], section = square, material = steel,
+        release = { a = { "Mx", "My", "Mz" }, b = pinned } }
+    end
+    if diaphragm then model:diaphragm { nodes = heads } end
+    model:load { node = heads[1], force = { 100, 0, 0 } }
+    local run = integrator and model:dynamic { dt = 1e-3, duration = 0.1, integrator = integrator }:finish()
+      or model:static():finish()
+    equal(run.verdict, "completed", "run: " .. tostring(run.reason))
+    return heads, run
+  end
+  -- a quarter of the load each; and the load's moment about the middle, 2 m away, on columns that sway and twist
+  local G = E / 2.6
+  local one = 27 / (3 * EI) + 3 / (5 / 6 * G * side ^ 2)
+  local twist = 4 * 8 / one + 4 * G * 0.140577 * side ^ 4 / 3
+  local wanted = 100 * (one / 4 + 2 * 2 / twist)
+  local heads = floor(true)
+  near(heads[1]:displacement(), wanted, 1e-4 * wanted, "sway of the loaded corner")
+  local _, run = floor(true, "newmark")
+  near(run.energy.energy_error, 0, 1e-4 * run.energy.work, "energy error")
+end)
+
+-- In explicit steps rigid axes are springs of another stiffness.
+case("a beam at rest stays at rest in the run that goes on from statics", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local model = hinge.model()
+    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix(wall)
+    model:member { wall, tip, section = square, material = steel, -- My and Mz are rigid
+      ends = { a = hinge.joint { Mx = { stiffness = 1e5 } } } }
+    model:load { node = tip, force = { 0, 500, -300 } }
+    local rest = model:static():finish()
+    local _, y = tip:displacement(rest)
+    local run = model:dynamic { from = rest, dt = integrator == "explicit" and "auto" or 1e-4, duration = 2e-3,
+      integrator = integrator }:finish()
+    local _, now = tip:displacement(run)
+    near(now, y, 1e-5 * y, integrator .. ": deflection about the rigid axis")
+  end
+end)
+
+case("the same bytes after a checkpoint in the middle of a cycle", function()
+  local folder = support.temporary_folder()
+  local function swing() return (pendulum { Mx = { points = { { 6e-4, 60 }, { 0.01, 70 } }, capacity = 0.7 } }) end
+  local whole = swing():finish()
+  local first = swing()
+  for _ = 1, 200 do first:step() end
+  first:checkpoint(folder .. "/half")
+  local second = swing()
+  second:resume(folder .. "/half")
+  second:finish()
+  equal(second.energy.joint_dissipated, whole.energy.joint_dissipated, "plastic work")
+  equal(second.energy.kinetic, whole.energy.kinetic, "kinetic energy")
+  equal(#second.state_changes, #whole.state_changes, "what has happened")
+end)
+
+case("a member tells of its joints, and copies of a grid have them", function()
+  local plan = hinge.grid { model = hinge.model(), x = { 0, 4 }, z = { 0, 3 } }
+  plan:defaults { section = square, material = steel, group = "beams", release = { a = "Mx", b = "Mx" } }
+  plan:defaults { group = "columns", section = square, material = steel }
+  local columns = plan:columns { group = "columns" }
+  local floor_beam = plan:beams({ along = "x", group = "beams" })[1]
+  equal(columns[1].ends, nil, "ends of a column")
+  equal(tostring(floor_beam.ends.b), "joint: Mx free, My rigid, Mz rigid", "ends of a beam")
+  plan:copy { members = columns, by = { 0, 5, 0 } }
+  local copy = plan:copy({ members = { floor_beam }, by = { 0, 5, 0 } })[1]
+  equal(tostring(copy.ends.a), "joint: Mx free, My rigid, Mz rigid", "ends of a copy")
+end)
+
+case("hinge.robustness warns that its static procedures neither break nor rate joints", function()
+  local function rows(joint)
+    local function build(options)
+      local model, heads = hinge.model(), {}
+      for i = 1, 3 do
+        local foot = model:node { 6 * i, 0, 0 }
+        heads[i] = model:node { 6 * i, 0, 3 }
+        model:fix(foot)
+        model:fix(heads[i], "y,rx,rz")
+        model:member { foot, heads[i], section = hinge.section.named "HEB 240", material = hinge.material.steel "S355",
+          group = "columns" }
+        if i > 1 then
+          local girder = hinge.section.named "IPE 360"
+          model:member { heads[i - 1], heads[i], section = girder, group = "beams", ends = { a = joint, b = joint },
+            material = hinge.material.steel("S355"):with { density = 1e5 * options.scale(6 * i - 3, 0, 3) } }
+        end
+      end
+      model:gravity { 0, 0, -g }
+      return model
+    end
+    return hinge.robustness { build = build, limit = 0.03, m = 2, quiet = true, remove = { 2 },
+      procedures = { "linear static" } }.rows
+  end
+  local function warned(row) return support.has(table.concat(row.warnings, "\n"), "neither breaks nor rates") end
+  expect(warned(rows(hinge.joint { Mx = { stiffness = 5e7, strength = 15e4 } })[1]), "with joints")
+  expect(not warned(rows()[1]), "without joints")
+end)
+
+case("wrong input is refused", function()
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  local function refused(f, message)
+    local good, failure = pcall(f)
+    expect(not good and support.has(tostring(failure), message), "'%s' and not '%s'", failure, message)
+  end
+  local function member(options)
+    options[1], options[2], options.section, options.material = a, b, square, steel
+    return model:member(options)
+  end
+  refused(function() hinge.joint {} end, "it is rigid and never breaks")
+  refused(function() hinge.joint { Mx = "fre" } end, "must be 'free', 'rigid'")
+  refused(function() hinge.joint { Mx = { strength = 5 } } end, "stiffness")
+  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 }, { 0.02, 30 } } } } end, "less steep")
+  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 }, { 0.02, 8 } } } } end, "'capacity'")
+  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 } }, stiffness = 1 } } end, "given beside points")
+  refused(function() hinge.joint { Mx = "free", tension = -1 } end, "tension")
+  refused(function() member { release = { a = "N" } } end, "must be 'Mx', 'My' or 'Mz'")
+  refused(function() member { release = "Mx" } end, "must be { a = ")
+  refused(function() member { release = { a = "Mz", b = "Mz" } } end, "torsion (Mz) is free at both ends")
+  refused(function() member { ends = { a = 3 } } end, "must be a joint made by hinge.joint")
+  refused(function() member { ends = { a = hinge.joint { Mx = "free" } }, release = { a = "Mx" } } end,
+    "given beside a joint")
+  equal(#model:members(), 0, "no member was added")
+  model:fix(a)
+  member { release = { b = { "Mx", "My" } } }
+  refused(function() model:static() end, "every member at node 2")
+end)
+
+checks.done()
