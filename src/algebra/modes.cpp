@@ -1,22 +1,17 @@
 #include "algebra/modes.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/SparseCholesky>
-#include <Spectra/SymGEigsShiftSolver.h>
 #include <algorithm>
 #include <limits>
-#include <stdexcept>
 
+#include "algebra/eigenpairs.h"
 #include "beam/tangent.h"
-#include "core/doing.h"
-#include "core/errors.h"
 #include "core/text.h"
 
 namespace hinge {
 namespace {
 
-/// Indices unlike those of direct_factors.h: what Eigen compiles for it is then another template (see there).
-using Sparse = Eigen::SparseMatrix<double, Eigen::ColMajor, std::ptrdiff_t>;
+using Sparse = SparseMatrix;
 
 /// K and M of the elements at these nodes, their lower halves, on the degrees of freedom that no support holds.
 struct Matrices {
@@ -92,73 +87,6 @@ private:
     }
 };
 
-using Factors = Eigen::SimplicialLDLT<Sparse>;
-using Vector = Eigen::VectorXd;
-
-/// x -> M x, as Spectra asks for it.
-struct MassProduct {
-    using Scalar = double;
-    const Sparse& M;
-
-    Eigen::Index rows() const { return M.rows(); }
-    void perform_op(const double* x, double* y) const {
-        Vector::Map(y, rows()) = M.selfadjointView<Eigen::Lower>() * Vector::Map(x, rows());
-    }
-};
-
-/// x -> (K + a M)^-1 x without its components along the modes that are known, as Spectra asks for it.
-struct Inverse {
-    using Scalar = double;
-    const Factors& factors;
-    Eigen::MatrixXd modes, M_modes;  ///< their shapes, of modal mass 1, and M times these
-
-    Eigen::Index rows() const { return factors.rows(); }
-    void set_shift(double) {}  // the factors have it
-    void perform_op(const double* x, double* y) const {
-        if (asked_to_end) throw Interrupted("");
-        auto out = Vector::Map(y, rows());
-        out = factors.solve(Vector::Map(x, rows()));
-        if (modes.cols() > 0) out -= modes * (M_modes.transpose() * out);
-    }
-};
-
-/// The lowest `wanted` w^2 of K x = w^2 M x, rising, where K + a M is positive definite. K and M have traces near 1:
-/// Spectra compares with fixed small numbers.
-std::vector<double> lowest_eigenvalues(const Sparse& K, const Sparse& M, double a, int wanted) {
-    const int size = int(K.rows());
-    std::vector<double> found;
-    if (size < 4 * wanted + 40) {  // Lanczos' method wants room
-        const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-            Eigen::MatrixXd(M), Eigen::MatrixXd(K + a * M), Eigen::EigenvaluesOnly);
-        for (int i = 1; i <= wanted; ++i) found.push_back(1 / solver.eigenvalues()[size - i] - a);
-        return found;
-    }
-    const Doing doing("the search for natural frequencies,", size, "unknowns");
-    const Factors factors(K + a * M);
-    Inverse inverse{factors, {}, {}};
-    MassProduct mass{M};
-    for (double last = std::numeric_limits<double>::infinity();; last = found[wanted - 1]) {
-        Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-            inverse, mass, wanted, std::max(2 * wanted, 20), -a);
-        solver.init();
-        if (solver.compute(Spectra::SortRule::LargestMagn) < wanted)
-            throw std::runtime_error("the natural frequencies cannot be found: Lanczos' method does not converge");
-        const Vector values = solver.eigenvalues();
-        found.insert(found.end(), values.begin(), values.end());
-        std::sort(found.begin(), found.end());
-        // As many negative pivots as there are eigenvalues below the shift (Sylvester): is one of them missing?
-        const double shift = (1 - 1e-6) * found[wanted - 1];
-        const Factors shifted(K - shift * M);
-        const auto below = std::lower_bound(found.begin(), found.end(), shift) - found.begin();
-        if ((shifted.vectorD().array() < 0).count() <= below || values.minCoeff() >= last) break;
-        inverse.modes.conservativeResize(size, inverse.modes.cols() + wanted);
-        inverse.modes.rightCols(wanted) = solver.eigenvectors();
-        inverse.M_modes = M.selfadjointView<Eigen::Lower>() * inverse.modes;
-    }
-    found.resize(wanted);
-    return found;
-}
-
 }  // namespace
 
 std::vector<RigidMotion> free_motions(const Structure& structure, const std::vector<int>& nodes) {
@@ -223,7 +151,7 @@ std::vector<double> natural_frequencies(const Structure& structure, const std::v
     const int wanted = std::min(rigid + count, of.size);
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
-    const auto values = lowest_eigenvalues(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted);
+    const auto values = lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, false).values;
     int first = rigid;
     if (of.adds_stiffness)
         for (first = 0; first < wanted && values[first] < 1e-11; ++first) {}

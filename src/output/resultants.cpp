@@ -10,7 +10,6 @@ namespace hinge::output {
 namespace {
 
 constexpr double plastic_from = 0.999;  // f_y reaches 1 only up to the tolerance of the return
-constexpr double at_end = 1e-6;         // share of the length: a point load so near to an end stands at it
 
 double square(double x) { return x * x; }
 
@@ -28,7 +27,7 @@ Resultants::Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<co
         const bool is_force = load->kind == Load::force;
         const auto along = [&](const Vec& axis, int end) { return dot(load->value[end], axis); };
         // A force along y bends about x, a moment about x does, too.
-        const auto add = [&](Bending& to, const Vec& force_axis, const Vec& moment_axis) {
+        const auto add = [&](BarBending& to, const Vec& force_axis, const Vec& moment_axis) {
             const Vec& axis = is_force ? force_axis : moment_axis;
             if (load->at < 0) {
                 for (int end : {0, 1}) (is_force ? to.q : to.m)[end] += along(axis, end);
@@ -42,46 +41,6 @@ Resultants::Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<co
     }
     x_.close();
     y_.close();
-}
-
-void Resultants::Bending::close() {
-    // A load at an end is inside the element where that is what the forces at its ends say; else the node has it.
-    std::vector<Point> ends;
-    for (Point& p : points) {
-        if (p.t > at_end && p.t < 1 - at_end) continue;
-        ends.push_back({std::clamp(p.t, at_end / 2, 1 - at_end / 2), p.force, p.moment});
-        p.force = p.moment = 0;
-    }
-    std::erase_if(points, [](const Point& p) { return p.force == 0 && p.moment == 0; });
-    shear_left = moment_left = 0;
-    for (const Point& p : ends) {
-        const double Q_off = Q[1] - shear(1), M_off = M[1] - moment(1);
-        if (p.force != 0 ? std::abs(Q_off + p.force) < std::abs(Q_off) : std::abs(M_off + p.moment) < std::abs(M_off))
-            points.push_back(p);
-    }
-    shear_left = Q[1] - shear(1);
-    moment_left = M[1] - moment(1);
-}
-
-double Resultants::Bending::shear(double t) const {
-    double Q_t = Q[0] - length * (q[0] * t + (q[1] - q[0]) * t * t / 2) + shear_left * t;
-    for (const Point& p : points)
-        if (p.t < t) Q_t -= p.force;
-    return Q_t;
-}
-
-double Resultants::Bending::shear_area(double t) const {
-    double sum = Q[0] * t - length * (q[0] * t * t / 2 + (q[1] - q[0]) * t * t * t / 6) + shear_left * t * t / 2;
-    for (const Point& p : points) sum -= p.force * std::max(0.0, t - p.t);
-    return sum;
-}
-
-double Resultants::Bending::moment(double t) const {
-    double M_t =
-        M[0] + sign * length * shear_area(t) - length * (m[0] * t + (m[1] - m[0]) * t * t / 2) + moment_left * t;
-    for (const Point& p : points)
-        if (p.t < t) M_t -= p.moment;
-    return M_t;
 }
 
 double Resultants::at(Show which, double t) const {
@@ -145,31 +104,18 @@ std::vector<double> Resultants::class_changes() const {
 
 std::vector<double> Resultants::jumps() const {
     std::vector<double> at;
-    for (const Bending* b : {&x_, &y_})
-        for (const Bending::Point& p : b->points) at.push_back(p.t);
+    for (const BarBending* b : {&x_, &y_})
+        for (const BarBending::Point& p : b->points) at.push_back(p.t);
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
     return at;
 }
 
-// A cubic between point loads, as loads are linear along the bar: the roots of its derivative a + b u + c u^2, with u
-// from 0 to 1 between t0 and t1.
+// A cubic between point loads, as loads are linear along the bar.
 std::vector<double> Resultants::peaks(Show which, double t0, double t1) const {
     double v[4];
     for (int i = 0; i < 4; ++i) v[i] = at(which, t0 + (t1 - t0) * i / 3);
-    const double a = -5.5 * v[0] + 9 * v[1] - 4.5 * v[2] + v[3], b = 18 * v[0] - 45 * v[1] + 36 * v[2] - 9 * v[3],
-                 c = 13.5 * (v[3] - v[0]) + 40.5 * (v[1] - v[2]);
-    // Changes that rounding alone makes have no peak.
-    const double noise = 1e-12 * std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2]), std::abs(v[3])});
-    if (!(std::max({std::abs(a), std::abs(b), std::abs(c)}) > noise)) return {};
-    std::vector<double> found;
-    const double root = b * b - 4 * a * c;
-    if (!(root >= 0)) return found;
-    const double q = -0.5 * (b + std::copysign(std::sqrt(root), b));
-    for (const double u : {q / c, a / q})
-        if (u > 0 && u < 1) found.push_back(t0 + u * (t1 - t0));
-    std::sort(found.begin(), found.end());
-    return found;
+    return peaks_of_cubic(v, t0, t1);
 }
 
 }  // namespace hinge::output

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/bar_bending.h"
 #include "output/framing.h"
 #include "output/picture.h"
 
@@ -29,23 +30,8 @@ public:
     std::vector<double> peaks(Show which, double t0, double t1) const;
 
 private:
-    /// Bending about one axis: dQ/dz = -q and dM/dz = sign Q - m, with z along the bar.
-    struct Bending {
-        struct Point {
-            double t, force, moment;
-        };
-        double M[2], Q[2], sign, length;
-        double q[2] = {0, 0}, m[2] = {0, 0};  ///< per length, linear between the ends
-        std::vector<Point> points = {};
-        double shear_left = 0, moment_left = 0;  ///< part of Q and M from inertia, linear from end to end
-
-        void close();
-        double shear(double t) const;
-        double shear_area(double t) const;  ///< integral of the shear force up to t, over the length
-        double moment(double t) const;
-    };
     const Bar* bar_;
-    Bending x_, y_;  ///< about the section's x axis: Mx, Qy; and about y: My, Qx
+    BarBending x_, y_;  ///< about the section's x axis: Mx, Qy; and about y: My, Qx
     bool sheared_;
 };
 

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "script/bind/bind_along.h"
+#include "script/bind/bind_joints.h"
 #include "script/lua/objects.h"
 #include "script/record/recording.h"
 
@@ -159,6 +161,37 @@ std::array<double, 7> resultants_at(const Run& run, int element, double side) {
     return {f.N, f.Mx, f.My, f.Mz, f.Qx, f.Qy, run.yield_value(element, side)};
 }
 
+/// member:joint(end, run?)
+int joint(lua_State* L) {
+    const auto& m = self<MemberBox>(L, "member:joint");
+    const std::string end = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
+    if (end != "a" && end != "b") throw InputError("member:joint: the end is " + show(L, 2) + "; must be 'a' or 'b'");
+    const auto record =
+        lua_isnoneornil(L, 3) ? latest_run(L, *m.model) : run_argument(L, 3, "member:joint: run", m.model.get());
+    if (!record)
+        throw InputError(
+            "member:joint: no run has been made of this model yet; make one with model:static{} or "
+            "model:dynamic{}");
+    push_joint(L, *record->run, m.index, end == "b");
+    return 1;
+}
+
+/// run:along(member, parts?), member:along(run?, parts?)
+template <class Self>
+int along(lua_State* L) {
+    const Asked a = asked_member<Self>(L, "along");
+    const std::string what = std::string(std::is_same_v<Self, RunBox> ? "run" : "member") + ":along: parts";
+    int parts = 8;
+    if (!lua_isnoneornil(L, 3)) {
+        const lua_Number n = lua_type(L, 3) == LUA_TNUMBER ? lua_tonumber(L, 3) : 0;
+        if (!(n >= 1 && n <= 10000 && n == std::floor(n)))
+            throw InputError(what + " is " + show(L, 3) + "; must be a whole number from 1 to 10000");
+        parts = int(n);
+    }
+    const auto [first, end] = elements_of(a.record->run->structure(), a.index);
+    return push_along(L, *a.record->run, first, end - first, parts);
+}
+
 template <class Self>
 int forces(lua_State* L) {
     const Asked a = asked_member<Self>(L, "forces");
@@ -310,6 +343,7 @@ void open_reading(lua_State* L) {
                                    {"reaction", guarded<takes<"run:reaction", 2, reaction<RunBox>>>},
                                    {"position", guarded<takes<"run:position", 2, position<RunBox>>>},
                                    {"forces", guarded<takes<"run:forces", 2, forces<RunBox>>>},
+                                   {"along", guarded<takes<"run:along", 3, along<RunBox>>>},
                                    {"state", guarded<takes<"run:state", 2, member_state<RunBox>>>},
                                    {"read", guarded<takes<"run:read", 3, read>>},
                                    {nullptr, nullptr}};
@@ -320,7 +354,9 @@ void open_reading(lua_State* L) {
                                     {"position", guarded<takes<"node:position", 2, position<NodeBox>>>},
                                     {nullptr, nullptr}};
     static const luaL_Reg member[] = {{"forces", guarded<takes<"member:forces", 2, forces<MemberBox>>>},
+                                      {"along", guarded<takes<"member:along", 3, along<MemberBox>>>},
                                       {"state", guarded<takes<"member:state", 2, member_state<MemberBox>>>},
+                                      {"joint", guarded<takes<"member:joint", 3, joint>>},
                                       {nullptr, nullptr}};
     add_methods(L, RunBox::lua_name, run);
     add_methods(L, NodeBox::lua_name, node);

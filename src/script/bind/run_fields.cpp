@@ -161,6 +161,11 @@ struct RunField {
 /// the same fields.
 constexpr RunField run_field_list[] = {
     {"kind", [](lua_State* L, const RunRecord& r) { lua_pushstring(L, r.run->kind()); }},
+    {"model",
+     [](lua_State* L, const RunRecord& r) {
+         push<ModelBox>(L, r.model);
+         hold_registry(L, *r.model);
+     }},
     {"time", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().time); }},
     {"factor", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().factor); }},
     {"index", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->steps_done()); }},

@@ -49,10 +49,12 @@ int open_core(lua_State* L) {
     const int module = lua_gettop(L);
     open_values(L, module);
     open_backbone(L, module);
+    open_joints(L, module);
     open_objects(L);
     open_model(L, module);
     open_run(L);
     open_reading(L);
+    open_modes(L);
     open_checkpoint(L, module);
     open_output(L, module);
     open_pictures(L, module);

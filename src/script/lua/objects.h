@@ -318,9 +318,11 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record);
 
 void open_values(lua_State* L, int module);    ///< hinge.material, hinge.section
 void open_backbone(lua_State* L, int module);  ///< hinge.backbone
+void open_joints(lua_State* L, int module);    ///< hinge.joint
 void open_model(lua_State* L, int module);     ///< hinge.model
 void open_objects(lua_State* L);               ///< nodes, members, groups, loads
 void open_run(lua_State* L);
+void open_modes(lua_State* L);               ///< run:modes, run:buckling
 void open_reading(lua_State* L);             ///< results of runs, nodes and members
 void open_output(lua_State* L, int module);  ///< summary and other files
 void open_pictures(lua_State* L, int module);

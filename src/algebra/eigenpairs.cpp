@@ -1,0 +1,131 @@
+#include "algebra/eigenpairs.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
+#include <Spectra/SymGEigsShiftSolver.h>
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+#include "core/doing.h"
+#include "core/errors.h"
+
+namespace hinge {
+namespace {
+
+using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
+using Vector = Eigen::VectorXd;
+
+/// x -> M x, as Spectra asks for it.
+struct MassProduct {
+    using Scalar = double;
+    const SparseMatrix& M;
+
+    Eigen::Index rows() const { return M.rows(); }
+    void perform_op(const double* x, double* y) const {
+        Vector::Map(y, rows()) = M.selfadjointView<Eigen::Lower>() * Vector::Map(x, rows());
+    }
+};
+
+/// x -> (K + a M)^-1 x without its components along the modes that are known, as Spectra asks for it.
+struct Inverse {
+    using Scalar = double;
+    const Factors& factors;
+    Eigen::MatrixXd modes, M_modes;  ///< their shapes, of modal mass 1, and M times these
+
+    Eigen::Index rows() const { return factors.rows(); }
+    void set_shift(double) {}  // the factors have it
+    void perform_op(const double* x, double* y) const {
+        if (asked_to_end) throw Interrupted("");
+        auto out = Vector::Map(y, rows());
+        out = factors.solve(Vector::Map(x, rows()));
+        if (modes.cols() > 0) out -= modes * (M_modes.transpose() * out);
+    }
+};
+
+/// The first `wanted` by rising value.
+Eigenpairs sorted(const std::vector<double>& values, const Eigen::MatrixXd& vectors, int wanted, bool with_vectors) {
+    std::vector<int> order(values.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::sort(order.begin(), order.end(), [&](int i, int j) { return values[i] < values[j]; });
+    Eigenpairs found;
+    if (with_vectors) found.vectors.resize(vectors.rows(), wanted);
+    for (int i = 0; i < wanted; ++i) {
+        found.values.push_back(values[order[i]]);
+        if (with_vectors) found.vectors.col(i) = vectors.col(order[i]);
+    }
+    return found;
+}
+
+/// Of small matrices: Lanczos' method wants room.
+Eigenpairs of_dense(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors) {
+    const Eigen::MatrixXd shifted = Eigen::MatrixXd(K + a * M).selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd mass = Eigen::MatrixXd(M).selfadjointView<Eigen::Lower>();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+        mass, shifted, with_vectors ? Eigen::ComputeEigenvectors : Eigen::EigenvaluesOnly);
+    Eigenpairs found;
+    const Eigen::Index size = K.rows();
+    if (with_vectors) found.vectors.resize(size, wanted);
+    for (int i = 0; i < wanted; ++i) {
+        const double inverse = solver.eigenvalues()[size - 1 - i];
+        found.values.push_back(1 / inverse - a);
+        if (with_vectors) found.vectors.col(i) = solver.eigenvectors().col(size - 1 - i) / std::sqrt(inverse);
+    }
+    return found;
+}
+
+}  // namespace
+
+Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors) {
+    const int size = int(K.rows());
+    if (size < 4 * wanted + 40) return of_dense(K, M, a, wanted, with_vectors);
+    const Doing doing("the search for natural frequencies,", size, "unknowns");
+    const Factors factors(K + a * M);
+    Inverse inverse{factors, {}, {}};
+    MassProduct mass{M};
+    std::vector<double> values;
+    Eigen::MatrixXd vectors;
+    for (double last = std::numeric_limits<double>::infinity();;) {
+        Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
+            inverse, mass, wanted, std::max(2 * wanted, 20), -a);
+        solver.init();
+        if (solver.compute(Spectra::SortRule::LargestMagn) < wanted)
+            throw std::runtime_error("the natural frequencies cannot be found: Lanczos' method does not converge");
+        const Vector found = solver.eigenvalues();
+        values.insert(values.end(), found.begin(), found.end());
+        vectors.conservativeResize(size, vectors.cols() + wanted);
+        vectors.rightCols(wanted) = solver.eigenvectors();
+        std::vector<double> rising = values;
+        std::sort(rising.begin(), rising.end());
+        // As many negative pivots as there are eigenvalues below the shift (Sylvester): is one of them missing?
+        const double shift = (1 - 1e-6) * rising[wanted - 1];
+        const Factors shifted(K - shift * M);
+        const auto below = std::lower_bound(rising.begin(), rising.end(), shift) - rising.begin();
+        if ((shifted.vectorD().array() < 0).count() <= below || found.minCoeff() >= last)
+            return sorted(values, vectors, wanted, with_vectors);
+        last = rising[wanted - 1];
+        inverse.modes = vectors;
+        inverse.M_modes = M.selfadjointView<Eigen::Lower>() * inverse.modes;
+    }
+}
+
+int negative_pivots(const SparseMatrix& K) {
+    const Factors factors(K);
+    return int((factors.vectorD().array() < 0).count());
+}
+
+Eigen::MatrixXd vectors_next_to_zero(const SparseMatrix& K, int count) {
+    const Factors factors(K);
+    Eigen::MatrixXd x(K.rows(), count);
+    for (Eigen::Index i = 0; i < x.rows(); ++i)  // no vector of the structure is square to them
+        for (int k = 0; k < count; ++k) x(i, k) = std::sin(1.0 + 0.7 * double(i + 1) * (k + 1));
+    for (int iteration = 0; iteration < 12; ++iteration) {
+        const Eigen::MatrixXd next = factors.solve(x);
+        x = Eigen::HouseholderQR<Eigen::MatrixXd>(next).householderQ() * Eigen::MatrixXd::Identity(x.rows(), count);
+    }
+    return x;
+}
+
+}  // namespace hinge

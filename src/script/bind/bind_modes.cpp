@@ -1,0 +1,158 @@
+// run:modes and run:buckling: shapes in which a structure vibrates and buckles.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "run/eigenmodes.h"
+#include "script/record/snapshot.h"
+
+namespace hinge::script {
+namespace {
+
+/// A shape of a run.
+struct ModeBox {
+    static constexpr const char* lua_name = "hinge.mode";
+    std::shared_ptr<RunRecord> record;
+    std::vector<Vec6> shape;
+    std::optional<double> factor;  ///< of buckling; none: a natural mode
+    double omega_squared = 0;
+    Vec3 participation = Vec3::Zero();
+    Vec3 share = Vec3::Zero();  ///< effective masses over the whole mass
+};
+
+int read_count(Options& o) { return o.integer("n", 1, 6); }
+
+void push_numbers(lua_State* L, const Vec3& v) {
+    lua_createtable(L, 0, 3);
+    for (int c = 0; c < 3; ++c) lua_pushnumber(L, v[c]), lua_setfield(L, -2, std::array{"x", "y", "z"}[std::size_t(c)]);
+}
+
+int modes(lua_State* L) {
+    const auto record = self<RunBox>(L, "run:modes").value;
+    Options o(L, 2, "run:modes", true);
+    o.expect({"n"});
+    NaturalModes found;
+    try {
+        found = natural_modes(*record->run, read_count(o));
+    } catch (const InputError& e) { throw InputError(std::string("run:modes: ") + e.what()); }
+    lua_createtable(L, int(found.list.size()), 0);
+    for (std::size_t i = 0; i < found.list.size(); ++i) {
+        NaturalMode& mode = found.list[i];
+        ModeBox box{record, std::move(mode.shape), {}, mode.omega_squared, mode.participation, Vec3::Zero()};
+        for (int c = 0; c < 3; ++c)
+            if (found.mass[c] > 0) box.share[c] = mode.participation[c] * mode.participation[c] / found.mass[c];
+        push<ModeBox>(L, std::move(box));
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    return 1;
+}
+
+int buckling(lua_State* L) {
+    const auto record = self<RunBox>(L, "run:buckling").value;
+    Options o(L, 2, "run:buckling", true);
+    o.expect({"n", "most"});
+    const int count = o.integer("n", 1, 1);
+    const double most = o.number("most", "", Range::positive, 1e9);
+    if (record->run->structure().model().options().displacement != Displacement::large)
+        throw InputError(
+            "run:buckling: the model has displacement = 'small', in which nothing buckles; make it with "
+            "hinge.model { displacement = 'large' }, the default");
+    bool carries = false;
+    for (const Vec6& p : record->run->state().force) carries = carries || !p.isZero(0);
+    if (!carries)
+        throw InputError(
+            "run:buckling: the members of this run carry nothing; run it first: the factors are on its "
+            "internal forces");
+    const BucklingModes found = buckling_modes(*record->run, count, most);
+    lua_createtable(L, int(found.list.size()), 0);
+    for (std::size_t i = 0; i < found.list.size(); ++i) {
+        push<ModeBox>(L, ModeBox{record, found.list[i].shape, found.list[i].factor});
+        lua_rawseti(L, -2, lua_Integer(i) + 1);
+    }
+    if (std::isfinite(found.hidden)) lua_pushnumber(L, found.hidden);
+    else lua_pushnil(L);
+    return 2;
+}
+
+/// mode:displacement(node)
+int displacement(lua_State* L) {
+    const auto& mode = self<ModeBox>(L, "mode:displacement");
+    const int node = node_argument(L, 2, "mode:displacement: node", mode.record->model.get()).index;
+    for (int c = 0; c < 6; ++c)
+        lua_pushnumber(L, node < int(mode.shape.size()) ? mode.shape[std::size_t(node)][c] : std::nan(""));
+    return 6;
+}
+
+/// mode:snapshot(amplitude?): the state with the shape on top, its largest displacement `amplitude`, m.
+int snapshot(lua_State* L) {
+    const auto& mode = self<ModeBox>(L, "mode:snapshot");
+    output::Snapshot s = make_snapshot(*mode.record->run);
+    double largest = 0, low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec6& v : mode.shape) largest = std::max(largest, v.head<3>().norm());
+    for (const auto& p : s.points)
+        for (const double x : p) low = std::min(low, x), high = std::max(high, x);
+    double amplitude = 0.05 * (high - low);
+    if (!lua_isnoneornil(L, 2)) {
+        amplitude = lua_type(L, 2) == LUA_TNUMBER ? lua_tonumber(L, 2) : std::nan("");
+        if (!std::isfinite(amplitude))
+            throw InputError("mode:snapshot: amplitude is " + show(L, 2) + "; must be a number, m");
+    }
+    const double by = largest > 0 ? amplitude / largest : 0;
+    for (std::size_t n = 0; n < mode.shape.size() && n < s.points.size(); ++n)
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double moved = by * mode.shape[n][Eigen::Index(c)];
+            s.points[n][c] += moved, s.displacement[n][c] += moved;
+            s.rotation[n][c] += by * mode.shape[n][Eigen::Index(c) + 3];
+        }
+    push<SnapshotBox>(L, std::move(s), mode.record->run->share_structure(), mode.record->model);
+    return 1;
+}
+
+constexpr const char* natural_fields[] = {"frequency", "period", "omega_squared", "participation", "mass", "share"};
+
+/// A natural mode has no factor, and a buckling mode that alone.
+int mode_fields(lua_State* L) {
+    if (push_method(L)) return 1;
+    const std::string key = key_argument(L);
+    const auto& mode = self<ModeBox>(L, "mode." + key);
+    const double omega = mode.omega_squared > 0 ? std::sqrt(mode.omega_squared) : 0;
+    const bool of_buckling = key == "factor";
+    if (of_buckling != mode.factor.has_value() &&
+        (of_buckling || std::ranges::find(natural_fields, key) != std::end(natural_fields)))
+        lua_pushnil(L);
+    else if (of_buckling) lua_pushnumber(L, *mode.factor);
+    else if (key == "frequency") lua_pushnumber(L, omega / (2 * std::numbers::pi));
+    else if (key == "period") lua_pushnumber(L, 2 * std::numbers::pi / omega);
+    else if (key == "omega_squared") lua_pushnumber(L, mode.omega_squared);
+    else if (key == "participation") push_numbers(L, mode.participation);
+    else if (key == "mass") push_numbers(L, mode.participation.cwiseAbs2());
+    else if (key == "share") push_numbers(L, mode.share);
+    else refuse_field(L, "mode", key);
+    return 1;
+}
+int mode_text(lua_State* L) {
+    const auto& mode = self<ModeBox>(L, "tostring");
+    const std::string text =
+        mode.factor ? "buckling mode at factor " + script::show(*mode.factor)
+                    : "natural mode of " +
+                          script::show(std::sqrt(std::max(0.0, mode.omega_squared)) / (2 * std::numbers::pi)) + " Hz";
+    lua_pushstring(L, text.c_str());
+    return 1;
+}
+
+}  // namespace
+
+void open_modes(lua_State* L) {
+    static const luaL_Reg of_mode[] = {{"displacement", guarded<takes<"mode:displacement", 2, displacement>>},
+                                       {"snapshot", guarded<takes<"mode:snapshot", 2, snapshot>>},
+                                       {nullptr, nullptr}};
+    make_metatable(L, ModeBox::lua_name, of_mode, guarded<mode_fields>, collect<ModeBox>, guarded<mode_text>, nullptr);
+    name_fields(L, ModeBox::lua_name,
+                {"frequency", "period", "omega_squared", "participation", "mass", "share", "factor"});
+    static const luaL_Reg of_run[] = {{"modes", guarded<takes<"run:modes", 2, modes>>},
+                                      {"buckling", guarded<takes<"run:buckling", 2, buckling>>},
+                                      {nullptr, nullptr}};
+    add_methods(L, RunBox::lua_name, of_run);
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,239 @@
+-- run:modes and run:buckling: frequencies, shapes, effective masses and buckling loads by closed forms, of loaded
+-- states, with joints and rigid floors; pictures of a shape; wrong input is refused.
+--
+-- Run: lua5.4 tests/script/modes_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "modes"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local E, side = 206e9, 0.05
+local EI, GA = E * side ^ 4 / 12, 5 / 6 * E / 2.6 * side ^ 2
+local steel = hinge.material { E = E, density = 7850 }
+local square = hinge.section.solid { width = side, depth = side }
+
+-- A cantilever along x with a force on its tip.
+local function cantilever(elements, force, material, options, section)
+  local all = { elements_per_member = elements }
+  for name, value in pairs(options or {}) do all[name] = value end
+  local model = hinge.model(all)
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = section or square, material = material or steel }
+  model:load { node = tip, force = force }
+  return model, tip
+end
+
+case("a cantilever: frequencies, shape and effective masses", function()
+  local model, tip = cantilever(16, { 0, 0, -1 }, nil, { mass = "cubic" })
+  local modes = model:static():finish():modes { n = 40 }
+  equal(#modes, 40, "modes")
+  -- Timoshenko's beam: tests/references.md, dynamics 15
+  near(modes[1].frequency, 41.2938, 1e-3 * 41.2938, "first frequency")
+  near(modes[2].frequency, modes[1].frequency, 1e-9 * 41, "the square bends alike in both planes")
+  near(modes[3].frequency, 255.770, 1e-3 * 255.770, "second frequency")
+  near(modes[1].period, 1 / modes[1].frequency, 1e-12, "period")
+  near(modes[1].omega_squared, (2 * math.pi * modes[1].frequency) ^ 2, 1e-6, "its square")
+  -- a slender clamped beam has 0.6131 of its mass in the first mode, 0.1883 in the second (Timoshenko: less by 1e-3)
+  local share = modes[1].share.y + modes[2].share.y
+  near(share, 0.6131, 4e-3, "share of the first mode")
+  near(modes[3].share.z + modes[4].share.z, 0.1883, 4e-3, "share of the second")
+  local sum, mass = { x = 0, y = 0, z = 0 }, 0
+  for _, mode in ipairs(modes) do
+    for axis in pairs(sum) do sum[axis] = sum[axis] + mode.share[axis] end
+    mass = mass + mode.mass.y
+  end
+  expect(sum.y > 0.95 and sum.y < 1 + 1e-9, "shares along y sum up to %g", sum.y)
+  near(mass / sum.y, 7850 * side ^ 2, 1e-9 * 7850 * side ^ 2, "whole mass")
+  -- shape of modal mass 1: the tip moves by 2 / sqrt(m) of a slender beam
+  local _, y, z = modes[1]:displacement(tip)
+  near(math.sqrt(y * y + z * z), 2 / math.sqrt(7850 * side ^ 2), 5e-3 * 0.45, "displacement of the tip")
+  near(modes[1].participation.y ^ 2, modes[1].mass.y, 1e-9, "effective mass")
+end)
+
+case("a tip mass on a compressed column, and on a pulled one", function()
+  -- all but rigid in shear, and light, so that the closed form of the beam-column is the stiffness
+  local light = hinge.material { E = E, G = 1e3 * E, density = 1e-3 }
+  local euler = math.pi ^ 2 * EI / 4
+  for _, part in ipairs { 0.5, 0.9, -1 } do
+    local model, tip = cantilever(2, { -part * euler, 0, 0 }, light, nil, hinge.section.general {
+      area = 1e3 * side ^ 2, Ix = side ^ 4 / 12, Iy = side ^ 4 / 12, J = side ^ 4 / 6 }) -- it does not shorten
+    model:mass { node = tip, mass = 10 }
+    local run = model:static { steps = 4 }:finish()
+    local beta = math.sqrt(math.abs(part) * euler / EI)
+    local k = part > 0 and part * euler * beta / (math.tan(beta) - beta)
+      or -part * euler * beta / (beta - (math.exp(2 * beta) - 1) / (math.exp(2 * beta) + 1))
+    local wanted = math.sqrt(k / 10) / (2 * math.pi)
+    near(run:modes { n = 1 }[1].frequency, wanted, 1e-4 * wanted, ("at %g of Euler's load"):format(part))
+  end
+end)
+
+case("a free bar has six motions of frequency zero, and its own frequencies", function()
+  local model = hinge.model { elements_per_member = 16, mass = "cubic" }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:member { a, b, section = square, material = steel }
+  local modes = model:dynamic({ dt = 1e-3, duration = 1e-3 }):finish():modes { n = 8 }
+  for i = 1, 6 do equal(modes[i].frequency, 0, "rigid motion " .. i) end
+  near(modes[7].frequency, 260.919, 1e-3 * 260.919, "first bending mode")
+  near(modes[8].frequency, 260.919, 1e-3 * 260.919, "in the other plane")
+end)
+
+case("joints, floors that are rigid in their plane and compression count", function()
+  local function frame(options)
+    local model = hinge.model()
+    local heads = {}
+    for i = 1, 2 do
+      local foot, head = model:node { 4 * i, 0, 0 }, model:node { 4 * i, 0, 3 }
+      model:fix(foot)
+      model:member { foot, head, section = square, material = steel, group = "columns" }
+      model:mass { node = head, mass = 500 }
+      if i == 1 or not options.link then model:fix(head, "y") end
+      heads[i] = head
+    end
+    model:member { heads[1], heads[2], section = square, material = steel, group = "beam",
+      release = options.pinned and { a = "Mx", b = "Mx" } or nil }
+    if options.link then model:diaphragm { nodes = heads } end
+    if options.gravity then model:gravity { 0, 0, -9.81 } end
+    return model
+  end
+  -- two cantilevers with a pinned bar between them: 3 EI / h^3 each
+  local k = 1 / (27 / (3 * EI) + 3 / GA)
+  local column = 7850 * side ^ 2 * 3
+  local wanted = math.sqrt(2 * k / (1000 + 2 * 33 / 140 * column + 7850 * side ^ 2 * 4)) / (2 * math.pi)
+  local found = frame({ pinned = true }):static():finish():modes { n = 1 }[1]
+  near(found.frequency, wanted, 2e-3 * wanted, "pinned beam")
+  local tied = frame({ pinned = true, link = true }):static():finish():modes { n = 1 }[1]
+  near(tied.frequency, wanted, 2e-3 * wanted, "pinned beam in a rigid floor")
+  expect(frame({}):static():finish():modes { n = 1 }[1].frequency > 1.1 * wanted, "a rigid joint is stiffer")
+  local model = frame { gravity = true }
+  local before = model:static { steps = 4 }:finish()
+  local stiff, soft = before:modes { n = 1 }[1].frequency, frame({}):static():finish():modes { n = 1 }[1].frequency
+  expect(stiff < soft, "compression makes it softer: %g and not less than %g Hz", stiff, soft)
+end)
+
+case("a broken beam leaves two columns", function()
+  local model = hinge.model()
+  for i = 1, 2 do
+    local foot, head = model:node { 4 * i, 0, 0 }, model:node { 4 * i, 0, 3 }
+    model:fix(foot)
+    model:member { foot, head, section = square, material = steel }
+    model:mass { node = head, mass = 500 }
+    model:fix(head, "y")
+  end
+  local light = steel:with { density = 1e-3 }
+  local heads = { model:nodes()[2], model:nodes()[4] }
+  model:member { heads[1], heads[2], section = square, material = light, group = "beam" }
+  model:fracture { group = "beam", where = "all", rule = function() return true end }
+  local run = model:dynamic({ dt = 1e-3, duration = 2e-3 }):finish()
+  equal(run:count { state = "broken", group = "beam" }, 1, "broken members")
+  local k = 1 / (27 / (3 * EI) + 3 / GA)
+  local wanted = math.sqrt(k / (500 + 33 / 140 * 7850 * side ^ 2 * 3)) / (2 * math.pi)
+  local found = {} -- what flies has six motions of frequency 0
+  for _, mode in ipairs(run:modes { n = 8 }) do
+    if mode.frequency > 0 then found[#found + 1] = mode.frequency end
+  end
+  for i = 1, 2 do near(found[i], wanted, 3e-3 * wanted, "frequency " .. i) end
+end)
+
+case("Euler's loads: cantilever with two elements, several at once, multiple ones", function()
+  local euler = math.pi ^ 2 * EI / 4
+  local wanted = euler / (1 + euler / GA) -- Engesser
+  for _, elements in ipairs { 2, 4 } do
+    local model, tip = cantilever(elements, { -1000, 0, 0 })
+    local found, hidden = model:static():finish():buckling { n = 3 }
+    equal(#found, 3, "modes")
+    near(1000 * found[1].factor, wanted, 3e-4 * wanted, elements .. " elements: first load")
+    near(found[2].factor, found[1].factor, 1e-5 * found[1].factor, "in the other plane")
+    near(1000 * found[3].factor, 9 * euler / (1 + 9 * euler / GA), 2e-2 * 9 * euler, "second load")
+    -- a pair between clamped ends: 4 pi^2 EI / l^2 with l of the pair
+    local pair = 2 / elements
+    near(hidden, 4 * math.pi ^ 2 * EI / pair ^ 2 / 1000, 1e-6 * hidden, "what a pair does not show")
+    local _, y, z = found[1]:displacement(tip)
+    near(math.sqrt(y * y + z * z), 1, 1e-6, "displacement of the tip")
+  end
+end)
+
+case("a portal on pinned feet, and one with a semi-rigid beam", function()
+  -- sway: alpha tan(alpha) = 6 c / EI_c h with the rotational stiffness of the joints c; alpha = h sqrt(P / EI)
+  local function by_hand(r)
+    local low, high = 1e-6, math.pi / 2 - 1e-9
+    for _ = 1, 80 do
+      local middle = (low + high) / 2
+      if middle * math.tan(middle) < r then low = middle else high = middle end
+    end
+    return low ^ 2 * EI / 9
+  end
+  local rigid = hinge.material { E = E, G = 1e6 * E, density = 7850 } -- in shear
+  for _, joint in ipairs { math.huge, 2 * EI } do
+    local model = hinge.model()
+    local heads = {}
+    for i = 1, 2 do
+      local foot, head = model:node { 4 * i, 0, 0 }, model:node { 4 * i, 0, 3 }
+      model:fix(foot, "x,y,z,rx,rz")
+      model:fix(head, "y")
+      model:member { foot, head, section = square, material = rigid }
+      model:load { node = head, force = { 0, 0, -100 } }
+      heads[i] = head
+    end
+    local ends = joint < math.huge and hinge.joint { Mx = { stiffness = joint } } or nil
+    model:member { heads[1], heads[2], section = square, material = rigid, ends = ends and { a = ends, b = ends } }
+    local c = 1 / (4 / (6 * EI) + (joint < math.huge and 1 / joint or 0)) -- the beam bends in an S
+    local found = model:static():finish():buckling()
+    equal(#found, 1, "modes")
+    local wanted = by_hand(c * 3 / EI)
+    near(100 * found[1].factor, wanted, 1e-3 * wanted, "load with joints of " .. joint)
+  end
+end)
+
+case("the factor is that at which statics finds the structure unstable", function()
+  local thick = hinge.section.solid { width = 0.08, depth = 0.08 }
+  local function stepped(load)
+    local model = hinge.model { elements_per_member = 4 }
+    local foot, middle, top = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }, model:node { 0, 0, 3 }
+    model:fix(foot)
+    model:member { foot, middle, section = thick, material = steel }
+    model:member { middle, top, section = square, material = steel }
+    model:load { node = top, force = { 0, 0, -load } }
+    return model
+  end
+  local load = 1e3 * stepped(1e3):static():finish():buckling()[1].factor
+  local run = stepped(1.2 * load):static { steps = 20 }:finish()
+  if expect(run.instability, "the run tells of an instability: %s", run.reason) then
+    near(run.instability.factor, 1 / 1.2, 1e-3, "load factor") -- the column shortens by some 3e-4 up to there
+  end
+end)
+
+case("pictures of a shape", function()
+  local model, tip = cantilever(4, { -1, 0, 0 })
+  local run = model:static():finish()
+  local mode = run:modes({ n = 1 })[1]
+  expect(tostring(mode):find "natural mode of 40.99", "text: %s", mode)
+  equal(tostring(mode:snapshot(0.2)):match "^[%w.]*", "hinge.snapshot", "a snapshot")
+  expect(tostring(run:buckling()[1]):find "buckling mode at factor", "text")
+  equal(#tostring(tip) > 0, true, "node")
+end)
+
+case("wrong input is refused", function()
+  local function refused(f, message)
+    local good, failure = pcall(f)
+    expect(not good and support.has(tostring(failure), message), "'%s' and not '%s'", failure, message)
+  end
+  local model = cantilever(2, { -1, 0, 0 })
+  local run = model:static()
+  refused(function() run:buckling() end, "carry nothing")
+  run:finish()
+  refused(function() run:modes { n = 0 } end, "n")
+  refused(function() run:modes { count = 3 } end, "count")
+  refused(function() run:buckling { most = -1 } end, "most")
+  equal(run:modes({ n = 1 })[1].factor, nil, "a natural mode has no factor")
+  equal(run:buckling()[1].frequency, nil, "a buckling mode has no frequency")
+  refused(function() return run:buckling()[1].frequencies end, "frequencies")
+  refused(function() cantilever(2, { -1, 0, 0 }, nil, { displacement = "small" }):static():finish():buckling() end,
+    "displacement = 'small'")
+  refused(function()
+    cantilever(2, { -1, 0, 0 }, hinge.material { E = E }):static():finish():modes()
+  end, "no mass")
+end)
+
+checks.done()
