@@ -8,7 +8,7 @@ local function missing(see, how) return { see = see, how = how, missing = true }
 local floors = missing({ "model:load", "model:mass" }, "a floor is load and mass on the beams, without stiffness")
 local drift = missing({ "node:displacement", "run:probe" },
   "the drift of a storey is the difference of the displacements of two nodes")
-local modes = missing({ "model:damping" }, "hinge check SCRIPT prints the natural periods of the models of a script")
+local modes = there({ "run:modes", "mode:displacement" }, "hinge check SCRIPT prints the natural periods, too")
 local no_law = missing({ "hinge.material", "model:fracture" },
   "members yield at one strength, with hardening of their material, and break")
 local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
@@ -19,8 +19,8 @@ local hardens = there({ "hinge.material" }, "the options hardening = { tangent =
 local one_way = there({ "model:member" }, "the option carries = \"tension\" or \"compression\"")
 local temperature = there({ "model:heat", "heat.steel" }, "members lengthen and lose stiffness and strength with heat")
 local support = there({ "model:fix", "model:move" }, "supports are fixed degrees of freedom of a node")
-local released = there({ "model:connector", "model:fix" },
-  "a pin is two nodes at one place, with a connector that is stiff in all directions but one")
+local released = there({ "model:member", "hinge.joint" },
+  "the options release = { a = { \"Mx\", \"My\" } } for a pin and ends = { a = hinge.joint {...} } of a member")
 local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
 local shaken = there({ "hinge.ground", "model:move", "hinge.record.read" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
@@ -36,7 +36,7 @@ return {
   explosion = there({ "hinge.blast", "explosion:load" }, "pressure of an explosion on the ground, and loads from it"),
   drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
   diaphragm = rigid,
-  slab = floors, floor = floors, plate = floors, shell = floors, wall = floors, membrane = floors,
+  slab = floors, floor = floors, shell = floors, wall = floors, membrane = floors,
   ["own weight"] = there({ "model:gravity" }, "gravity acts on the density of members and on point masses"),
   ["dead load"] = there({ "model:case", "model:load", "model:gravity" }, "a load case holds loads under a name"),
   ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),

@@ -127,7 +127,8 @@ end
 
 --- Objects that are tables of the library: their names in it.
 reference.tables = { ["hinge.sections"] = "section", ["hinge.materials"] = "material", ["hinge.backbones"] = "backbone",
-  ["hinge.heats"] = "heat", ["hinge.blasts"] = "blast",
+  ["hinge.heats"] = "heat", ["hinge.blasts"] = "blast", ["hinge.joints"] = "joint",
+  ["hinge.moving_loads"] = "moving_load", ["hinge.results"] = "results",
   ["hinge.records"] = "record", ["hinge.imports"] = "import" }
 
 --- How a function is called, as in "model:node(position)".

@@ -64,7 +64,8 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
   for name, message in pairs {
     ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
       .. "`hinge reference -s WORD` searches it\n",
-    ["buckling"] = "hinge: nothing is called 'buckling'; `hinge reference -s buckling` finds 1 mention of it\n",
+    ["corotational"] = "hinge: nothing is called 'corotational' (did you mean 'cap_rotation'?); `hinge reference -s "
+      .. "corotational` finds 1 mention of it\n",
     ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
     ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
   } do
@@ -173,9 +174,9 @@ case("help at the prompt prints what is known of a name, and of values of the se
     equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
   end
   expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
-  expect(support.says(select(2, types 'help "buckling"'), "Nothing is called 'buckling'. The reference mentions it "
-    .. "here:"
-    .. "\n\nmodel:static(options?)\n    ..."), "a word in the texts")
+  expect(support.says(select(2, types 'help "Masing"'), "Nothing is called 'Masing' (did you mean 'missing'?). "
+    .. "The reference mentions it here:"
+    .. "\n\nhinge.joint(options)\n    ..."), "a word in the texts")
   equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
 end)
 

@@ -84,7 +84,8 @@ local function scene()
   s.wall, s.tip = s.model:node { 0, 0, 0 }, s.model:node { 1, 0, 0 }
   s.model:fix(s.wall)
   s.member = s.model:member { s.wall, s.tip, section = s.bar, material = s.steel, group = "arm",
-    backbone = s.backbone }
+    backbone = s.backbone, release = { a = "Mx" } }
+  s.joint = hinge.joint { Mx = "free" }
   s.group = s.model:group "arm"
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.case = s.model:case "live"
@@ -98,7 +99,17 @@ local function scene()
 end
 local s = scene()
 s.run:finish()
+s.mode = s.run:modes({ n = 1 })[1]
+s.table = hinge.results.members(s.run)
+do -- a benchmark's object, without what it prints
+  local say = print
+  rawset(_G, "print", function() end)
+  hinge.benchmark({ title = "t", kind = "elastic", source = "s", run = function(b) s.benchmark = b end })
+    .run({}, { verdict = function() end })
+  rawset(_G, "print", say)
+end
 local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hinge.backbone"] = s.backbone,
+  ["hinge.joint"] = s.joint, ["hinge.mode"] = s.mode,
   ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
@@ -190,6 +201,24 @@ local calls = {
   ["hinge.material.hardening"] = function(x) hinge.material { E = 1, yield_stress = 1, hardening = x } end,
   ["hinge.material.rate"] = function(x) hinge.material { E = 1, yield_stress = 1, rate = x } end,
   ["hinge.backbone"] = function(x) hinge.backbone(x) end,
+  ["hinge.joint"] = function(x) hinge.joint(x) end,
+  ["hinge.pressure"] = function(x) hinge.pressure(x) end,
+  ["hinge.moving_load"] = function(x) hinge.moving_load(x) end,
+  ["hinge.moving_load.influence"] = function(x) hinge.moving_load.influence(x) end,
+  ["hinge.joint.end_plate"] = function(x) hinge.joint.end_plate(x) end,
+  ["hinge.joint.fin_plate"] = function(x) hinge.joint.fin_plate(x) end,
+  ["hinge.joint.base_plate"] = function(x) hinge.joint.base_plate(x) end,
+  ["hinge.benchmark"] = function(x) hinge.benchmark(x) end,
+  ["benchmark:row"] = function(x) s.benchmark:row(with({ "sag" }, x)) end,
+  ["hinge.results.members"] = function(x) hinge.results.members(s.run, x) end,
+  ["hinge.results.storeys"] = function(x) hinge.results.storeys(s.run, x) end,
+  ["hinge.results.base"] = function(x) hinge.results.base(s.run, x) end,
+  ["any_table:text"] = function(x) s.table:text(x) end,
+  ["any_table:markdown"] = function(x) s.table:markdown(x) end,
+  ["any_table:latex"] = function(x) s.table:latex(x) end,
+  ["any_table:csv"] = function(x) s.table:csv("none.csv", x) end,
+  ["run:modes"] = function(x) s.run:modes(x) end,
+  ["run:buckling"] = function(x) s.run:buckling(x) end,
   ["hinge.backbone.lignos"] = function(x) hinge.backbone.lignos(x) end,
   ["hinge.backbone.nist"] = function(x) hinge.backbone.nist(x) end,
   ["hinge.backbone.asce41"] = function(x) hinge.backbone.asce41(x) end,
@@ -289,7 +318,9 @@ local calls = {
   ["space_frame.add"] = function(x) space_frame.add(hinge.model(), x) end,
 }
 -- Functions whose tables are data, or may hold any field.
-local free = set { "hinge.import.build", "hinge.import.write",
+local free = set { "hinge.combinations", -- which takes some fields with one standard alone
+  "hinge.import.build", "hinge.import.write",
+  "envelope:plot", "used:plot", "floors:plot", -- after a job and a file's name
   "impact.parameters", "impact.with", "impact.add", "impact.damage", "impact.simulate",
   "impact.side_by_side", "paper.figure" }
 
