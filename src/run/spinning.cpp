@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "core/text.h"
-#include "state/bodies.h"
+#include "effects/joined_bodies.h"
 
 namespace hinge {
 namespace {
@@ -44,7 +44,7 @@ std::optional<RunWarning> FastSpin::look(const Structure& structure, const State
     const double since = asked_ ? state.time - last_ : 0;
     asked_ = true, last_ = state.time;
     if (told_ || !(since > 0)) return {};
-    const Bodies bodies = find_bodies(structure, state);
+    const Bodies bodies = joined_bodies(structure, state);
     std::vector<char> free(bodies.count, 1);
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
         if (bodies.of_node[n] >= 0 && state.held[n]) free[bodies.of_node[n]] = 0;
