@@ -138,6 +138,20 @@ end
 
 -- Rotations -------------------------------------------------------------------------------------------------------
 
+--- Warns where joints of members are not part of a static procedure: statics breaks none, and no standard's factors
+--- rate them.
+function runs.note_joints(warnings, model)
+  local count = 0
+  for _, member in ipairs(model:members()) do
+    if member.ends then count = count + 1 end
+  end
+  if count == 0 or warnings.joints then return end
+  warnings.joints = true
+  warnings[#warnings + 1] = ("%s joints at their ends, which this procedure neither breaks nor rates: a row may hold "
+    .. "whose joints fail; procedure = 'nonlinear dynamic' breaks them"):format(check.count(count, "member") ..
+    (count == 1 and " has" or " have"))
+end
+
 --- The largest plastic rotations of beams and columns, and how much of their limit they are. Members that are neither,
 -- such as braces, count with the beams.
 function runs.rotations(study, case, run)

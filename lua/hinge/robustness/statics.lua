@@ -115,6 +115,7 @@ function statics.nonlinear(study, case, base, row)
   local found = push_finely(study, case, model, gone, { joint = base.joint, fall = base.fall, steps = study.o.steps,
     needed = needed })
   runs.note(row.warnings, found.run)
+  runs.note_joints(row.warnings, model)
   row.load_factor, row.limit_reached = found.limit * omega / needed, found.reached
   if found.why then table.insert(row.warnings, "the push ended before a largest load was seen: " .. found.why) end
   if found.state then runs.take(row, found.state) end
@@ -162,6 +163,7 @@ function statics.linear(study, case, base, row)
   if not study.o.omega_ld then factors.must_be_steel(study.where, model, "omega_ld") end
   if not run then return "failed", why end
   row.loads_scaled = scaled and "next to the removal" or "all"
+  runs.note_joints(row.warnings, model)
   local linear = elastic_forces(model, run, scaled and 1 or omega)
   local force, other = elastic_forces(model, run, factors.force), nil
   if scaled then
