@@ -11,6 +11,7 @@
 -- formula is also printed with 1 + c^2 - 2 c. That cannot be right: in a weak wave, p_r = 2 p_i, a face turned towards
 -- the charge would then have as little as 2/3 of the incident pressure.
 local check = require "hinge.check"
+local chosen = require "hinge.chosen_members"
 
 local blast = {}
 
@@ -275,39 +276,6 @@ local function width_of(where, given, member)
   return given
 end
 
--- Whether a value is a member of the model.
-local function is_member(all, value)
-  local good, index = pcall(function() return value.section and value.index end)
-  return type(value) == "userdata" and good and all[index] == value
-end
-
-local function members_of_list(where, model, list)
-  local all, seen = model:members(), {}
-  if #list == 0 then
-    check.fail("%s: field 'members' is empty; must be a list of members, such as group:members() gives", where)
-  end
-  for i, member in ipairs(list) do
-    if not is_member(all, member) then
-      check.fail("%s: field 'members[%d]' is %s; must be a member of this model", where, i, check.show(member))
-    end
-    if seen[member.index] then
-      check.fail("%s: field 'members[%d]' is member %d, which stands in the list twice", where, i, member.index)
-    end
-    seen[member.index] = true
-  end
-  return list
-end
-
-local function members_of_group(where, model, group)
-  local names = {}
-  for i, known in ipairs(model:groups()) do
-    if known == group or known.name == group then return known:members() end
-    names[i] = known.name
-  end
-  if type(group) == "string" then check.unknown(where, "group", group, names) end
-  check.fail("%s: field 'group' is %s; must be a group of this model or its name", where, check.show(group))
-end
-
 -- Any value, which is looked at later.
 local function any(value) return { type(value), optional = true } end
 
@@ -394,7 +362,7 @@ function methods.load(self, model, options, ...)
   check.no_more(where, ...)
   local o = load_options(where, options)
   local normal = unit_vector(where, o.normal)
-  local members = o.members and members_of_list(where, model, o.members) or members_of_group(where, model, o.group)
+  local members = chosen.members(where, model, o.members, o.group)
   local loads, parts, force, impulse = {}, {}, 0, 0
   for i, member in ipairs(members) do
     loads[i], parts[i] = load_of(self, where, member, o, normal)

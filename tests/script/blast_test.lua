@@ -445,7 +445,7 @@ case("wrong input of a load is refused, and changes nothing", function()
     ["field 'members' is empty"] = { normal = normal, width = 1, members = {} },
     ["field 'members[2]' is 5; must be a member of this model"] = { normal = normal, width = 1, members = { m[1], 5 } },
     ["field 'members[1]' is member 1"] = { normal = normal, width = 1, members = { theirs[1] } },
-    ["which stands in the list twice"] = { normal = normal, width = 1, members = { m[1], m[1] } },
+    ["which is in the list twice"] = { normal = normal, width = 1, members = { m[1], m[1] } },
     ["field 'normal' is missing"] = { width = 1, group = "front" },
     ["field 'normal' is 0 degrees from the axis of member 1; must be 84 to 90 degrees"] = { normal = { 0, 0, 1 },
       width = 1, group = "front" },
