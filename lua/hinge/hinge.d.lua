@@ -2702,7 +2702,8 @@ function model:contact(rule) end
 ---a function that is called at the end of a step in which two elements were tied or began to press on each other
 ---@field on_contact? fun(event: hinge.contact_event)
 ---@field on_release? fun(event: hinge.contact_event) the same, when they were released or parted
----surface: k, N/m. Default EA / L: EA is the harmonic mean of the two members, L is the mean length of their elements
+---surface: k, N/m. Default EA / L: EA is the harmonic mean of the two members, L is the mean length of their elements,
+---or the sum of their half depths where that is more
 ---@field stiffness? number
 ---@field friction? number surface: Coulomb's coefficient, default 0; contact_released of run.energy has its heat
 ---@field binding_time? number gap: default 0.5e-3 s
