@@ -111,13 +111,26 @@ Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, doubl
     }
 }
 
+namespace {
+
+void must_be_regular(const Factors& factors) {
+    if (factors.info() != Eigen::Success)
+        throw std::runtime_error(
+            "no modes are found: the stiffness is singular, so that a part of the structure can "
+            "move without resistance");
+}
+
+}  // namespace
+
 int negative_pivots(const SparseMatrix& K) {
     const Factors factors(K);
+    must_be_regular(factors);
     return int((factors.vectorD().array() < 0).count());
 }
 
 Eigen::MatrixXd vectors_next_to_zero(const SparseMatrix& K, int count) {
     const Factors factors(K);
+    must_be_regular(factors);
     Eigen::MatrixXd x(K.rows(), count);
     for (Eigen::Index i = 0; i < x.rows(); ++i)  // no vector of the structure is square to them
         for (int k = 0; k < count; ++k) x(i, k) = std::sin(1.0 + 0.7 * double(i + 1) * (k + 1));

@@ -20,7 +20,8 @@ struct Eigenpairs {
 /// value is missing. Throws std::runtime_error if it does not converge.
 Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors);
 
-/// Number of negative pivots of a symmetric matrix, given by its lower half.
+/// Number of negative pivots of a symmetric matrix, given by its lower half. Throws std::runtime_error where it is
+/// singular.
 int negative_pivots(const SparseMatrix& K);
 
 /// Vectors of the `count` eigenvalues of K nearest to zero, by inverse iteration; columns of length 1. K is regular.

@@ -147,7 +147,8 @@ NaturalModes natural_modes(const Run& run, int count) {
             "density");
     const double k = K.diagonal().cwiseAbs().sum(), m = own.sum();
     // a small shift: bodies that nothing holds have modes of frequency 0
-    const double shift = 1e-9;
+    double shift = 1e-9;
+    while (negative_pivots(K / k + shift * M / m) > 0) shift *= 4;  // an unstable state has negative values, too
     const int wanted = std::min(count, int(own.size()));
     const Eigenpairs found = lowest_eigenpairs(K / k, M / m, shift, wanted, true);
     const Unknowns all(run, state, true);

@@ -69,6 +69,20 @@ case("a tip mass on a compressed column, and on a pulled one", function()
   end
 end)
 
+case("an unstable state has modes whose squares are negative", function()
+  local euler = math.pi ^ 2 * EI / 4 / (1 + math.pi ^ 2 * EI / 4 / GA)
+  for elements, count in pairs { [4] = 2, [40] = 2 } do -- a small matrix, and one for Lanczos' method
+    local model = cantilever(elements, { -1.2 * euler, 0, 0 })
+    local modes = model:static({ steps = 4, unstable = "continue" }):finish():modes { n = 3 }
+    for i = 1, count do expect(modes[i].omega_squared < 0, "%d: mode %d: %g", elements, i, modes[i].omega_squared) end
+    expect(modes[3].omega_squared > 0, "%d: mode 3: %g", elements, modes[3].omega_squared)
+    equal(modes[1].frequency, 0, "its frequency")
+    -- nearly the square of the unloaded one times the part of the load beyond Euler's: 7 and 11 %
+    near(modes[1].omega_squared, -0.2 * (2 * math.pi * 41.29) ^ 2, 0.12 * 0.2 * (2 * math.pi * 41.29) ^ 2,
+      elements .. " elements: square")
+  end
+end)
+
 case("a free bar has six motions of frequency zero, and its own frequencies", function()
   local model = hinge.model { elements_per_member = 16, mass = "cubic" }
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
