@@ -7,36 +7,13 @@
 -- Units are those of the source: ft, kip, s. The mass of the members is at their ends, as in the source. The frame is
 -- pulled at its roof and at two floors and then let go. The step makes vibrations slower by a known amount, which is
 -- taken out.
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local hinge = require "hinge"
+local frequency = require "vibration".frequency
 
 local bays, storeys, bay, storey = 10, 9, 20, 10
 local E, A, I, mass = 432000, 3, 1, 3 -- kip/ft^2, ft^2, ft^4, kip s^2/ft^2
 local reference = { 0.589541, 5.52695, 16.5878 } -- 1/s^2
-
--- Angular frequency of the largest harmonic part of a signal near `guess`: maximum of the transform under the window of
--- Blackman and Harris.
-local function frequency(probe, dt, guess)
-  local u, n, cut = probe.value, #probe.value, {}
-  for i = 1, n do
-    local x = 2 * math.pi * (i - 1) / (n - 1)
-    cut[i] = u[i] * (0.35875 - 0.48829 * math.cos(x) + 0.14128 * math.cos(2 * x) - 0.01168 * math.cos(3 * x))
-  end
-  local function size(w)
-    local re, im = 0, 0
-    for i = 1, n do
-      local a = w * dt * (i - 1)
-      re, im = re + cut[i] * math.cos(a), im + cut[i] * math.sin(a)
-    end
-    return re * re + im * im
-  end
-  local ratio = (math.sqrt(5) - 1) / 2
-  local low, high = 0.95 * guess, 1.05 * guess
-  for _ = 1, 30 do
-    local a, b = high - ratio * (high - low), low + ratio * (high - low)
-    if size(a) > size(b) then high = b else low = a end
-  end
-  return (low + high) / 2
-end
 
 local function frame()
   local model = hinge.model { displacement = "small", plasticity = false }

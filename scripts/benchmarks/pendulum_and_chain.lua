@@ -6,35 +6,11 @@
 --
 -- Chain and cable are thin bars, whose bending stiffness hardly counts. The chain is of a soft material; it stretches
 -- by 0.08 % under its weight.
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local hinge = require "hinge"
+local frequency = require "vibration".frequency
 
 local E, density, L, g = 206e9, 7850, 1, 9.80665
-
--- Angular frequency of the largest harmonic part of a signal near `guess`: maximum of the transform under the window of
--- Blackman and Harris.
-local function frequency(probe, dt, guess)
-  local u, n, cut = probe.value, #probe.value, {}
-  for i = 1, n do
-    local x = 2 * math.pi * (i - 1) / (n - 1)
-    cut[i] = u[i] * (0.35875 - 0.48829 * math.cos(x) + 0.14128 * math.cos(2 * x) - 0.01168 * math.cos(3 * x))
-  end
-  local function size(w)
-    local re, im = 0, 0
-    for i = 1, n do
-      local a = w * dt * (i - 1)
-      re, im = re + cut[i] * math.cos(a), im + cut[i] * math.sin(a)
-    end
-    return re * re + im * im
-  end
-  local ratio = (math.sqrt(5) - 1) / 2
-  local low, high = 0.93 * guess, 1.07 * guess
-  for _ = 1, 30 do
-    local a, b = high - ratio * (high - low), low + ratio * (high - low)
-    if size(a) > size(b) then high = b else low = a end
-  end
-  local w = (low + high) / 2
-  return 2 / dt * math.tan(w * dt / 2) -- without the lag of the steps
-end
 
 -- Complete elliptic integral of the first kind, by the arithmetic-geometric mean.
 local function K(k2)
@@ -90,7 +66,7 @@ local function string_of(o)
   local run = model:dynamic { from = start, loads = { push = 0 }, dt = dt, duration = 1200 * dt, record = false }
   local u = run:probe { node = joints[o.joint], "ux" }
   run:finish()
-  return frequency(u, dt, o.guess), run
+  return 2 / dt * math.tan(frequency(u, dt, o.guess) * dt / 2), run -- without the lag of the steps
 end
 
 return hinge.benchmark {

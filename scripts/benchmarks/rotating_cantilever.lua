@@ -8,35 +8,12 @@
 -- a cantilever from a hub without radius. The speed of rotation is in the same unit as the frequency. The arms begin
 -- without tension, so that they vibrate along their axes, too. Newmark's method ends with an energy error there, unless
 -- its steps are much shorter. The warning that the arms can rotate about the pin is what the problem asks for.
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local hinge = require "hinge"
+local frequency = require "vibration".frequency
 
 local E, density, side, L, elements = 206e9, 7850, 0.01, 1, 8
 local unit = math.sqrt(E * side ^ 2 / 12 / density) / L ^ 2 -- 1/s
-
--- Angular frequency of the largest harmonic part of a signal near `guess`, rad/s: maximum of the transform under the
--- window of Blackman and Harris.
-local function frequency(probe, dt, guess)
-  local u, n, cut = probe.value, #probe.value, {}
-  for i = 1, n do
-    local x = 2 * math.pi * (i - 1) / (n - 1)
-    cut[i] = u[i] * (0.35875 - 0.48829 * math.cos(x) + 0.14128 * math.cos(2 * x) - 0.01168 * math.cos(3 * x))
-  end
-  local function size(w)
-    local re, im = 0, 0
-    for i = 1, n do
-      local a = w * dt * (i - 1)
-      re, im = re + cut[i] * math.cos(a), im + cut[i] * math.sin(a)
-    end
-    return re * re + im * im
-  end
-  local ratio = (math.sqrt(5) - 1) / 2
-  local low, high = 0.9 * guess, 1.1 * guess
-  for _ = 1, 30 do
-    local a, b = high - ratio * (high - low), low + ratio * (high - low)
-    if size(a) > size(b) then high = b else low = a end
-  end
-  return (low + high) / 2
-end
 
 local function spinning(spin, guess)
   local model = hinge.model { mass = "cubic", elements_per_member = elements }

@@ -3,36 +3,12 @@
 -- Run     hinge run scripts/benchmarks/timoshenko_frequencies.lua
 -- Shows   the linear mass of the paper has an error of second order; the cubic mass is near with two elements
 -- Expect  41.294 and 255.77 Hz for a steel bar, 1 m long and 50 mm square
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local hinge = require "hinge"
+local frequency = require "vibration".frequency
 
 local E, nu, density, side, L = 206e9, 0.3, 7850, 0.05, 1
 local first, second = 41.2938, 255.770 -- Hz, roots of Timoshenko's frequency equation with the shear factor 5/6
-
--- Frequency of the largest harmonic part of a signal near `guess`, Hz. The window of Blackman and Harris keeps other
--- frequencies out; the maximum of the transform is found by the golden section.
-local function frequency(probe, dt, guess)
-  local u, n = probe.value, #probe.value
-  local cut = {}
-  for i = 1, n do
-    local x = 2 * math.pi * (i - 1) / (n - 1)
-    cut[i] = u[i] * (0.35875 - 0.48829 * math.cos(x) + 0.14128 * math.cos(2 * x) - 0.01168 * math.cos(3 * x))
-  end
-  local function size(f)
-    local re, im = 0, 0
-    for i = 1, n do
-      local a = 2 * math.pi * f * dt * (i - 1)
-      re, im = re + cut[i] * math.cos(a), im + cut[i] * math.sin(a)
-    end
-    return re * re + im * im
-  end
-  local ratio = (math.sqrt(5) - 1) / 2
-  local low, high = 0.93 * guess, 1.07 * guess
-  for _ = 1, 32 do
-    local a, b = high - ratio * (high - low), low + ratio * (high - low)
-    if size(a) > size(b) then high = b else low = a end
-  end
-  return (low + high) / 2
-end
 
 -- Lets go of the tip after a static load, and returns the frequency near `guess`. The step makes vibrations slower by
 -- a known amount: tan(w' dt / 2) = w dt / 2 for Newmark's method with beta = 1/4. It is taken out here.
@@ -51,7 +27,7 @@ local function release(elements, mass, guess)
   local run = model:dynamic { from = bent, dt = dt, duration = 40 / guess, solver = "direct", record = false }
   local down = run:probe { node = tip, "uz" }
   run:finish()
-  local f = frequency(down, dt, guess)
+  local f = frequency(down, dt, 2 * math.pi * guess) / (2 * math.pi)
   return math.tan(math.pi * f * dt) / (math.pi * dt), run.index
 end
 
