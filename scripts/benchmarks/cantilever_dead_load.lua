@@ -55,6 +55,6 @@ return hinge.benchmark {
     b:row { "observed order, 8 to 16 elements", computed = math.log((coarse[2] - exact[2]) / (fine[2] - exact[2]), 2),
       reference = 4, elements = 16, steps = steps, tolerance = 0.05 }
     job:plot({ series = series, x_label = "P L^2 / EI", y_label = "rad, or parts of L", width = 1000, height = 720,
-      title = "cantilever under a dead load: hinge with 8 elements, exact as points" }, "cantilever_dead_load.png")
+      title = "Cantilever under a dead load (points: exact)" }, "cantilever_dead_load.png")
   end,
 }

@@ -50,7 +50,8 @@ return hinge.benchmark {
     local l, low, high = {}, {}, {}
     for i = 1, 100 do l[i], low[i], high[i] = i, estimate(i), estimate(i / 0.618) end
     job:plot({ series = { { x = l, y = low, name = "square locus" },
-      { x = l, y = high, name = "0.618 of it" }, found }, x_label = "l", y_label = "W / H",
+      { x = l, y = high, name = "0.618 of it" }, found }, x_label = "l = 4 density V^2 h^2 / (stress H^2)",
+      y_label = "W / H",
       title = "clamped beam under an impulse", y_range = { 0, 6 } }, "membrane.png")
   end,
 }
