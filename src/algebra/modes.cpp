@@ -5,85 +5,40 @@
 #include <limits>
 
 #include "algebra/eigenpairs.h"
+#include "algebra/free_unknowns.h"
 #include "beam/tangent.h"
 #include "core/text.h"
 
 namespace hinge {
 namespace {
 
-using Sparse = SparseMatrix;
-
-/// K and M of the elements at these nodes, their lower halves, on the degrees of freedom that no support holds.
+/// K and M of the elements at these nodes and of what effects add, on the degrees of freedom that no support holds.
 struct Matrices {
-    int size = 0;
-    bool adds_stiffness = false;  ///< effects do
-    Sparse K, M;
+    bool adds_stiffness;  ///< effects do
+    SparseMatrix K, M;
+    int size() const { return int(K.rows()); }
 
     Matrices(const Structure& structure, const std::vector<int>& nodes, const AddedToModes& added) {
-        std::vector<int> place(6 * structure.position().size(), -1);
-        for (int n : nodes)
-            for (int c = 0; c < 6; ++c)
-                if (!(structure.fixed()[n] >> c & 1)) place[6 * n + c] = size++;
-        std::vector<Eigen::Triplet<double>> stiffness, mass;
+        std::vector<std::uint8_t> free(structure.position().size());
+        for (int n : nodes) free[n] = ~structure.fixed()[n] & 63;
+        const FreeUnknowns unknowns(free, added.constraints);
+        FreeUnknowns::Triplets stiffness, mass;
         for (int n : nodes)
             for (int index : structure.elements_at(n)) {
                 const Element& e = structure.elements()[index];
                 if (e.node[0] != n) continue;
                 const Mat3 axes = e.axes.toRotationMatrix();
-                const Mat12 k = beam::linear_tangent(axes.transpose(), e.length, e.stiffness.matrix());
-                const Mat12 m = structure.inertia(index).matrix(axes);
-                for (int i = 0; i < 12; ++i)
-                    for (int j = 0; j < 12; ++j) {
-                        const int row = place[6 * e.node[i / 6] + i % 6], column = place[6 * e.node[j / 6] + j % 6];
-                        if (row < 0 || column < 0 || row < column) continue;
-                        stiffness.emplace_back(row, column, k(i, j));
-                        if (m(i, j) != 0) mass.emplace_back(row, column, m(i, j));
-                    }
+                unknowns.add(stiffness, n, e.node[1],
+                             beam::linear_tangent(axes.transpose(), e.length, e.stiffness.matrix()));
+                unknowns.add(mass, n, e.node[1], structure.inertia(index).matrix(axes));
             }
-        const auto add = [&](auto& to, int a, int b, const auto& block) {
-            for (int i = 0; i < block.rows(); ++i)
-                for (int j = 0; j < block.cols(); ++j) {
-                    const int row = place[6 * (i < 6 ? a : b) + i % 6], column = place[6 * (j < 6 ? a : b) + j % 6];
-                    if (row < 0 || column < 0 || row < column || block(i, j) == 0) continue;
-                    to.emplace_back(row, column, block(i, j));
-                    adds_stiffness = adds_stiffness || &to == &stiffness;
-                }
-        };
-        for (const Coupling& c : added.stiffness.pairs) add(stiffness, c.a, c.b, c.K);
-        for (const Blocks::Node& n : added.stiffness.nodes) add(stiffness, n.node, n.node, n.K);
-        for (const Blocks::Node& n : added.mass) add(mass, n.node, n.node, n.K);
-        K.resize(size, size), M.resize(size, size);
-        K.setFromTriplets(stiffness.begin(), stiffness.end());
-        M.setFromTriplets(mass.begin(), mass.end());
-        if (!added.constraints.empty()) reduce(place, added.constraints);
-    }
-
-private:
-    /// T^T K T and T^T M T, with T of the constraints whose degrees of freedom are all here.
-    void reduce(const std::vector<int>& place, const std::vector<LinearConstraint>& constraints) {
-        const auto place_of = [&](const DegreeOfFreedom& of) { return place[6 * of.node + of.component]; };
-        std::vector<char> depends(size, 0);
-        for (const LinearConstraint& c : constraints)
-            if (const int row = place_of(c.dependent); row >= 0) depends[row] = 1;
-        std::vector<int> column(size, -1);
-        int left = 0;
-        std::vector<Eigen::Triplet<double>> entries;
-        for (int i = 0; i < size; ++i)
-            if (!depends[i]) column[i] = left++, entries.emplace_back(i, column[i], 1.0);
-        for (const LinearConstraint& c : constraints)
-            for (const LinearConstraint::Term& term : c.terms)
-                if (const int row = place_of(c.dependent), of = place_of(term.of); row >= 0 && of >= 0)
-                    entries.emplace_back(row, column[of], term.factor);
-        Sparse T(size, left);
-        T.setFromTriplets(entries.begin(), entries.end());
-        const auto reduced = [&](const Sparse& lower) -> Sparse {
-            const Sparse whole = lower.selfadjointView<Eigen::Lower>();
-            const Sparse product = T.transpose() * whole * T;
-            return product.triangularView<Eigen::Lower>();
-        };
-        K = reduced(K), M = reduced(M);
-        size = left;
-        adds_stiffness = true;  // bodies may be joined that are not rigid together
+        const std::size_t of_elements = stiffness.size();
+        for (const Coupling& c : added.stiffness.pairs) unknowns.add(stiffness, c.a, c.b, c.K);
+        for (const Blocks::Node& n : added.stiffness.nodes) unknowns.add(stiffness, n.node, n.node, n.K);
+        // constraints may join bodies that are not rigid together
+        adds_stiffness = stiffness.size() > of_elements || !added.constraints.empty();
+        for (const Blocks::Node& n : added.mass) unknowns.add(mass, n.node, n.node, n.K);
+        K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
     }
 };
 
@@ -148,7 +103,7 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
                                         const AddedToModes& added) {
     const Matrices of(structure, nodes, added);
-    const int wanted = std::min(rigid + count, of.size);
+    const int wanted = std::min(rigid + count, of.size());
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
     const auto values = lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, false).values;

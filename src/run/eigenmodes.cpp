@@ -6,6 +6,7 @@
 
 #include "algebra/effective_stiffness.h"
 #include "algebra/eigenpairs.h"
+#include "algebra/free_unknowns.h"
 #include "core/errors.h"
 #include "run/constraints.h"
 #include "run/pressed_pairs.h"
@@ -14,94 +15,18 @@
 namespace hinge {
 namespace {
 
-using Triplets = std::vector<Eigen::Triplet<double>>;
+using Triplets = FreeUnknowns::Triplets;
 
-/// Degrees of freedom that can move, and matrices of them: lower halves, with constraints eliminated.
-class Unknowns {
-public:
-    /// `supports`: with what supports hold.
-    Unknowns(const Run& run, const State& state, bool supports = false) : run_(run), place_(6 * state.held.size(), -1) {
-        for (std::size_t n = 0; n < state.held.size(); ++n)
-            for (int c = 0; c < 6; ++c)
-                if (!state.gone[n] && (supports || !(state.held[n] >> c & 1))) place_[6 * n + std::size_t(c)] = size_++;
-        make_reduction();
-    }
-    int size() const { return int(T_.cols()); }
-
-    template <class Block>
-    void add(Triplets& to, int a, int b, const Block& block) const {
-        for (int i = 0; i < block.rows(); ++i)
-            for (int j = 0; j < block.cols(); ++j) {
-                const int row = place_[std::size_t(6 * (i < 6 ? a : b) + i % 6)],
-                          column = place_[std::size_t(6 * (j < 6 ? a : b) + j % 6)];
-                if (row >= column && column >= 0 && block(i, j) != 0)
-                    to.emplace_back(row, column, 0.5 * (block(i, j) + block(j, i)));
-            }
-    }
-    /// A block between two nodes, and its transposed.
-    void add_between(Triplets& to, int a, int b, const Mat6& block) const {
-        Mat12 both = Mat12::Zero();
-        both.topRightCorner<6, 6>() = block;
-        both.bottomLeftCorner<6, 6>() = block.transpose();
-        add(to, a, b, both);
-    }
-    SparseMatrix reduced(const Triplets& of) const {
-        SparseMatrix lower(size_, size_);
-        lower.setFromTriplets(of.begin(), of.end());
-        const SparseMatrix whole = lower.selfadjointView<Eigen::Lower>();
-        const SparseMatrix product = T_.transpose() * whole * T_;
-        return product.triangularView<Eigen::Lower>();
-    }
-    std::vector<Vec6> at_nodes(const Eigen::VectorXd& x) const {
-        const Eigen::VectorXd all = T_ * x;
-        std::vector<Vec6> nodes(place_.size() / 6, Vec6::Zero());
-        for (std::size_t i = 0; i < place_.size(); ++i)
-            if (place_[i] >= 0) nodes[i / 6][Eigen::Index(i % 6)] = all[place_[i]];
-        return nodes;
-    }
-    /// Of all degrees of freedom, constraints apart: a motion of the nodes, and a unit displacement along an axis.
-    Eigen::VectorXd of_nodes(const std::vector<Vec6>& motion) const {
-        Eigen::VectorXd all = Eigen::VectorXd::Zero(size_);
-        for (std::size_t i = 0; i < place_.size(); ++i)
-            if (place_[i] >= 0) all[place_[i]] = motion[i / 6][Eigen::Index(i % 6)];
-        return all;
-    }
-    Eigen::VectorXd along(int axis) const { return of_nodes(std::vector<Vec6>(place_.size() / 6, Vec6::Unit(axis))); }
-    SparseMatrix whole(const Triplets& of) const {
-        SparseMatrix lower(size_, size_);
-        lower.setFromTriplets(of.begin(), of.end());
-        return lower.selfadjointView<Eigen::Lower>();
-    }
-
-private:
-    void make_reduction() {
-        std::vector<LinearConstraint> constraints;
-        if (run_.constraints()) constraints = run_.constraints()->list_at(run_.state());
-        const auto at = [&](const DegreeOfFreedom& of) { return place_[std::size_t(6 * of.node + of.component)]; };
-        std::vector<char> depends(std::size_t(size_), 0);
-        for (const LinearConstraint& c : constraints)
-            if (at(c.dependent) >= 0) depends[std::size_t(at(c.dependent))] = 1;
-        std::vector<int> column(std::size_t(size_), -1);
-        int left = 0;
-        Triplets entries;
-        for (int i = 0; i < size_; ++i)
-            if (!depends[std::size_t(i)]) column[std::size_t(i)] = left++, entries.emplace_back(i, left - 1, 1.0);
-        for (const LinearConstraint& c : constraints)
-            for (const LinearConstraint::Term& term : c.terms)
-                if (at(c.dependent) >= 0 && at(term.of) >= 0 && column[std::size_t(at(term.of))] >= 0)
-                    entries.emplace_back(at(c.dependent), column[std::size_t(at(term.of))], term.factor);
-        T_.resize(size_, left);
-        T_.setFromTriplets(entries.begin(), entries.end());
-    }
-
-    const Run& run_;
-    int size_ = 0;
-    std::vector<int> place_;
-    SparseMatrix T_;
-};
+/// What can move in a state; `supports`: with what supports hold.
+FreeUnknowns unknowns_of(const Run& run, const State& state, bool supports = false) {
+    std::vector<std::uint8_t> free(state.held.size());
+    for (std::size_t n = 0; n < free.size(); ++n)
+        if (!state.gone[n]) free[n] = supports ? 63 : std::uint8_t(~state.held[n] & 63);
+    return {free, run.constraints() ? run.constraints()->list_at(run.state()) : std::vector<LinearConstraint>()};
+}
 
 /// m M + k K of the elements, in a state.
-Triplets of_elements(const Run& run, const State& state, const Unknowns& unknowns, double m, double k) {
+Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unknowns, double m, double k) {
     ThreadPool alone(1);
     const Structure& s = run.structure();
     const EffectiveStiffness matrix(s, alone, m, k, true, MatrixStorage::direct);
@@ -118,13 +43,13 @@ Triplets of_elements(const Run& run, const State& state, const Unknowns& unknown
     return entries;
 }
 
-void add_effects(const Run& run, const Unknowns& unknowns, Triplets& to) {
+void add_effects(const Run& run, const FreeUnknowns& unknowns, Triplets& to) {
     const Blocks blocks = run.added_stiffness();
     for (const Coupling& c : blocks.pairs) unknowns.add(to, c.a, c.b, c.K);
     for (const Blocks::Node& n : blocks.nodes) unknowns.add(to, n.node, n.node, n.K);
 }
 
-void add_offset_masses(const State& state, const Unknowns& unknowns, Triplets& to) {
+void add_offset_masses(const State& state, const FreeUnknowns& unknowns, Triplets& to) {
     for (std::size_t n = 0; n < state.offset_mass.size(); ++n)
         if (state.offset_mass[n].mass > 0)
             unknowns.add(to, int(n), int(n), offset_mass_in_space(state.offset_mass[n], state.rotation[n]));
@@ -134,7 +59,7 @@ void add_offset_masses(const State& state, const Unknowns& unknowns, Triplets& t
 
 NaturalModes natural_modes(const Run& run, int count) {
     const State& state = run.state();
-    const Unknowns unknowns(run, state);
+    const FreeUnknowns unknowns = unknowns_of(run, state);
     Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
     add_effects(run, unknowns, stiffness);
     add_offset_masses(state, unknowns, mass);
@@ -151,7 +76,7 @@ NaturalModes natural_modes(const Run& run, int count) {
     while (negative_pivots(K / k + shift * M / m) > 0) shift *= 4;  // an unstable state has negative values, too
     const int wanted = std::min(count, int(own.size()));
     const Eigenpairs found = lowest_eigenpairs(K / k, M / m, shift, wanted, true);
-    const Unknowns all(run, state, true);
+    const FreeUnknowns all = unknowns_of(run, state, true);
     Triplets mass_of_all = of_elements(run, state, all, 1, 0);
     add_offset_masses(state, all, mass_of_all);
     const SparseMatrix whole = all.whole(mass_of_all);
@@ -175,7 +100,10 @@ namespace {
 class Loaded {
 public:
     explicit Loaded(const Run& run)
-        : run_(run), state_(initial_state(run.structure())), unknowns_(run, state_), forces_(run.state().force) {
+        : run_(run),
+          state_(initial_state(run.structure())),
+          unknowns_(unknowns_of(run, state_)),
+          forces_(run.state().force) {
         add_effects(run, unknowns_, effects_);
     }
     SparseMatrix at(double factor) {
@@ -212,7 +140,7 @@ private:
     static constexpr int axial = 4;  ///< place of the axial force and of the stretch in p and d
     const Run& run_;
     State state_;
-    Unknowns unknowns_;
+    FreeUnknowns unknowns_;
     std::vector<Vec6> forces_;
     Triplets effects_;
 };
