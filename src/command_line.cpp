@@ -127,7 +127,7 @@ void add_report(CLI::App& app, Request& request) {
         "out, or the page cannot be written; 2 where no run was written.");
 }
 
-void add_history(CLI::App& app, Request& request) {
+void add_history_command(CLI::App& app, Request& request) {
     auto* verb = app.add_subcommand(
         "history", "Print whose each output folder is: script, parameters, verdict, version of hinge, time");
     verb->add_option("folders", request.folders, "Output folders, or folders that hold them (default out)");
@@ -275,8 +275,8 @@ void add_render(CLI::App& app, Request& request) {
 
 /// Declares all verbs. The values of options go into `request`, without the verb's name.
 void declare_verbs(CLI::App& app, Request& request) {
-    for (const auto add : {add_run, add_plan, add_check, add_cost, add_study, add_render, add_report, add_history,
-                           add_reference, add_do, add_prompt, add_new, add_completion})
+    for (const auto add : {add_run, add_plan, add_check, add_cost, add_study, add_render, add_report,
+                           add_history_command, add_reference, add_do, add_prompt, add_new, add_completion})
         add(app, request);
 }
 

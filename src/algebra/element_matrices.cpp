@@ -5,7 +5,7 @@
 namespace hinge {
 namespace {
 
-constexpr int half = 21, block = 36, packed = 2 * half + block, full = 144;
+constexpr int half = 21, square_block = 36, packed = 2 * half + square_block, full = 144;
 
 }  // namespace
 

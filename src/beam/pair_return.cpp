@@ -12,9 +12,9 @@ namespace {
 constexpr double ends[2] = {-1, 1};
 /// p up to which U counts as convex: S is 0.03 there, and 0 at 3.5.
 constexpr double convex_up_to = 3.3;
-constexpr int most_rounds = 12;     ///< of the convex case; they end after three to five
-constexpr double slow = 0.5;        ///< a round that leaves more than this of the change before it is not convergence
-constexpr int most_descents = 400;  ///< of the case that is not convex
+constexpr int most_pair_rounds = 12;  ///< of the convex case; they end after three to five
+constexpr double slow = 0.5;          ///< a round that leaves more than this of the change before it is not convergence
+constexpr int most_descents = 400;    ///< of the case that is not convex
 /// Where F has fallen by less than this part of U(trial) in so many rounds, and a round changes little, its floor is
 /// flat: flow that moves from one element to the other, or round a section alike in both planes, is worth no energy.
 constexpr double flat_fall = 1e-5, flat_change = 1e-3;
@@ -134,7 +134,7 @@ private:
         Stiffness k[2];
         own_stiffness(now.N, k);
         double last = std::numeric_limits<double>::infinity();
-        for (int i = 0; i < most_rounds; ++i) {
+        for (int i = 0; i < most_pair_rounds; ++i) {
             const At next = round(now, k);
             const double change = size(now, next, k);
             now = next;

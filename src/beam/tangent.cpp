@@ -5,7 +5,7 @@
 namespace hinge::beam {
 namespace {
 
-using Rows = Eigen::Matrix<double, 3, 12>;
+using SpinRows = Eigen::Matrix<double, 3, 12>;
 
 Vec3 eigen(const Triple<double>& a) { return {a.x, a.y, a.z}; }
 
@@ -41,12 +41,12 @@ using Rates = Eigen::Matrix<double, 6, 12>;
 /// Spin of the element's frame, in its own axes; columns [u1 t1 u2 t2].
 struct FrameSpin {
     double slope;  ///< of the mean y axis: its z over its y component
-    Rows spin;
+    SpinRows spin;
 };
 
 [[gnu::always_inline]] inline FrameSpin frame_spin(const ElementFrame<double>& place) {
     const double l = place.length, py = place.y_mean_y;
-    FrameSpin f{place.y_mean_z / py, Rows::Zero()};
+    FrameSpin f{place.y_mean_z / py, SpinRows::Zero()};
     f.spin(0, 1) = 1 / l;
     f.spin(0, 7) = -1 / l;
     f.spin(1, 0) = -1 / l;
@@ -61,11 +61,11 @@ struct FrameSpin {
 
 /// Spin of each node relative to the frame, H of its rotation vector, and the rate H spin of that vector.
 struct NodeRotations {
-    Rows relative[2], rate[2];
+    SpinRows relative[2], rate[2];
     Mat3 H[2];
 };
 
-[[gnu::always_inline]] inline NodeRotations node_rotations(const ElementFrame<double>& place, const Rows& spin) {
+[[gnu::always_inline]] inline NodeRotations node_rotations(const ElementFrame<double>& place, const SpinRows& spin) {
     NodeRotations n;
     for (int i = 0; i < 2; ++i) {
         n.relative[i] = -spin;
@@ -97,27 +97,27 @@ struct NodeRotations {
     const double l = place.length, py = place.y_mean_y, slope = of.slope;
     const Vec3 m[2] = {{p[0], p[2], -p[5]}, {p[1], p[3], p[5]}};
     const Vec3 mu[2] = {nodes.H[0].transpose() * m[0], nodes.H[1].transpose() * m[1]};
-    Rows dmu[2], dy[2];
+    SpinRows dmu[2], dy[2];
     for (int i = 0; i < 2; ++i) {
         dmu[i] = inverse_tangent_derivative(eigen(place.theta[i]), m[i]) * nodes.rate[i];
         dy[i] = -skew(eigen(place.y[i])) * nodes.relative[i];
     }
     const Vec3 sum = mu[0] + mu[1];
-    const Rows dsum = dmu[0] + dmu[1];
+    const SpinRows dsum = dmu[0] + dmu[1];
     const Row dpy = 0.5 * (dy[0].row(1) + dy[1].row(1)), dpz = 0.5 * (dy[0].row(2) + dy[1].row(2));
     const Row dslope = (dpz - slope * dpy) / py;
     const Vec3 end = {-(sum.y() + slope * sum.z()) / l, sum.x() / l, p[4]};
-    Rows dend;
+    SpinRows dend;
     dend.row(0) = -(dsum.row(1) + slope * dsum.row(2) + sum.z() * dslope) / l - end.x() / l * dl;
     dend.row(1) = dsum.row(0) / l - end.y() / l * dl;
     dend.row(2).setZero();
-    const Rows force = dend - skew(end) * of.spin;
+    const SpinRows force = dend - skew(end) * of.spin;
     K.block<3, 12>(0, 0) -= force;
     K.block<3, 12>(6, 0) += force;
     for (int i = 0; i < 2; ++i) {
         const double ay = place.y[i].y / (2 * py), az = place.y[i].z / (2 * py);
         const Vec3 n = mu[i] + Vec3(0, az * sum.z(), -ay * sum.z());
-        Rows dn = dmu[i];
+        SpinRows dn = dmu[i];
         dn.row(1) += az * dsum.row(2) + sum.z() * (0.5 * dy[i].row(2) - az * dpy) / py;
         dn.row(2) -= ay * dsum.row(2) + sum.z() * (0.5 * dy[i].row(1) - ay * dpy) / py;
         K.block<3, 12>(6 * i + 3, 0) += dn - skew(n) * of.spin;

@@ -69,7 +69,7 @@ Vec6 relaxed(const Vec6& d_trial, const Mat6& F, const Mat6* A, const Vec6* s, c
     return solve_in_blocks(softened(F, A, lambda, n), right);
 }
 
-constexpr double enough = 1e-8;  ///< of f; rounding leaves some 1e-11 after a trial of 1e4 times the strength
+constexpr double f_tolerance = 1e-8;  ///< of f; rounding leaves some 1e-11 after a trial of 1e4 times the strength
 
 /// The multipliers of both ends at once. They maximise the concave dual
 ///   g(l) = min over p of (p - trial)^T F (p - trial) / 2 + sum l_i (f_i(p + s_i) - 1),  l >= 0,  dg/dl_i = f_i - 1.
@@ -85,15 +85,15 @@ public:
         feasible_ = w.n * apart[4] * apart[4] + w.z * apart[5] * apart[5] < 4;
     }
 
-    /// From given multipliers. False: there is no answer, or none that rounding leaves within `enough`.
+    /// From given multipliers. False: there is no answer, or none that rounding leaves within f_tolerance.
     bool solve(double* lambda) const {
         newton(lambda);
-        if (off(lambda) <= enough) return true;
+        if (off(lambda) <= f_tolerance) return true;
         // N and Mz are those of both ends but for loads between them: more than twice the strength, and no forces of
         // the element keep both ends within their surfaces
         if (!feasible_) return false;
         one_in_the_other(lambda);
-        return off(lambda) <= enough;
+        return off(lambda) <= f_tolerance;
     }
 
 private:
@@ -259,7 +259,7 @@ ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const Y
         flow.converged = BothEnds(trial, k, w, sections, s).solve(flow.lambda);
         settle();
     } else {
-        flow.converged = f_at(flow.p, worst) <= 1 + enough;
+        flow.converged = f_at(flow.p, worst) <= 1 + f_tolerance;
     }
     for (int i = 0; i < n; ++i)
         if (flow.lambda[i] > 0) flow.plastic += flow.lambda[i] * yield_gradient(flow.p + s[i], sections[i], w);

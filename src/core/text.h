@@ -15,6 +15,9 @@ inline std::string number_text(double v, int digits = 6) {
     return text;
 }
 
+/// A number in a sentence.
+inline std::string digits(double v, int n = 4) { return number_text(v, n); }
+
 inline std::string vector_text(const Vec3& v, int digits = 6) {
     return "{" + number_text(v.x(), digits) + ", " + number_text(v.y(), digits) + ", " + number_text(v.z(), digits) +
            "}";

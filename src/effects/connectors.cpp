@@ -404,7 +404,7 @@ private:
     double at_start_ = 0;  ///< J
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> connectors_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<Connector>(connectors_effect).size();
     return {{connectors_effect, n > 0, n == 0 ? "not declared" : std::to_string(n) + " by model:connector",
              s.model().asked_at(connectors_effect)}};
@@ -418,7 +418,7 @@ EffectKind connectors_kind() {
                          {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
                          {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks",
                           "connectors"}},
-            .plan = plan,
+            .plan = connectors_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<Connector>(connectors_effect).empty()) {
                     w.state.data.erase(connectors_effect);

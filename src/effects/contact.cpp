@@ -13,7 +13,7 @@ namespace {
 
 using contact::Contact;
 
-bool calls_functions(const Model& model) {
+bool laws_call_functions(const Model& model) {
     const auto& rules = contact_rules(model);
     return std::any_of(rules.begin(), rules.end(),
                        [](const ContactRule& r) { return r.pairs || r.on_contact || r.on_release; });
@@ -35,7 +35,7 @@ class ContactEffect : public Effect,
 public:
     ContactEffect(Workspace& w, Host& host)
         : Effect(contact_effect, w, host, {.forces_vanish = true}), rules_(contact_rules(w.structure.model())) {
-        traits_.calls_script = calls_functions(w.structure.model());
+        traits_.calls_script = laws_call_functions(w.structure.model());
         if (!w.state.data.find<Contact>(contact_effect)) {
             std::vector<contact::ContactSettings> rules;
             for (const ContactRule& rule : rules_) rules.push_back(rule.settings);
@@ -285,7 +285,7 @@ private:
         pair_rules_;  ///< what the script's rule said of two members
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> contact_plan(const Structure& s, const RunKind&) {
     const bool contact = !contact_rules(s.model()).empty();
     return {{contact_effect, contact, contact ? "model:contact" : "not declared", s.model().asked_at(contact_effect)}};
 }
@@ -358,7 +358,7 @@ EffectKind contact_kind() {
             .accounts = {{"contact", 60, "stored in contacts now, released with ties, and heat of friction", {}, true},
                          {"contact_stored", 61, "stored in contacts now", "contact", true},
                          {"contact_released", 62, "released with ties, and heat of friction", "contact", true}},
-            .plan = plan,
+            .plan = contact_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!built::contact || contact_rules(w.structure.model()).empty()) {
                     w.state.data.erase(contact_effect);
@@ -369,7 +369,7 @@ EffectKind contact_kind() {
             .dynamic_only = true,
             .leave_out = leave_out_declared<contact_effect>,
             .declarer = {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
-                if (!calls_functions(model)) return {};
+                if (!laws_call_functions(model)) return {};
                 return {{1, "a function in model:contact", true, model.asked_at(contact_effect)}};
             }},
             .part_of_stable_step = part_of_stable_step,

@@ -30,7 +30,7 @@ namespace {
 
 /// A point mass that has rotated by 20 mrad since, the cosine of whose half this is, is renewed in the effective
 /// stiffness. What is missed until then is the part of that angle that alpha dt is.
-constexpr double lag_cosine = 1 - 5e-5;
+constexpr double rotation_lag_cosine = 1 - 5e-5;
 
 bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
 
@@ -182,7 +182,7 @@ private:
 
     bool masses_lag() const {
         for (std::size_t i = 0; i < masses_.size() && host_.has_effective_stiffness(); ++i)
-            if (std::abs(w_.trial.rotation[masses_[i].node].dot(built_[i])) < lag_cosine) return true;
+            if (std::abs(w_.trial.rotation[masses_[i].node].dot(built_[i])) < rotation_lag_cosine) return true;
         return false;
     }
 
@@ -242,7 +242,7 @@ private:
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> damping_plan(const Structure& s, const RunKind&) {
     const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
     if (declared.empty()) return {{damping_effect, false, "not declared", ""}};
     const bool any = !damping_of_elements(s).empty();
@@ -255,7 +255,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 EffectKind damping_kind() {
     return {.name = damping_effect,
             .accounts = {{"damping", 80, "dissipated by Rayleigh damping"}},
-            .plan = plan,
+            .plan = damping_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 std::vector<ElementDamping> damping = damping_of_elements(w.structure);
                 if (damping.empty()) return nullptr;

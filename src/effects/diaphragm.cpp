@@ -10,7 +10,7 @@ namespace {
 
 const std::vector<Diaphragm>& diaphragms_of(const Model& model) { return model.declared<Diaphragm>(diaphragm_effect); }
 
-std::vector<RigidGroup> groups_of(const Model& model) {
+std::vector<RigidGroup> groups_of_floors(const Model& model) {
     std::vector<RigidGroup> groups;
     for (const Diaphragm& d : diaphragms_of(model)) {
         groups.push_back({d.nodes[0], {}, d.normal});
@@ -20,7 +20,7 @@ std::vector<RigidGroup> groups_of(const Model& model) {
     return groups;
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> diaphragm_plan(const Structure& s, const RunKind&) {
     const auto& list = diaphragms_of(s.model());
     long nodes = 0;
     for (const Diaphragm& d : list) nodes += long(d.nodes.size());
@@ -34,9 +34,9 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind diaphragm_kind() {
     return {.name = diaphragm_effect,
-            .plan = plan,
+            .plan = diaphragm_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                std::vector<RigidGroup> groups = groups_of(w.structure.model());
+                std::vector<RigidGroup> groups = groups_of_floors(w.structure.model());
                 if (groups.empty()) return nullptr;
                 return std::make_unique<RigidGroups>(diaphragm_effect, "model:diaphragm", std::move(groups), w, host);
             },

@@ -21,7 +21,7 @@ using Where = FractureRule::Where;
 /// The script's node at an end of an element, -1 inside a member.
 int joint_at(const Structure& s, const Element& e, int end) { return s.declared_node(e.node[end - 1]); }
 
-bool calls_functions(const Model& model) {
+bool rules_call_functions(const Model& model) {
     const auto& rules = fracture_rules(model);
     return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
 }
@@ -214,7 +214,7 @@ Fracture::Fracture(Workspace& w, Host& host)
     : Effect(fracture_effect, w, host, {.forces_vanish = true}), rules_(fracture_rules(w.structure.model())) {
     for (const MemberData& member : w.structure.model().members())
         rule_of_member_.push_back(fracture_rule_of(rules_, member));
-    traits_.calls_script = calls_functions(w.structure.model());
+    traits_.calls_script = rules_call_functions(w.structure.model());
     const std::size_t elements = w.structure.elements().size();
     for (const FractureRule& rule : rules_) kept_a_section_ = std::max(kept_a_section_, rule.keep.size());
     const bool news = std::any_of(rules_.begin(), rules_.end(), [](const FractureRule& r) {
@@ -599,7 +599,7 @@ void Fracture::ask_batch(int rule) {
     }
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> fracture_plan(const Structure& s, const RunKind&) {
     const auto& list = fracture_rules(s.model());
     const auto& members = s.model().members();
     const bool rules = !list.empty(), breakable = std::any_of(members.begin(), members.end(), [&](const MemberData&m) {
@@ -621,7 +621,7 @@ EffectKind fracture_kind() {
             {{"fracture", 50, "released by fracture: strain energy, and kinetic energy of what breaks off", {}, true},
              {"fracture_elastic", 51, "strain energy released by broken elements", "fracture", true},
              {"fracture_kinetic", 52, "kinetic energy lost as an offset mass is taken over", "fracture", true}},
-        .plan = plan,
+        .plan = fracture_plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
             if (!built::fracture || fracture_rules(w.structure.model()).empty()) {
                 w.state.strained.clear(), w.state.kept.clear();
@@ -632,7 +632,7 @@ EffectKind fracture_kind() {
         .dynamic_only = true,
         .leave_out = leave_out_declared<fracture_effect>,
         .declarer = {.functions = [](const Model& model) -> std::vector<ScriptFunctions> {
-            if (!calls_functions(model)) return {};
+            if (!rules_call_functions(model)) return {};
             return {{0, "a function in model:fracture", true, model.asked_at(fracture_effect)}};
         }},
         .may_break =

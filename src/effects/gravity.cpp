@@ -156,7 +156,7 @@ private:
     mutable bool placed_ = false;
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> gravity_plan(const Structure& s, const RunKind&) {
     const bool on = gravity_of(s.model()) != nullptr;
     const bool along = s.model().options().weight == Weight::members;
     return {{gravity_effect, on,
@@ -191,7 +191,7 @@ int DeclaredGravity::choose(std::vector<DeclaredGravity>& list, const std::vecto
 EffectKind gravity_kind() {
     return {.name = gravity_effect,
             .accounts = {{"gravity", 20, "potential energy, zero at the start of the run", {}, true, true}},
-            .plan = plan,
+            .plan = gravity_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!gravity_of(w.structure.model())) return nullptr;
                 return std::make_unique<Gravity>(w, host);

@@ -522,7 +522,7 @@ private:
     double at_start_ = 0;        ///< J
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> ground_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<GroundPlane>(ground_effect).size();
     const std::string because = n == 0   ? "not declared"
                                 : n == 1 ? "model:ground"
@@ -539,7 +539,7 @@ EffectKind ground_kind() {
                           "ground"},
                          {"ground_dissipated", 77,
                           "lost to the ground's damping, and to friction and restitution on it", "ground"}},
-            .plan = plan,
+            .plan = ground_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 const auto& planes = w.structure.model().declared<GroundPlane>(ground_effect);
                 if (std::all_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.is_layer(); })) {

@@ -24,9 +24,9 @@ constexpr const char* layer_data = "ground layer";
 /// must reach Coulomb's force while it is much shorter than a bar slides as it lands on its end: the impulse that a
 /// column of 88 kg, tilted by 20 degrees, gets along the ground with friction 0.3 at 3 m/s is 22 N s if this is 0.4, 61
 /// if 10, 65 if 100 (4 and 32 elements differ by 3 %). Explicit steps become 3 % shorter from 10 to 100.
-constexpr double tangential_part = 100;
+constexpr double tangential_stiffness_part = 100;
 /// Part of the half depth: ends that begin further than this below the plane are no part of what stands on it.
-constexpr double buried = 0.01;
+constexpr double deep_in_the_layer = 0.01;
 /// Forces that differ by this part of themselves from what a step was solved with ask for another solution.
 constexpr double same_force = 0.01;
 
@@ -77,7 +77,7 @@ struct Strips {
 };
 
 /// How a strip lies somewhere.
-struct Touch {
+struct StripTouch {
     bool touches = false;    ///< nothing below counts where neither it nor the last step did
     Vec3 at = Vec3::Zero();  ///< where the first end is, m
     contact::LayerPlace place;
@@ -107,7 +107,7 @@ public:
         had_ = has_, has_ = 0;
         find_touches();
         for (std::size_t i = 0; i < touches_.size(); ++i) {
-            const Touch& t = touches_[i];
+            const StripTouch& t = touches_[i];
             if (!t.touches) continue;
             if (t.carries()) ++has_, first_ = has_ == 1 ? int(i) : first_;
             const Strip& s = strips()[i];
@@ -124,7 +124,7 @@ public:
     void add_blocks(const ConfigurationView&, Blocks& blocks) const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Strip& s = strips()[i];
-            const Touch& t = touches_[i];
+            const StripTouch& t = touches_[i];
             if (!t.touches || !t.carries()) continue;
             Vec6 row[2];
             for (int e : {0, 1}) row[e] = row_of(plane(s).normal, t.arm[e]);
@@ -174,7 +174,7 @@ public:
     bool settled() override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const Strip& s = strips()[i];
-            const Touch &before = touches_[i], now = look(s, w_.trial);
+            const StripTouch &before = touches_[i], now = look(s, w_.trial);
             if (!now.touches && !before.touches) continue;
             const double least = same_force * s.piece.stiffness * s.piece.width * s.piece.length * just_touches *
                                  w_.structure.elements()[s.element].radius;
@@ -218,14 +218,14 @@ public:
 
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double lost = 0;
-        for (const Touch& t : touches_) lost += t.work + t.friction[0].heat + t.friction[1].heat;
+        for (const StripTouch& t : touches_) lost += t.work + t.friction[0].heat + t.friction[1].heat;
         sums["ground_dissipated"] += lost;
     }
     /// Where the next step begins.
     void before_commit(const Step&) override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             Strip& s = strips()[i];
-            const Touch& t = touches_[i];
+            const StripTouch& t = touches_[i];
             if (!t.touches && !s.touches && !waits(s)) continue;
             take(s, t);
             for (int e : {0, 1}) {
@@ -251,12 +251,12 @@ public:
             if (s.element == b.element) {
                 lost += energy(s);
                 attach(s);
-                const Touch t = look(s, w_.state);
+                const StripTouch t = look(s, w_.state);
                 take(s, t);
                 lost -= energy(s);
             }
             if (w_.state.gone[s.end[0].node] || w_.state.gone[s.end[1].node])
-                lost += energy(s), s.gone = true, take(s, Touch());
+                lost += energy(s), s.gone = true, take(s, StripTouch());
             for (int e : {0, 1}) s.end[e].has_face = member_ends(s, e);
         }
         w_.state.accumulated["ground_dissipated"] += lost;
@@ -341,8 +341,8 @@ private:
 
     /// How a strip lies at a pose, on the way from where the step began.
     template <class At>
-    Touch look(const Strip& s, const At& at) const {
-        Touch t;
+    StripTouch look(const Strip& s, const At& at) const {
+        StripTouch t;
         if (s.gone) return t;
         const Vec3& n = plane(s).normal;
         const double touching = w_.touches_within(w_.structure.elements()[s.element].radius);
@@ -377,7 +377,7 @@ private:
 
     /// Friction and the work of the dashpots since the step began.
     template <class At>
-    void add_history(const Strip& s, const At& at, const Vec3 (&place)[2], Touch& t) const {
+    void add_history(const Strip& s, const At& at, const Vec3 (&place)[2], StripTouch& t) const {
         const GroundPlane& p = plane(s);
         double part = 1;  // of a step in which it comes to touch, the part that is left then
         Vec3 arm[2], before[2];
@@ -405,7 +405,7 @@ private:
     }
 
     /// A touch as where the next step begins.
-    static void take(Strip& s, const Touch& t) {
+    static void take(Strip& s, const StripTouch& t) {
         s.touches = t.touches;
         s.stored = t.press.stored;
         for (int e : {0, 1}) {
@@ -462,8 +462,8 @@ private:
     static void take_up_face(Strip& s, int e) {
         End& end = s.end[e];
         s.piece.end_area[e] = end.has_face ? end.area : 0;
-        end.stiffness =
-            tangential_part * s.piece.stiffness * (end.has_face ? end.area : 0.5 * s.piece.width * s.piece.length);
+        end.stiffness = tangential_stiffness_part * s.piece.stiffness *
+                        (end.has_face ? end.area : 0.5 * s.piece.width * s.piece.length);
     }
     Strip strip_of(int plane, int element) const {
         const Structure& structure = w_.structure;
@@ -482,7 +482,7 @@ private:
             take_up_face(s, i);
             // what touches where the run begins is at rest there; what lies deeper is left out until it has left
             const double inside = overlap_of(s, end, place_of(end, w_.state, arm_of(end, w_.state)));
-            end.left_out = end.arm.isZero(0) && inside > (1 + buried) * e.radius;
+            end.left_out = end.arm.isZero(0) && inside > (1 + deep_in_the_layer) * e.radius;
             end.level = std::max(0.0, inside);
             s.gone = s.gone || w_.state.gone[end.node];
         }
@@ -501,10 +501,10 @@ private:
         return strips;
     }
 
-    std::vector<Touch> touches_;  ///< as of the last add_forces or solved
-    int has_ = 0, had_ = 0;       ///< strips that touch, at the last add_forces and the one before
-    int first_ = 0;               ///< of those, the first
-    double at_start_ = 0;         ///< J
+    std::vector<StripTouch> touches_;  ///< as of the last add_forces or solved
+    int has_ = 0, had_ = 0;            ///< strips that touch, at the last add_forces and the one before
+    int first_ = 0;                    ///< of those, the first
+    double at_start_ = 0;              ///< J
 };
 
 }  // namespace

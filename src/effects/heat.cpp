@@ -217,7 +217,7 @@ private:
     std::vector<double> built_;   ///< stiffness of each heated element with which steps are solved
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& kind) {
+std::vector<PlanLine> heat_plan(const Structure& s, const RunKind& kind) {
     const auto& list = declared(s.model());
     std::string text = list.empty() ? "not declared" : "model:heat";
     for (const Heating& h : list) {
@@ -262,7 +262,7 @@ EffectKind heat_kind() {
                       {},
                       false,
                       true}},
-        .plan = plan,
+        .plan = heat_plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
             const Model& model = w.structure.model();
             if (declared(model).empty() && model.declared<Prestress>(prestress_effect).empty() && w.state.heat.empty())

@@ -27,11 +27,11 @@ constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
 const char* const axis_names[] = {"Mx", "My", "Mz"};
 
 /// A spring in series with a slider that holds up to `strength`.
-struct Part {
+struct JointPart {
     double stiffness, strength;  ///< N m/rad, N m
 };
 
-std::vector<Part> parts_of(const JointAxis& axis) {
+std::vector<JointPart> parts_of(const JointAxis& axis) {
     std::vector<double> slopes;
     std::pair<double, double> last{0, 0};
     for (const auto& point : axis.curve) {
@@ -39,7 +39,7 @@ std::vector<Part> parts_of(const JointAxis& axis) {
         last = point;
     }
     slopes.push_back(0);
-    std::vector<Part> parts;
+    std::vector<JointPart> parts;
     for (std::size_t i = 0; i < axis.curve.size(); ++i) {
         const double k = slopes[i] - slopes[i + 1];
         parts.push_back({k, k * axis.curve[i].first});
@@ -53,7 +53,7 @@ struct Resistance {
 };
 
 /// `slid`: where the sliders are; they are moved.
-Resistance resist(const std::vector<Part>& parts, double rotation, std::vector<double>& slid) {
+Resistance resist(const std::vector<JointPart>& parts, double rotation, std::vector<double>& slid) {
     Resistance r;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const auto& [k, strength] = parts[i];
@@ -230,7 +230,7 @@ private:
         int member, side;
         int node, end;   ///< the script's node, and the member's own
         Vec3 stiffness;  ///< of the elastic part about each axis, N m/rad
-        std::vector<Part> parts[3];
+        std::vector<JointPart> parts[3];
         Mat3 axes;  ///< columns x y z of the section
     };
     struct Evaluated {
@@ -392,7 +392,7 @@ private:
     bool lost_any_ = false;
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<Joint>(joints_effect).size();
     return {{joints_effect, n > 0, n == 0 ? "not declared" : count_text(long(n), "member end"),
              s.model().asked_at(joints_effect)}};
@@ -405,7 +405,7 @@ EffectKind joints_kind() {
             .accounts = {{"joints", 73, "stored in joints now, and dissipated by them", {}, false, true},
                          {"joint_stored", 73, "stored in the springs of joints", "joints"},
                          {"joint_dissipated", 74, "plastic work of joints, and what their breaks released", "joints"}},
-            .plan = plan,
+            .plan = joints_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<Joint>(joints_effect).empty()) {
                     w.state.data.erase(joints_effect);

@@ -221,7 +221,7 @@ private:
     bool found_anew_ = false;  ///< with what they gave there the acceleration is being found
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> loads_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<NodalLoad>(loads_effect).size();
     std::string text = n > 0                           ? std::to_string(n) + " on nodes"
                        : s.model().asked(loads_effect) ? "none acts"
@@ -265,7 +265,7 @@ void remove_load(Model& model, int number) {
 EffectKind loads_kind() {
     return {.name = loads_effect,
             .accounts = {{"work", 100, "done by loads (not gravity) and by supports that move", {}, true}},
-            .plan = plan,
+            .plan = loads_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<NodalLoad>(loads_effect).empty()) return nullptr;
                 return std::make_unique<Loads>(w, host);

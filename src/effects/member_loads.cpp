@@ -506,7 +506,7 @@ Vec3 whole_force(const Model& model, const MemberLoad& l) {
     return 0.5 * (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]);
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> member_loads_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<MemberLoad>(member_loads_effect).size();
     const bool on = acts(s);
     return {{member_loads_effect, on,
@@ -521,7 +521,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 EffectKind member_loads_kind() {
     return {
         .name = member_loads_effect,
-        .plan = plan,
+        .plan = member_loads_plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
             if (!acts(w.structure)) return nullptr;
             return std::make_unique<MemberLoads>(w, host);

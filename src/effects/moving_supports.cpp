@@ -189,7 +189,7 @@ private:
     std::unordered_map<int, ElementPart> matrices_;  ///< of the elements at moved supports
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> moving_supports_plan(const Structure& s, const RunKind&) {
     const bool moves = !s.model().declared<SupportMotion>(moving_supports_effect).empty();
     return {{moving_supports_effect, moves, moves ? "model:move" : "supports do not move",
              moves ? s.model().asked_at("ground") : ""}};
@@ -204,7 +204,7 @@ void add_motion(Model& model, SupportMotion motion) {
 
 EffectKind moving_supports_kind() {
     return {.name = moving_supports_effect,
-            .plan = plan,
+            .plan = moving_supports_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<SupportMotion>(moving_supports_effect).empty()) return nullptr;
                 return std::make_unique<MovingSupports>(w, host);

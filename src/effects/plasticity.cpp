@@ -73,7 +73,7 @@ std::string laws_text(const Structure& s) {
     return others ? text : "";
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> plasticity_plan(const Structure& s, const RunKind&) {
     const auto& elements = s.elements();
     const bool could =
         std::any_of(elements.begin(), elements.end(), [](const Element& e) { return !e.yield.elastic(); });
@@ -90,7 +90,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 EffectKind plasticity_kind() {
     return {.name = "plasticity",
             .accounts = {{"plastic", 40, "dissipated in plastic hinges", {}, true}},
-            .plan = plan,
+            .plan = plasticity_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 const auto& hinges = w.state.hinge;
                 const bool flowed = std::any_of(hinges.begin(), hinges.end(), [](int h) { return h != 0; });

@@ -102,7 +102,7 @@ private:
     }
 };
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> point_mass_plan(const Structure& s, const RunKind&) {
     const auto& masses = s.model().declared<PointMass>(point_mass_effect);
     const bool on = !masses.empty();
     return {{point_mass_effect, on, on ? std::to_string(masses.size()) + " on nodes" : "not declared",
@@ -113,7 +113,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind point_mass_kind() {
     return {.name = point_mass_effect,
-            .plan = plan,
+            .plan = point_mass_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<PointMass>(point_mass_effect).empty()) return nullptr;
                 return std::make_unique<PointMasses>(w, host);

@@ -74,7 +74,7 @@ bool is_removed(const Model& model, int member) {
     });
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> removal_plan(const Structure& s, const RunKind&) {
     const auto& list = declared(s);
     std::string text = list.empty() ? "not declared" : "model:remove";
     for (const Removal& r : list) {
@@ -91,7 +91,7 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind removal_kind() {
     return {.name = removal_effect,
-            .plan = plan,
+            .plan = removal_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!built::fracture || declared(w.structure).empty()) return nullptr;
                 return std::make_unique<Removals>(w, host);

@@ -13,7 +13,7 @@ namespace {
 const std::vector<RigidLink>& links_of(const Model& model) { return model.declared<RigidLink>(rigid_link_effect); }
 
 /// Links that begin at one node make one group.
-std::vector<RigidGroup> groups_of(const Model& model) {
+std::vector<RigidGroup> groups_of_links(const Model& model) {
     std::vector<RigidGroup> groups;
     for (const RigidLink& link : links_of(model)) {
         auto at = std::find_if(groups.begin(), groups.end(), [&](const RigidGroup& g) { return g.first == link.from; });
@@ -23,7 +23,7 @@ std::vector<RigidGroup> groups_of(const Model& model) {
     return groups;
 }
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
+std::vector<PlanLine> rigid_link_plan(const Structure& s, const RunKind&) {
     const std::size_t n = links_of(s.model()).size();
     return {{rigid_link_effect, n > 0, n > 0 ? count_text(long(n), "link") : "not declared",
              s.model().asked_at(rigid_link_effect)}};
@@ -33,9 +33,9 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind&) {
 
 EffectKind rigid_link_kind() {
     return {.name = rigid_link_effect,
-            .plan = plan,
+            .plan = rigid_link_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                std::vector<RigidGroup> groups = groups_of(w.structure.model());
+                std::vector<RigidGroup> groups = groups_of_links(w.structure.model());
                 if (groups.empty()) return nullptr;
                 return std::make_unique<RigidGroups>(rigid_link_effect, "model:rigid_link", std::move(groups), w, host);
             },

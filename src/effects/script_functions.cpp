@@ -7,7 +7,7 @@
 namespace hinge {
 namespace {
 
-std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
+std::vector<PlanLine> script_functions_plan(const Structure& s, const RunKind& run) {
     const std::vector<ScriptFunctions> list = script_functions(s.model());
     if (list.empty()) return {{"script functions", false, "not declared", ""}};
     const auto acts = [&](const ScriptFunctions& f) { return run.takes(f.dynamic_only); };
@@ -18,6 +18,6 @@ std::vector<PlanLine> plan(const Structure& s, const RunKind& run) {
 
 }  // namespace
 
-EffectKind script_functions_kind() { return {.name = "script functions", .plan = plan}; }
+EffectKind script_functions_kind() { return {.name = "script functions", .plan = script_functions_plan}; }
 
 }  // namespace hinge

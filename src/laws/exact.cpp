@@ -15,8 +15,8 @@ YieldSurface screen_of(const PlasticDomain& domain, const Vec4& strength) {
     return {inverse_square(axis[0]), inverse_square(axis[1]), inverse_square(axis[2]), inverse_square(strength[3])};
 }
 
-constexpr double rounding = 1e-12;  ///< of the gauge of forces on the surface
-constexpr double enough = 1e-7;     ///< what forces may be outside where their gauge is not found better
+constexpr double rounding = 1e-12;        ///< of the gauge of forces on the surface
+constexpr double gauge_tolerance = 1e-7;  ///< what forces may be outside where their gauge is not found better
 
 class Exact : public PotentialLaw {
 public:
@@ -74,8 +74,8 @@ protected:
         const double untwisted = domain_->gauge(q.head<3>(), &normal, &error), g = std::hypot(untwisted, q[3]);
         direction << untwisted * normal, q[3];
         if (g > 1 + rounding) return true;
-        if (g + error > 1 + enough) direction.setConstant(std::nan(""));
-        return g + error > 1 + enough;
+        if (g + error > 1 + gauge_tolerance) direction.setConstant(std::nan(""));
+        return g + error > 1 + gauge_tolerance;
     }
 
 private:

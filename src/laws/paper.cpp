@@ -11,7 +11,7 @@
 namespace hinge::beam {
 namespace {
 
-constexpr double ends[2] = {-1, 1};
+constexpr double element_ends[2] = {-1, 1};
 
 /// The multiplier at one end, where the others do not flow: the root of a convex, falling function of lambda. Newton's
 /// method comes to it from the left, from any start.
@@ -63,7 +63,7 @@ ElementFlow return_ends(const Vec6& trial, const Stiffness& k, const YieldSurfac
     out.p -= k.times(out.plastic);
     out.lambda[j] = lambda;
     if (f_y(out.p, 1 - j, w, fixed) <= 1 + 1e-13) return out;
-    return return_to_surface(trial, k, w, ends, 2, fixed);
+    return return_to_surface(trial, k, w, element_ends, 2, fixed);
 }
 
 class Paper : public SectionLaw {
@@ -102,11 +102,11 @@ public:
         for (int i : {0, 1})
             for (int s = 0; flow[i] && s < 2; ++s) {
                 if (!(flow[i]->lambda[s] > 0)) continue;
-                F.block<6, 6>(6 * i, 6 * i) += 2 * flow[i]->lambda[s] * yield_matrix(ends[s], w_);
+                F.block<6, 6>(6 * i, 6 * i) += 2 * flow[i]->lambda[s] * yield_matrix(element_ends[s], w_);
                 a.conservativeResize(12, a.cols() + 1);
                 a.rightCols<1>().setZero();
                 a.rightCols<1>().segment<6>(6 * i) =
-                    yield_gradient(flow[i]->p + at[i].fixed_end->at(ends[s]), ends[s], w_);
+                    yield_gradient(flow[i]->p + at[i].fixed_end->at(element_ends[s]), element_ends[s], w_);
             }
         const Mat12 X = F.inverse();
         if (a.cols() == 0) return X;

@@ -7,7 +7,7 @@
 namespace hinge::output {
 namespace {
 
-struct Entry {
+struct BinEntry {
     std::array<double, 3> colour;  ///< the mean of the bin
     double weight;                 ///< the root of the count: paper must not take all colours, nor a speck one
     std::size_t bin;
@@ -20,12 +20,12 @@ struct Box {
     int axis = 0;
 };
 
-Box measured(const std::vector<Entry>& entries, std::size_t first, std::size_t end) {
+Box measured(const std::vector<BinEntry>& entries, std::size_t first, std::size_t end) {
     Box box{first, end};
     for (int c = 0; c < 3; ++c) {
         double weight = 0, sum = 0, squares = 0;
         for (std::size_t i = first; i < end; ++i) {
-            const Entry& e = entries[i];
+            const BinEntry& e = entries[i];
             weight += e.weight, sum += e.weight * e.colour[c], squares += e.weight * e.colour[c] * e.colour[c];
         }
         const double spread = squares - sum * sum / weight;
@@ -35,9 +35,9 @@ Box measured(const std::vector<Entry>& entries, std::size_t first, std::size_t e
 }
 
 /// Where the entries, sorted along the box's axis, are halved by weight; both halves hold at least one.
-std::size_t half(std::vector<Entry>& entries, const Box& box) {
+std::size_t half(std::vector<BinEntry>& entries, const Box& box) {
     const auto at = [&](std::size_t i) { return entries.begin() + static_cast<std::ptrdiff_t>(i); };
-    std::sort(at(box.first), at(box.end), [&](const Entry& a, const Entry& b) {
+    std::sort(at(box.first), at(box.end), [&](const BinEntry& a, const BinEntry& b) {
         return a.colour[box.axis] != b.colour[box.axis] ? a.colour[box.axis] < b.colour[box.axis] : a.bin < b.bin;
     });
     double all = 0, before = 0;
@@ -47,7 +47,7 @@ std::size_t half(std::vector<Entry>& entries, const Box& box) {
     return std::max(i, box.first + 1);
 }
 
-Rgb mean(const std::vector<Entry>& entries, const std::vector<Histogram::Bin>& bins, const Box& box) {
+Rgb mean(const std::vector<BinEntry>& entries, const std::vector<Histogram::Bin>& bins, const Box& box) {
     std::uint64_t count = 0;
     std::array<std::uint64_t, 3> sum = {};
     for (std::size_t i = box.first; i < box.end; ++i) {
@@ -90,7 +90,7 @@ void Histogram::add(const Histogram& other) {
 
 Palette make_palette(const Histogram& histogram) {
     const auto& bins = histogram.bins();
-    std::vector<Entry> entries;
+    std::vector<BinEntry> entries;
     for (std::size_t i = 0; i < bins.size(); ++i)
         if (const double n = double(bins[i].count); n > 0)
             entries.push_back({{bins[i].sum[0] / n, bins[i].sum[1] / n, bins[i].sum[2] / n}, std::sqrt(n), i});
@@ -108,7 +108,7 @@ Palette make_palette(const Histogram& histogram) {
         boxes.push_back(measured(entries, middle, whole.end));
     }
     for (const Box& box : boxes) palette.colours.push_back(mean(entries, bins, box));
-    for (const Entry& e : entries) palette.of_bin[e.bin] = std::uint8_t(nearest(palette.colours, e.colour));
+    for (const BinEntry& e : entries) palette.of_bin[e.bin] = std::uint8_t(nearest(palette.colours, e.colour));
     return palette;
 }
 

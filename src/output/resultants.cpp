@@ -11,8 +11,6 @@ namespace {
 
 constexpr double plastic_from = 0.999;  // f_y reaches 1 only up to the tolerance of the return
 
-double square(double x) { return x * x; }
-
 bool has_forces(const Bar& bar) { return bar.N0 > 0 || bar.Mx0 > 0 || bar.My0 > 0 || bar.Mz0 > 0; }
 
 }  // namespace
@@ -63,7 +61,7 @@ double Resultants::yield_at(double t) const {
         const double course = f[0] * (1 - t) * (1 - 2 * t) + 4 * f[1] * t * (1 - t) + f[2] * t * (2 * t - 1);
         return std::clamp(course, 0.0, std::max({f[0], f[1], f[2]}));
     }
-    const auto part = [](double force, double limit) { return limit > 0 ? square(force / limit) : 0; };
+    const auto part = [](double force, double limit) { return limit > 0 ? (force / limit) * (force / limit) : 0; };
     const double f_y = part(bar_->N, bar_->N0) + part(at(Show::Mx, t), bar_->Mx0) + part(at(Show::My, t), bar_->My0) +
                        part(bar_->Mz, bar_->Mz0);
     // N is that of the end where it is larger. Between its ends a load can bend it more than there.

@@ -17,7 +17,7 @@ constexpr int some_elements = 64;  ///< that one thread takes at a time
 
 /// Newton is also done where the energy of a correction is what rounding of the positions makes: a strain of some
 /// 1e-15, of the model's extent; or `barely` times that where it gets no better.
-constexpr double rounding = 1e-30, barely = 1e4;
+constexpr double energy_rounding = 1e-30, barely = 1e4;
 /// Products that change by less in a step (the sum of their squares) need no correction: their work is exact to
 /// rounding.
 constexpr double least_way = 1e-14;
@@ -269,9 +269,10 @@ void EnergyMomentum::predict(const Step& step) {
         if (s.broken[i]) continue;
         const Element& e = w_.structure.elements()[i];
         const Vec3 at = w_.structure.position()[e.node[0]] + s.displacement[e.node[0]];
-        floor_ += rounding * e.rigidity.EA * (e.length + at.squaredNorm() / e.length);
+        floor_ += energy_rounding * e.rigidity.EA * (e.length + at.squaredNorm() / e.length);
     }
-    for (std::size_t i = 0; i < momentum_.size(); ++i) floor_ += rounding * std::abs(momentum_[i].dot(s.velocity[i]));
+    for (std::size_t i = 0; i < momentum_.size(); ++i)
+        floor_ += energy_rounding * std::abs(momentum_[i].dot(s.velocity[i]));
 }
 
 /// Elements' forces are not those of the end of the step: effects alone add theirs to what resists.

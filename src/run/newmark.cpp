@@ -27,7 +27,7 @@ constexpr double same_tangent = 0.2;
 /// 6 iterations of conjugate gradients a step without it, 2 at 3e-15 and 3e-14, one at 3e-13; tests/hard takes a tenth
 /// more without it. More is paid for in momentum: the whipping chain of tests/hard loses 2e-13 of it, 1e-11 at 3e-12,
 /// 2e-9 at 3e-9.
-constexpr double rounding = 3e-13;
+constexpr double velocity_rounding = 3e-13;
 
 /// Whether a and b differ by no more than `part` of the elastic stiffness k, entry by entry.
 bool near(const Mat6& a, const Mat6& b, const beam::Stiffness& k, double part) {
@@ -220,7 +220,7 @@ void Newmark::solve_for_change(Step& step) {
     });
     note_fastest(step.end());
     SolverSettings solver = settings_.solver;
-    solver.floor = motion_ * std::pow(rounding / step.dt, 2);
+    solver.floor = motion_ * std::pow(velocity_rounding / step.dt, 2);
     const SolveReport report = effective_->solve(right_, change_, solver);
     if (!report.converged) fail_to_solve(step, solver, report);
 }

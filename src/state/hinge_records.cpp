@@ -8,16 +8,16 @@ namespace hinge {
 namespace {
 
 /// A section's part in the flow of one element.
-struct Part {
+struct HingePart {
     int element, end;  ///< as in HingeRecord
     double rotation[2], share;
 };
 
 /// The section at an end of the element, 1 or 2.
-Part part_of(const Structure& structure, const PlasticIncrement& y, int end) {
+HingePart part_of(const Structure& structure, const PlasticIncrement& y, int end) {
     const int e = y.element, member = structure.elements()[std::size_t(e)].member;
     const bool inside = end == 1 && e > 0 && structure.elements()[std::size_t(e) - 1].member == member;
-    Part part{inside ? e - 1 : e, inside ? 2 : end, {}, 0};
+    HingePart part{inside ? e - 1 : e, inside ? 2 : end, {}, 0};
     for (int plane : {0, 1}) part.rotation[plane] = beam::hinge_rotation(y.flow.plastic, end, plane);
     // of a surface of eq 14's kind the work is 2 lambda at each section
     part.share = y.flow.lambda[end - 1] / (y.flow.lambda[0] + y.flow.lambda[1]);
@@ -25,8 +25,8 @@ Part part_of(const Structure& structure, const PlasticIncrement& y, int end) {
 }
 
 /// The middle of a conventional element, which bends plastically over its whole length.
-Part middle_of(const PlasticIncrement& y) {
-    Part part{y.element, 0, {}, 1};
+HingePart middle_of(const PlasticIncrement& y) {
+    HingePart part{y.element, 0, {}, 1};
     for (int plane : {0, 1})
         part.rotation[plane] =
             beam::hinge_rotation(y.flow.plastic, 1, plane) + beam::hinge_rotation(y.flow.plastic, 2, plane);
@@ -43,7 +43,7 @@ void record_flow(const Structure& structure, const std::vector<PlasticIncrement>
         if (now < list.size())
             list[now].largest = std::max(list[now].largest, std::hypot(list[now].rotation[0], list[now].rotation[1]));
     };
-    const auto add = [&](const Part& part, const beam::ReturnMapResult& flow) {
+    const auto add = [&](const HingePart& part, const beam::ReturnMapResult& flow) {
         HingeRecord fresh;
         fresh.element = part.element, fresh.end = part.end;
         fresh.statics = statics, fresh.first = at;

@@ -14,7 +14,7 @@ constexpr double drop = 0.001;  ///< rad, over which the strength falls at the u
 
 using Points = std::vector<beam::Backbone::Point>;
 
-Points read_points(Options& o) {
+Points read_backbone(Options& o) {
     lua_State* L = o.L();
     if (lua_type(L, -1) != LUA_TTABLE)
         o.complain("points", show(L, -1), "must be a list of points { rotation (rad), strength }");
@@ -87,7 +87,7 @@ int backbone(lua_State* L) {
               "wear", "interaction"});
     beam::Backbone b;
     if (o.push_field("points") != LUA_TNIL) {
-        b.points = read_points(o);
+        b.points = read_backbone(o);
         for (const char* field : {"yield", "cap_rotation", "cap_strength", "post_cap_rotation", "ultimate_rotation"})
             if (o.has(field)) o.complain(field, "given beside points", "give the one or the other");
     }

@@ -134,14 +134,14 @@ void read_axes(Options& o, Connector& c) {
 }
 
 /// The connector as it is in a run, null where the run was made before it was declared; and its declaration.
-struct Asked {
+struct AskedConnector {
     std::shared_ptr<RunRecord> record;
     const ConnectorNow* now;
 };
-Asked asked(lua_State* L, const char* method) {
+AskedConnector asked(lua_State* L, const char* method) {
     const std::string function = std::string("connector:") + method;
     const auto& c = self<ConnectorBox>(L, function);
-    Asked a;
+    AskedConnector a;
     if (!lua_isnoneornil(L, 2)) a.record = run_argument(L, 2, function + ": run", c.model.get());
     else a.record = latest_run(L, *c.model);
     if (!a.record)
@@ -161,11 +161,11 @@ int push_six(lua_State* L, const Vec6& v) {
 }
 int deformation(lua_State* L) { return push_six(L, asked(L, "deformation").now->deformation); }
 int force(lua_State* L) {
-    const Asked a = asked(L, "force");
+    const AskedConnector a = asked(L, "force");
     return push_six(L, a.now->broken ? Vec6(Vec6::Zero()) : a.now->force);
 }
 int broken(lua_State* L) {
-    const Asked a = asked(L, "broken");
+    const AskedConnector a = asked(L, "broken");
     if (a.now->broken) lua_pushnumber(L, a.now->broken_at);
     else lua_pushboolean(L, 0);
     return 1;

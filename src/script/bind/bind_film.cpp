@@ -22,7 +22,7 @@ struct SharedNumber {
 };
 
 /// number:next(): one more than before, in any of the processes; the first is 1.
-int next(lua_State* L) {
+int next_frame(lua_State* L) {
     const SharedNumber* n = find<SharedNumber>(L, 1);
     if (!n) throw InputError("next: takes a shared number, got " + show(L, 1));
     return lua_pushinteger(L, ++*n->value), 1;
@@ -113,7 +113,7 @@ int write_gif(lua_State* L) {
 }
 
 /// core.make_folder(path), with those above it; core.remove_folder(path), with all in it.
-int make_folder(lua_State* L) {
+int make_folder_for_script(lua_State* L) {
     const std::string path = luaL_checkstring(L, 1);
     hinge::make_folder(path);
     return 0;
@@ -153,7 +153,8 @@ void open_film(lua_State* L, int module) {
         lua_setfield(L, -2, "__index");
         lua_pop(L, 1);
     };
-    static const luaL_Reg of_number[] = {{"next", guarded<next>}, {"so_far", guarded<so_far>}, {nullptr, nullptr}};
+    static const luaL_Reg of_number[] = {
+        {"next", guarded<next_frame>}, {"so_far", guarded<so_far>}, {nullptr, nullptr}};
     static const luaL_Reg of_file[] = {{"path", guarded<path>}, {nullptr, nullptr}};
     type(SharedNumber::lua_name, forget, of_number);
     type(MemoryFile::lua_name, close_file, of_file);
@@ -161,7 +162,7 @@ void open_film(lua_State* L, int module) {
                                          {"memory_file", guarded<memory_file>},
                                          {"share_display", guarded<share_display>},
                                          {"write_gif", guarded<write_gif>},
-                                         {"make_folder", guarded<make_folder>},
+                                         {"make_folder", guarded<make_folder_for_script>},
                                          {"remove_folder", guarded<remove_folder>},
                                          {"rename", guarded<rename>},
                                          {"process", guarded<process>},

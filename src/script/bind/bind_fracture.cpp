@@ -154,7 +154,7 @@ int list_get(lua_State* L) {
     return 1;
 }
 
-int list_length(lua_State* L) { return lua_pushinteger(L, list_in_use(L).now->count()), 1; }
+int elements_in_list(lua_State* L) { return lua_pushinteger(L, list_in_use(L).now->count()), 1; }
 
 /// Pushes the table of the fields' numbers by name; `by_end`: what differs between the ends has a name for each.
 void push_field_numbers(lua_State* L, bool by_end) {
@@ -276,7 +276,7 @@ void ready_list_metatable(lua_State* L) {
     lua_pop(L, 1);
     if (!made) {
         static const luaL_Reg others[] = {
-            {"__len", guarded<list_length>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
+            {"__len", guarded<elements_in_list>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
         push_field_numbers(L, true);
         lua_pushcclosure(L, guarded<list_get>, 1);
         lua_setfield(L, -2, "__index");
@@ -329,7 +329,7 @@ std::vector<std::string> read_keep(Options& o) {
     const int type = o.push_field("keep");
     if (type != LUA_TNIL && type != LUA_TTABLE)
         o.complain("keep", show(L, -1), "must be a list of names, such as { 'damage' }");
-    const lua_Integer n = type == LUA_TTABLE ? script::list_length(L, -1, "model:fracture: field 'keep'") : 0;
+    const lua_Integer n = type == LUA_TTABLE ? list_length(L, -1, "model:fracture: field 'keep'") : 0;
     for (lua_Integer i = 1; i <= n; ++i) {
         lua_rawgeti(L, -1, i);
         const std::string name = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";

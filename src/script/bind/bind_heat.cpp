@@ -11,7 +11,7 @@ namespace {
 constexpr double least_left = 1e-3;  ///< of stiffness and strength: what is lost is for model:fracture
 
 /// Points { temperature, value } of field `name` of the table on top.
-HeatProperties::Points read_points(Options& o, const char* name, double least) {
+HeatProperties::Points read_points(Options& o, const char* name, double smallest) {
     lua_State* L = o.L();
     const std::string what = o.function() + ": field 'properties." + name + "'";
     lua_getfield(L, -1, name);
@@ -33,8 +33,8 @@ HeatProperties::Points read_points(Options& o, const char* name, double least) {
         if (!points.empty() && !(pair[0] > points.back().first))
             refuse("the temperature is " + show(pair[0]) + "; it must be more than that before, " +
                    show(points.back().first));
-        if (!(pair[1] >= least))
-            refuse("the value is " + show(pair[1]) + "; it must be " + show(least) +
+        if (!(pair[1] >= smallest))
+            refuse("the value is " + show(pair[1]) + "; it must be " + show(smallest) +
                    " or more, a part of that of the declared material");
         points.push_back({pair[0], pair[1]});
     }

@@ -18,7 +18,7 @@ struct JointBox {
 };
 
 /// Field `points`: rotation (rad) and moment (N m) of a curve from { 0, 0 } on.
-std::vector<std::pair<double, double>> read_points(Options& o) {
+std::vector<std::pair<double, double>> read_curve(Options& o) {
     lua_State* L = o.L();
     std::vector<std::pair<double, double>> curve;
     const std::string what = o.function() + ": field 'points'";
@@ -62,7 +62,7 @@ JointAxis read_axis(Options& o, const char* field) {
         Options of(L, lua_gettop(L), o.function() + ": field '" + field + "'");
         of.expect({"stiffness", "strength", "points", "capacity"});
         if (of.push_field("points") != LUA_TNIL) {
-            axis.curve = read_points(of);
+            axis.curve = read_curve(of);
             axis.stiffness = axis.curve[0].second / axis.curve[0].first;
             for (const char* other : {"stiffness", "strength"})
                 if (of.has(other)) of.complain(other, "given beside points", "give the one or the other");
@@ -83,7 +83,7 @@ JointAxis read_axis(Options& o, const char* field) {
     return axis;
 }
 
-int joint(lua_State* L) {
+int define_joint(lua_State* L) {
     Options o(L, 1, "hinge.joint");
     o.expect({"Mx", "My", "Mz", "tension", "shear"});
     JointProperties is;
@@ -225,7 +225,7 @@ void push_joint(lua_State* L, const Run& run, int member, int end) {
 void open_joints(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     make_metatable(L, JointBox::lua_name, none, guarded<joint_fields>, collect<JointBox>, guarded<joint_text>, nullptr);
-    lua_pushcfunction(L, (guarded<takes<"hinge.joint", 1, joint>>));
+    lua_pushcfunction(L, (guarded<takes<"hinge.joint", 1, define_joint>>));
     lua_setfield(L, module, "joint");
 }
 

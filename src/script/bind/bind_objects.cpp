@@ -125,7 +125,7 @@ void push_triple(lua_State* L, const Vec3& v) { push_array(L, v.data(), 3); }
 
 int push_text(lua_State* L, const std::string& text) { return lua_pushlstring(L, text.data(), text.size()), 1; }
 
-std::string show(const Vec3& v) {
+std::string show_vector(const Vec3& v) {
     return "{" + script::show(v.x()) + ", " + script::show(v.y()) + ", " + script::show(v.z()) + "}";
 }
 
@@ -208,7 +208,7 @@ int node_text(lua_State* L) {
     auto& n = self_or_gone<NodeBox>(L, "tostring");
     if (!gone(n).empty()) return push_text(L, name_of(n) + gone(n));
     const NodeData& data = n.model->nodes()[n.index];
-    std::string text = name_of(n) + " at " + show(data.position) + " m";
+    std::string text = name_of(n) + " at " + show_vector(data.position) + " m";
     if (data.fixed) text += ", fixed: " + degrees_of_freedom(data.fixed);
     if (const auto r = latest_run(L, *n.model);
         r && n.index < int(r->left_at.size()) && !std::isnan(r->left_at[n.index]))
@@ -308,9 +308,9 @@ int load_text(lua_State* L) {
     if (!gone(l).empty()) return push_text(L, name_of(l) + gone(l));
     const NodalLoad& data = *find_load(*l.model, l.index);
     std::string text = "load on node " + std::to_string(l.node + 1) + ":";
-    if (!data.force.isZero()) text += " force " + show(data.force) + " N";
+    if (!data.force.isZero()) text += " force " + show_vector(data.force) + " N";
     if (!data.moment.isZero())
-        text += std::string(data.force.isZero() ? "" : ",") + " moment " + show(data.moment) + " N m";
+        text += std::string(data.force.isZero() ? "" : ",") + " moment " + show_vector(data.moment) + " N m";
     if (data.load_case >= 0) text += ", case '" + l.model->cases()[data.load_case] + "'";
     return push_text(L, text + (data.history ? ", times its history" : ""));
 }

@@ -76,14 +76,14 @@ std::shared_ptr<RunRecord> run_to_read(lua_State* L, const std::string& function
                      ": no run has been made of this model yet; make one with model:static{} or model:dynamic{}");
 }
 
-struct Asked {
+struct AskedPart {
     std::shared_ptr<RunRecord> record;
     int index;
 };
 
 /// run:name(node), or node:name(run).
 template <class Self>
-Asked asked_node(lua_State* L, const char* name) {
+AskedPart asked_node(lua_State* L, const char* name) {
     if constexpr (std::is_same_v<Self, RunBox>) {
         const std::string function = std::string("run:") + name;
         const auto record = self<RunBox>(L, function).value;
@@ -98,7 +98,7 @@ Asked asked_node(lua_State* L, const char* name) {
 
 /// run:name(member), or member:name(run).
 template <class Self>
-Asked asked_member(lua_State* L, const char* name) {
+AskedPart asked_member(lua_State* L, const char* name) {
     const bool of_run = std::is_same_v<Self, RunBox>;
     const std::string function = (of_run ? "run:" : "member:") + std::string(name),
                       what = function + (of_run ? ": member" : ": this");
@@ -115,7 +115,7 @@ Asked asked_member(lua_State* L, const char* name) {
 
 template <class Self>
 int six(lua_State* L, const char* name, Vec6 (*read)(const Run&, int)) {
-    const Asked a = asked_node<Self>(L, name);
+    const AskedPart a = asked_node<Self>(L, name);
     const Vec6 v = read(*a.record->run, a.index);
     for (int i = 0; i < 6; ++i) lua_pushnumber(L, v[i]);
     return 6;
@@ -135,7 +135,7 @@ int acceleration(lua_State* L) {
 }
 template <class Self>
 int reaction(lua_State* L) {
-    const Asked a = asked_node<Self>(L, "reaction");
+    const AskedPart a = asked_node<Self>(L, "reaction");
     must_be_fixed_in(*a.record, a.index, std::is_same_v<Self, RunBox> ? "run:reaction: node" : "node:reaction: this");
     return six<Self>(L, "reaction", [](const Run& r, int n) { return r.reaction(n); });
 }
@@ -144,7 +144,7 @@ Vec3 position_of(const Run& run, int node) { return run.structure().position()[n
 
 template <class Self>
 int position(lua_State* L) {
-    const Asked a = asked_node<Self>(L, "position");
+    const AskedPart a = asked_node<Self>(L, "position");
     const Vec3 x = position_of(*a.record->run, a.index);
     for (int i = 0; i < 3; ++i) lua_pushnumber(L, x[i]);
     return 3;
@@ -179,7 +179,7 @@ int joint(lua_State* L) {
 /// run:along(member, parts?), member:along(run?, parts?)
 template <class Self>
 int along(lua_State* L) {
-    const Asked a = asked_member<Self>(L, "along");
+    const AskedPart a = asked_member<Self>(L, "along");
     const std::string what = std::string(std::is_same_v<Self, RunBox> ? "run" : "member") + ":along: parts";
     int parts = 8;
     if (!lua_isnoneornil(L, 3)) {
@@ -194,7 +194,7 @@ int along(lua_State* L) {
 
 template <class Self>
 int forces(lua_State* L) {
-    const Asked a = asked_member<Self>(L, "forces");
+    const AskedPart a = asked_member<Self>(L, "forces");
     const auto [first, end] = elements_of(a.record->run->structure(), a.index);
     for (const auto& [index, side] : {std::pair{first, -1.0}, std::pair{end - 1, 1.0}}) {
         const auto values = resultants_at(*a.record->run, index, side);
@@ -227,7 +227,7 @@ Whole whole(const Run& run, int first, int end) {
 /// "elastic", "yielded" or "broken"; f_y now; and of a broken one when it broke and which of its elements did.
 template <class Self>
 int member_state(lua_State* L) {
-    const Asked a = asked_member<Self>(L, "state");
+    const AskedPart a = asked_member<Self>(L, "state");
     const auto [first, end] = elements_of(a.record->run->structure(), a.index);
     const Whole w = whole(*a.record->run, first, end);
     lua_pushstring(L, w.broken != 0 ? "broken" : w.yielded != 0 ? "yielded" : "elastic");

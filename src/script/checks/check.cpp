@@ -22,7 +22,6 @@ constexpr int periods_told = 3, bodies_told = 5;
 constexpr int most_nodes = 20000;  // of a body whose periods are looked for: some ten seconds
 constexpr double few_steps = 5;    // in the longest period
 
-std::string digits(double v, int n = 4) { return number_text(v, n); }
 std::string count(std::size_t n, const std::string& what) { return count_text(long(n), what); }
 
 struct Piece {

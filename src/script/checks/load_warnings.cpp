@@ -17,8 +17,6 @@ namespace {
 constexpr int buckling_told = 10;      // lines
 constexpr double near_buckling = 0.5;  // of Euler's load
 
-std::string digits(double v, int n = 4) { return number_text(v, n); }
-
 // ---- loads too large ------------------------------------------------------------------------------------------------
 
 /// The size of what acts, as a script gives it: its largest load on a node, else gravity.

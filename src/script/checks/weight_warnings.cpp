@@ -17,8 +17,6 @@ constexpr double much_load = 3;
 /// many times the other: mass rounded, tributary widths that differ, live load in one of them alone.
 constexpr double alike = 1.3;
 
-std::string digits(double v, int n = 4) { return number_text(v, n); }
-
 /// Along gravity, N, of what acts without a history.
 struct Weights {
     double members = 0, point_masses = 0, on_members = 0, on_nodes = 0;

@@ -22,23 +22,23 @@
 namespace hinge::script {
 namespace {
 
-using Place = std::pair<dev_t, ino_t>;
+using FileNumber = std::pair<dev_t, ino_t>;
 
 /// The open files that hold this process's locks; -1 where the file system has none. Processes that it forks have the
 /// same files, and so the same locks.
-std::map<Place, int>& locks() {
-    static std::map<Place, int> all;
+std::map<FileNumber, int>& locks() {
+    static std::map<FileNumber, int> all;
     return all;
 }
 
-std::optional<Place> place_of(const std::string& folder) {
+std::optional<FileNumber> place_of(const std::string& folder) {
     struct stat info = {};
     if (::stat(folder.c_str(), &info) != 0) return std::nullopt;
-    return Place{info.st_dev, info.st_ino};
+    return FileNumber{info.st_dev, info.st_ino};
 }
 
 /// The process that has a lock on that file, from the kernel's list; 0 where it is not known.
-long holder_of(const Place& place) {
+long holder_of(const FileNumber& place) {
     std::ifstream list("/proc/locks");
     std::string line;
     char wanted[64];

@@ -50,7 +50,7 @@ int new_index(lua_State* L) {
     return 0;
 }
 
-int next(lua_State* L) {
+int next_probe(lua_State* L) {
     lua_settop(L, 2);
     if (lua_next(L, 1)) return 2;
     return lua_pushnil(L), 1;
@@ -58,7 +58,7 @@ int next(lua_State* L) {
 
 int pairs(lua_State* L) {
     fill(L);
-    ::lua_pushcclosure(L, next, 0);
+    ::lua_pushcclosure(L, next_probe, 0);
     lua_pushvalue(L, 1);
     lua_pushnil(L);
     return 3;

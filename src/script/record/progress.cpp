@@ -26,9 +26,6 @@ std::string duration_text(double s) {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
-
 /// Whether messages go to a terminal; asked once, for it costs a call of the system.
 bool on_screen() {
     static const bool screen = isatty(2);
@@ -44,7 +41,7 @@ std::string rate_text(double v) { return v >= 9.5 ? number_text(std::round(v)) :
 /// How far a run is; `trying`: a static run is within a step that is halved, and has found no equilibrium there yet.
 void show_progress(const Context& c, RunRecord& r, bool last, bool trying = false) {
     if (!c.messages.progress && !c.messages.events) return;
-    const double wall = seconds(Clock::now() - r.progress.start);
+    const double wall = seconds_of(Clock::now() - r.progress.start);
     if (last && wall < 2 && !c.messages.events) return;
     const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
     const auto* statics = dynamic_cast<const Statics*>(r.run.get());
@@ -93,7 +90,7 @@ void show_if_due(const Context& c, RunRecord& r, bool trying) {
                  first = c.messages.events ? 1
                          : on_screen()     ? 2
                                            : 5;
-    if (seconds(now - r.progress.start) <= first || seconds(now - r.progress.last_shown) <= pause) return;
+    if (seconds_of(now - r.progress.start) <= first || seconds_of(now - r.progress.last_shown) <= pause) return;
     show_progress(c, r, false, trying);
     r.progress.last_shown = now;
 }

@@ -1,9 +1,14 @@
 // Messages on a run under way: progress, changes of state, warnings.
 #pragma once
 
+#include <chrono>
+
 #include "script/lua/objects.h"
 
 namespace hinge::script {
+
+using Clock = std::chrono::steady_clock;
+inline double seconds_of(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
 
 /// Announces a run that takes its first step.
 void tell_of_beginning(const std::shared_ptr<Context>& context, RunRecord& record);

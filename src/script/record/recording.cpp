@@ -88,9 +88,6 @@ void weigh_error(RunRecord& r, const Energy& e) {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
-double seconds(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
-
 void sample(RunRecord& r) {
     for (auto& p : r.probes) {
         p->time.push_back(abscissa(*r.run));
@@ -298,12 +295,12 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     const auto before = Clock::now();
     const bool more = step_once(r);
     const auto now = Clock::now();
-    r.wall += seconds(now - before);
+    r.wall += seconds_of(now - before);
     record_step(L, *c, record, more);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
     if (over) close_run(*c, r);
-    if (over || seconds(now - r.progress.last_write) > 0.5) {
+    if (over || seconds_of(now - r.progress.last_write) > 0.5) {
         write_rows(r);
         r.progress.last_write = now;
     }
