@@ -2456,13 +2456,35 @@ function model:diaphragm(options) end
 ---from the position at the start of the run. Velocity and acceleration follow from differences over the last steps.
 ---Before the run, the support is taken to move as in the state from which the run begins; without such a state it
 ---stands still. A path may start and stop suddenly, which is an impact. The work of the supports is in the energy
----balance. In statics the supports stand still.
+---balance. In statics the supports stand still; model:settle moves them there.
 ---```lua
 ---model:move { node = wall, z = { { 0, 0 }, { 0.1, 0.01 }, { 0.2, 0 } } } -- up by 10 mm and down again
 ---local shaken = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
 ---```
 ---@param options hinge.move_options
 function model:move(options) end
+
+---Displaces supports in statics: a settlement, an error of fit, or an end that is rotated. The call fixes the given
+---degrees of freedom. A static run moves them in proportion to its load factor, from where it finds them to the given
+---displacement at factor 1, whatever `control` it has. A run that goes on from one that has settled moves nothing. The
+---work of the supports is in the account `work`. In dynamics the supports stay where they are. It is an error if the
+---node belongs to a rigid link, a diaphragm or a joint, and if one of its degrees of freedom has a displacement already.
+---```lua
+---model:settle { node = wall, z = -0.02 } -- m, down
+---local settled = model:static { steps = 4 }:finish()
+---```
+---@param options hinge.settle_options
+function model:settle(options) end
+
+---@class hinge.settle_options
+---@field node hinge.node|hinge.node[]
+---@field x? number m, along x, from the declared position; y and z likewise
+---@field y? number
+---@field z? number
+---rad, component of the rotation vector along x, from the declared position; ry and rz likewise
+---@field rx? number
+---@field ry? number
+---@field rz? number
 
 ---@class hinge.move_options
 ---@field node hinge.node|hinge.node[]

@@ -24,6 +24,7 @@ EffectList::EffectList(Workspace& w, Host& host) {
     list_those(all, breakers), list_those(all, break_listeners), list_those(all, step_limiters),
         list_those(all, sleepers);
     list_those(all, rest_keepers), list_those(all, run_checkers), list_those(all, heaters);
+    list_those(all, static_prescribers);
 }
 
 bool EffectList::any(bool EffectTraits::*trait) const {

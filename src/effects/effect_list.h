@@ -38,6 +38,7 @@ struct EffectList {
     RoleList<RestKeeper> rest_keepers;
     RoleList<RunChecker> run_checkers;
     RoleList<Heater> heaters;
+    RoleList<StaticPrescriber> static_prescribers;
 };
 
 /// Whether a role says so of one of the list.

@@ -170,6 +170,14 @@ public:
     virtual void reached(const std::vector<Reached>& elements) = 0;
 };
 
+/// Moves supports in statics.
+class StaticPrescriber {
+public:
+    virtual ~StaticPrescriber() = default;
+    /// Adds what supported degrees of freedom move by per unit of the load factor, of each node: m and rad.
+    virtual void add_rates(std::vector<Vec6>& rates) const = 0;
+};
+
 /// Sets the temperatures of elements.
 class Heater {
 public:

@@ -88,8 +88,15 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
 
 bool Newton::find_response() {
     std::vector<Vec6> load(w_.external.size());
-    for (std::size_t i = 0; i < load.size(); ++i) load[i] = problem_.without_supported(i, forces_.load_rate(i));
-    return tangent_.solve(load, result_.response);
+    const std::vector<Vec6>&of_supports = tangent_.forces_of_supports(), &rates = forces_.support_rates();
+    for (std::size_t i = 0; i < load.size(); ++i) {
+        load[i] = forces_.load_rate(i);
+        if (!of_supports.empty()) load[i] -= of_supports[i];
+        load[i] = problem_.without_supported(i, load[i]);
+    }
+    if (!tangent_.solve(load, result_.response)) return false;
+    for (std::size_t i = 0; i < rates.size(); ++i) result_.response[i] += rates[i];
+    return true;
 }
 
 /// Displacements by the out-of-balance forces, and by the loads at factor 1.

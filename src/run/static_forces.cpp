@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/errors.h"
 #include "run/constraints.h"
 #include "run/effect_forces.h"
 #include "run/yield_tangents.h"
@@ -18,6 +19,7 @@ StaticForces::StaticForces(const StaticProblem& problem, Stages& stages)
       recover_stage_(stages.add("recover stresses")) {
     for (const auto& load : problem_.effects.loads) load->begin_statics();
     for (const auto& force : problem_.effects.forces) force->begin_statics();
+    find_support_rates();
     find_loads();
 }
 
@@ -38,6 +40,19 @@ void StaticForces::add_held(std::vector<Vec6>& weights, std::vector<Vec6>& other
 
 void StaticForces::add_resistance_of_effects() {
     for (const auto& force : problem_.effects.forces) force->add_forces(w_.state.time, w_.resisting);
+}
+
+void StaticForces::find_support_rates() {
+    if (problem_.effects.static_prescribers.empty()) return;
+    support_rates_.assign(w_.external.size(), Vec6::Zero());
+    for (const auto& settling : problem_.effects.static_prescribers) settling->add_rates(support_rates_);
+    if (!w_.constraints) return;
+    const auto moves = [&](const DegreeOfFreedom& of) { return !support_rates_[std::size_t(of.node)].isZero(0); };
+    for (const LinearConstraint& c : w_.constraints->list_at(w_.state))
+        if (moves(c.dependent) ||
+            std::any_of(c.terms.begin(), c.terms.end(), [&](const auto& t) { return moves(t.of); }))
+            throw InputError("a support that settles (model:settle) does not go yet with " +
+                             std::string(c.declared_by) + " at its node");
 }
 
 bool StaticForces::any_follows() const { return any_of(problem_.effects.loads, &Load::follows_nodes); }
@@ -149,6 +164,10 @@ void StaticForces::add_work(double begun, double& work) const {
         const auto on = [&](const Vec6& load) { return load.head<3>().dot(du) + load.tail<3>().dot(turned); };
         work += mean * on(w_.external[i]) - on(potential_[i]);
         if (!held_.empty()) work += on(held_[i]);
+        if (support_rates_.empty() || support_rates_[i].isZero(0)) continue;
+        const Vec6 before = w_.reaction[int(i)], now = w_.resisting[i] - load(i, w_.factor);
+        for (int c = 0; c < 6; ++c)
+            if (support_rates_[i][c] != 0) work += 0.5 * (before[c] + now[c]) * (c < 3 ? du[c] : turned[c - 3]);
     }
 }
 

@@ -31,19 +31,22 @@ public:
         double relative() const { return norm / scale; }
     };
     Residual residual() const;
-    /// Adds the work that loads do from the state, where the load factor is `begun`, to the configuration that is
-    /// tried, J.
+    /// Adds the work that loads, and supports that move, do from the state, where the load factor is `begun`, to the
+    /// configuration that is tried, J.
     void add_work(double begun, double& work) const;
     /// The load factor with which the start is in equilibrium: that of the run that this one goes on from, with the
     /// same loads. 0 where there is none.
     double factor_at_start() const;
     /// Forces of the supports, at a load factor.
     void find_reactions(double factor);
+    /// What supports move by per unit of the load factor, of each node: m and rad. Empty where none does.
+    const std::vector<Vec6>& support_rates() const { return support_rates_; }
     /// True if a load's tangent is unsymmetric: a moment, or a load that follows the rotation of its member.
     bool are_unsymmetric() const;
 
 private:
     void add_steady_and_static(std::vector<Vec6>& potential, std::vector<Vec6>& others) const;
+    void find_support_rates();
     void add_held(std::vector<Vec6>& weights, std::vector<Vec6>& others) const;
     void add_resistance_of_effects();
     bool any_follows() const;
@@ -53,6 +56,7 @@ private:
     const bool follow_;                   ///< a load depends on the configuration
     std::vector<Vec6> potential_;         ///< loads whose work is in a potential energy account: weights
     std::vector<Vec6> held_;              ///< of an earlier run, in full at any load factor; empty for none
+    std::vector<Vec6> support_rates_;     ///< of effects (StaticPrescriber); empty for none
     std::vector<Vec6> yielding_by_load_;  ///< find_yielding_by_load; empty for none
     Stages& stages_;
     int recover_stage_;

@@ -1,6 +1,7 @@
 #include "run/static_tangent.h"
 
 #include <algorithm>
+#include <set>
 
 #include "core/doing.h"
 #include "core/errors.h"
@@ -84,8 +85,9 @@ bool StaticTangent::renew(double off_balance, double hinge_stiffness) {
             plastic_tangents(list, std::max(hinge_regularisation(off_balance), hinge_stiffness));
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
         matrix_->build(list, w_.state, w_.trial, plastic);
-        w_.force.swap(w_.state.force);
         Blocks blocks = added_blocks(problem_.effects, w_.trial, 0);
+        if (!forces_.support_rates().empty()) find_forces_of_supports(plastic, blocks);
+        w_.force.swap(w_.state.force);
         if (w_.constraints) add_curvature_of_constraints(blocks);
         const bool has_blocks = !blocks.pairs.empty() || !blocks.nodes.empty();
         if (has_blocks || had_blocks_) matrix_->set_blocks(std::move(blocks));
@@ -96,6 +98,36 @@ bool StaticTangent::renew(double off_balance, double hinge_stiffness) {
     bool good = false;
     stages_.timed(factorise_stage_, [&] { good = matrix_->factorise(); });
     return good;
+}
+
+void StaticTangent::find_forces_of_supports(const std::vector<ElementTangent>& plastic, const Blocks& blocks) {
+    const std::vector<Vec6>& rates = forces_.support_rates();
+    const std::vector<Element>& elements = w_.structure.elements();
+    forces_of_supports_.assign(rates.size(), Vec6::Zero());
+    const auto add = [&](int a, int b, const Mat12& K) {
+        Vec12 x;
+        x << rates[std::size_t(a)], rates[std::size_t(b)];
+        const Vec12 f = K * x;
+        forces_of_supports_[std::size_t(a)] += f.head<6>(), forces_of_supports_[std::size_t(b)] += f.tail<6>();
+    };
+    std::set<int> near;  // those of moving supports, with their partners
+    for (std::size_t n = 0; n < rates.size(); ++n) {
+        if (rates[n].isZero(0)) continue;
+        for (int e : w_.structure.elements_at(int(n)))
+            for (int of : {e, elements[std::size_t(e)].partner})
+                if (of >= 0 && !w_.state.broken[std::size_t(of)]) near.insert(of);
+    }
+    for (int i : near) {
+        const Element& e = elements[std::size_t(i)];
+        const ElementPart part = matrix_->part(i, w_.state, w_.trial, plastic);
+        add(e.node[0], e.node[1], part.A);
+        if (i % 2 != 0 || e.partner < 0 || part.bridge.isZero(0)) continue;
+        Mat12 across = Mat12::Zero();
+        across.topRightCorner<6, 6>() = part.bridge;
+        across.bottomLeftCorner<6, 6>() = part.bridge.transpose();
+        add(e.node[0], elements[std::size_t(e.partner)].node[1], across);
+    }
+    for (const Coupling& c : blocks.pairs) add(c.a, c.b, c.K);
 }
 
 /// Its symmetric part where the tangent is kept as a symmetric one.

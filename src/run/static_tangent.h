@@ -22,6 +22,10 @@ public:
     /// Displacements by forces on the nodes. False where none are found.
     bool solve(const std::vector<Vec6>& forces, std::vector<Vec6>& displacements);
 
+    /// The forces on the nodes, by this tangent, where the supports alone move as they do per unit of the load factor.
+    /// Empty where none does.
+    const std::vector<Vec6>& forces_of_supports() const { return forces_of_supports_; }
+
     /// Number of negative eigenvalues of the tangent, and with those that pairs of elements cannot show.
     int negative_modes_of_matrix() { return matrix_->negative_modes(); }
     int negative_modes() { return matrix_->negative_modes() + modes_within_pairs(); }
@@ -42,6 +46,7 @@ public:
 private:
     std::vector<int> elements_to_build() const;
     std::vector<ElementTangent> plastic_tangents(const std::vector<int>& elements, double hinge_stiffness);
+    void find_forces_of_supports(const std::vector<ElementTangent>& plastic, const Blocks& blocks);
     int modes_within_pairs();
     void add_curvature_of_constraints(Blocks& blocks) const;
 
@@ -49,6 +54,7 @@ private:
     Workspace& w_;
     StaticForces& forces_;
     std::unique_ptr<EffectiveStiffness> matrix_;
+    std::vector<Vec6> forces_of_supports_;
     std::vector<int> was_yielding_;  ///< elements built with a plastic tangent
     bool built_ = false, had_blocks_ = false, unsymmetric_ = false;
     bool of_state_ = false, of_trial_ = false;  ///< what is factorised is the elastic tangent there

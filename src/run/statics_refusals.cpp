@@ -75,7 +75,7 @@ void Statics::refuse_mechanism() {
 
 /// Displacement and arc length find the load factor that keeps the structure where they drive it.
 void Statics::refuse_idle_loads() const {
-    if (settings().control == Control::load) return;
+    if (settings().control == Control::load || !forces_.support_rates().empty()) return;
     for (std::size_t i = 0; i < w_.external.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (w_.external[i][c] != 0 && !(problem_.held[i] >> c & 1)) return;

@@ -287,6 +287,7 @@ local calls = {
   ["grid:copy"] = function(x) s.grid:copy(with({ members = {}, by = { 1, 0, 0 } }, x)) end,
   ["run:hinges"] = function(x) s.run:hinges(x) end,
   ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
+  ["model:settle"] = function(x) s.model:settle(with({ node = s.tip, x = 0.01 }, x)) end,
   ["model:fracture"] = function(x) s.model:fracture(x) end,
   ["model:damping"] = function(x) s.model:damping(x) end,
   ["model:contact"] = function(x) s.model:contact(x) end,
