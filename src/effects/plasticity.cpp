@@ -5,6 +5,7 @@
 
 #include "effects/axial_strength.h"
 #include "effects/kinds.h"
+#include "effects/shear_strength.h"
 #include "state/hinge_records.h"
 #include "state/hinges.h"
 
@@ -15,7 +16,8 @@ class Plasticity : public Effect, public StepLimiter, public Sleeper, public Run
 public:
     Plasticity(Workspace& w, Host& host)
         : Effect("plasticity", w, host, {.mean_forces = true, .calls_script = w.structure.laws_call_script()}),
-          strength_(w.structure) {
+          strength_(w.structure),
+          shear_(w.structure) {
         for (std::size_t i = 0; i < w.state.hinge.size(); ++i)
             if (w.state.hinge[i]) flowing_.push_back(int(i));
         if (!w.state.data.find<HingeRecords>(hinge_records)) w.state.data.set(hinge_records, HingeRecords{});
@@ -35,8 +37,12 @@ public:
             host_.stiffness_changed(e);
         }
         strength_.look(w_, step);
+        shear_.look(w_, step);
     }
-    void check_run(std::vector<RunWarning>& list) const override { strength_.check_run(w_, list); }
+    void check_run(std::vector<RunWarning>& list) const override {
+        strength_.check_run(w_, list);
+        shear_.check_run(w_, list);
+    }
 
     bool allows_long_step() const override { return w_.yielding.empty(); }
     bool busy() const override { return !w_.yielding.empty(); }
@@ -46,13 +52,13 @@ public:
                w_.structure.element_name(w_.yielding[0].element);
     }
 
-    void save(Writer& to) const override { to(flowing_, strength_); }
-    void restore(Reader& from) override { from(flowing_, strength_); }
+    void save(Writer& to) const override { to(flowing_, strength_, shear_); }
+    void restore(Reader& from) override { from(flowing_, strength_, shear_); }
     bool restored(std::span<const State* const>) override {
         const int n = int(w_.structure.elements().size());
         if (!records().makes_sense(n)) return false;
         return std::all_of(flowing_.begin(), flowing_.end(), [n](int e) { return e >= 0 && e < n; }) &&
-               strength_.fits(w_.structure);
+               strength_.fits(w_.structure) && shear_.fits(w_.structure);
     }
 
 private:
@@ -60,6 +66,7 @@ private:
 
     std::vector<int> flowing_;  ///< elements that flowed in the last step
     AxialStrength strength_;
+    ShearStrength shear_;
 };
 
 /// The laws of sections that are not eq 14 alone.
