@@ -293,7 +293,7 @@ bool is_slip(const std::string& a, const std::string& b) {
 /// "--filter plastic" and "--filter=plastic" behind the script are filter=plastic, where the verb has no such option,
 /// nor one of nearly that name.
 void take_parameters(const CLI::App& verb, std::vector<std::string>& words) {
-    const std::string name_of_verb = verb.get_name();  // hinge study passes what it does not know on to sbatch
+    const std::string& name_of_verb = verb.get_name();  // hinge study passes what it does not know on to sbatch
     if (name_of_verb != "run" && name_of_verb != "plan" && name_of_verb != "check") return;
     std::vector<std::string> options;
     for (const CLI::Option* option : verb.get_options()) options.push_back(option->get_name(false, false));

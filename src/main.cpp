@@ -215,8 +215,14 @@ int program(int argc, char** argv) {
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): what is left are the streams, which are not told to throw
 int main(int argc, char** argv) {
-    const int status = program(argc, argv);
+    int status = 1;
+    try {
+        status = program(argc, argv);
+    } catch (const std::exception& e) {
+        std::cerr << "hinge: " << e.what() << "\n";
+    }
     if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return status;
     std::cerr << "hinge: cannot write to standard output: " << std::strerror(errno) << "\n";
     return status == 0 ? 1 : status;

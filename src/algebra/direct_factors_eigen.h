@@ -8,7 +8,8 @@
 #include "algebra/direct_factors.h"
 
 // The dense triangles of SparseLU, without fused products: direct_factors.cpp has them.
-#define HINGE_TRIANGLES(keyword) /* NOLINT(bugprone-macro-parentheses): a keyword, or nothing */                     \
+// NOLINTNEXTLINE(bugprone-macro-parentheses): a keyword, or nothing
+#define HINGE_TRIANGLES(keyword)                                                                                     \
     keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \
                                                                      Eigen::Upper, false, Eigen::ColMajor>;          \
     keyword template struct Eigen::internal::triangular_solve_vector<double, double, Eigen::Index, Eigen::OnTheLeft, \

@@ -27,7 +27,7 @@ std::vector<DeclaredPlane> declared_planes(const Model& model) { return of_all(m
 std::optional<Vec3> declared_gravity(const Model& model) {
     for (const EffectKind& kind : all_effects())
         if (const auto ask = kind.declarer.gravity)
-            if (const auto g = ask(model)) return g;
+            if (auto g = ask(model)) return g;
     return {};
 }
 

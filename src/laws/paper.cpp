@@ -108,7 +108,7 @@ public:
                 a.rightCols<1>().segment<6>(6 * i) =
                     yield_gradient(flow[i]->p + at[i].fixed_end->at(element_ends[s]), element_ends[s], w_);
             }
-        const Mat12 X = F.inverse();
+        Mat12 X = F.inverse();
         if (a.cols() == 0) return X;
         const Eigen::Matrix<double, 12, Eigen::Dynamic, 0, 12, 4> Xa = X * a;
         const Eigen::MatrixXd h = a.transpose() * Xa;

@@ -139,7 +139,7 @@ double PlasticShape::moment(int axis, double n) const {
 
 std::optional<PlasticShape> PlasticShape::of(const Section& s) {
     if (s.outline && s.outline->concrete()) return {};
-    if (const auto shape = by_sizes(s)) return shape;
+    if (auto shape = by_sizes(s)) return shape;
     if (!s.outline || !(s.plastic_area > 0 && s.Zx > 0 && s.Zy > 0) || !doubly_symmetric(s.outline->outline()))
         return {};
     PlasticShape shape;

@@ -59,7 +59,7 @@ std::vector<Vec> without_strays(std::span<const Vec> points) {
     distances.reserve(points.size());
     for (const Vec& p : points) distances.push_back(length(p - centre));
     const double rank = typical_share * static_cast<double>(points.size() - 1);
-    const auto typical = distances.begin() + static_cast<std::ptrdiff_t>(rank + 0.5);
+    const auto typical = distances.begin() + std::lround(rank);
     std::nth_element(distances.begin(), typical, distances.end());
     const double limit = *typical > 0 ? stray_factor * *typical : std::numeric_limits<double>::infinity();
     std::vector<Vec> kept;

@@ -79,7 +79,7 @@ void use_brush(vtkContext2D& context, Colour colour, double opacity) {
 const std::string& font_file(bool bold) {
     static const auto find = [](const std::string& name) -> std::string {
         for (const char* folder : {"truetype/dejavu", "dejavu-sans-fonts", "dejavu", "TTF"}) {
-            const std::string path = std::string("/usr/share/fonts/") + folder + "/" + name;
+            std::string path = std::string("/usr/share/fonts/") + folder + "/" + name;
             if (::access(path.c_str(), R_OK) == 0) return path;
         }
         return {};

@@ -39,7 +39,7 @@ bool is_of_load(const std::string& failure) { return failure.find("the load on")
 Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings)
     : Run(std::move(structure), std::move(start), kind_of(settings), settings.threads,
           !settings.explicit_steps() && !settings.conserving),
-      settings_(fitted(std::move(settings))),
+      settings_(fitted(settings)),
       size_(settings_.dt, settings_.duration, settings_.automatic, settings_.controlled(), state_.time),
       mass_(w_),
       largest_energy_(*structure_),
@@ -555,7 +555,7 @@ Energy Dynamics::energy_of_trial() {
         state_.plastic[y.element] += y.flow.plastic;
     }
     exchange();
-    const Energy energy = energy_of(state_);
+    Energy energy = energy_of(state_);
     exchange();
     for (std::size_t i = 0; i < w_.yielding.size(); ++i) state_.plastic[w_.yielding[i].element] = plastic[i];
     state_.accumulated = accumulated;

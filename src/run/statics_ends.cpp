@@ -116,8 +116,7 @@ std::string Statics::advice_at_limit() {
 std::string Statics::advice_under_load() {
     if (settings().to_limit && substeps_ > 0) return {};  // it has what it asked for
     const bool unstable = instability() && !settings().past_unstable;
-    const std::string where =
-        unstable ? ". Beyond it load control finds equilibria that cannot be held" : limit_point();
+    std::string where = unstable ? ". Beyond it load control finds equilibria that cannot be held" : limit_point();
     if (unstable && instability()->node < 0) return where;  // instability_text says what shows it
     return (where.empty() ? ": a limit load, a mechanism or a snap" : where) + "; " + control_that_goes_on(unstable);
 }

@@ -25,7 +25,7 @@ std::string place_text(const Run& run) {
 
 /// A name without a folder is in the output folder. A script that is not trusted has no other.
 std::string checkpoint_path(const Context& c, const std::string& name) {
-    const std::string path =
+    std::string path =
         name.find('/') != std::string::npos || c.output.folder.empty() ? name : c.output.folder + "/" + name;
     prepare_folder(c, path);
     return path;

@@ -321,11 +321,13 @@ void open_model(lua_State* L, int module) {
                                        {"velocity", guarded<declares<"model:velocity", 4, velocity>>},
                                        {"group", guarded<takes<"model:group", 2, group>>},
                                        {"counts", guarded<takes<"model:counts", 1, counts>>},
+// NOLINTBEGIN(bugprone-macro-parentheses): names, not expressions
 #define HINGE_MODEL_METHOD(name, function) {#name, guarded<declares<"model:" #name, 2, function>>},
 #define HINGE_MODEL_RUN(name, function) {#name, guarded<takes<"model:" #name, 2, function>>},
 #include "script/bind/model_methods.inc"
 #undef HINGE_MODEL_METHOD
 #undef HINGE_MODEL_RUN
+                                       // NOLINTEND(bugprone-macro-parentheses)
                                        {nullptr, nullptr}};
     add_methods(L, ModelBox::lua_name, methods);
     lua_pushcfunction(L, (guarded<takes<"hinge.model", 1, model>>));

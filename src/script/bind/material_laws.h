@@ -3,6 +3,7 @@
 
 #include "model/model.h"
 #include "script/lua/lua_support.h"
+#include "script/lua/model_registry.h"
 
 namespace hinge::script {
 

@@ -145,7 +145,7 @@ std::shared_ptr<const beam::SectionOutline> with_bars(Options& section, beam::Ou
     const Eigen::Vector2d centroid = outline.centroid();
     outline.move(-centroid);
     for (auto& bar : concrete.bars) bar.centre -= centroid;
-    const auto made = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
+    auto made = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
     const Vec3 left = made->domain()->ellipsoid();
     if (!(left.minCoeff() > least_strength))
         section.complain("reinforcement", "too little",
@@ -174,7 +174,7 @@ std::shared_ptr<const beam::SectionOutline> read_outline(Options& section) {
         section.complain("outline", "with an area of " + show(outline.area()) + " m^2",
                          "the area must be above 0: a hole (hole = true) lies within a part that is none");
     const bool concrete = section.push_field("reinforcement") != LUA_TNIL;
-    const auto reinforced = concrete ? with_bars(section, outline) : nullptr;
+    auto reinforced = concrete ? with_bars(section, outline) : nullptr;
     lua_pop(L, 1);
     if (reinforced) return reinforced;
     outline.move(-outline.centroid());

@@ -118,7 +118,7 @@ bool print_folder(const std::string& folder, bool in_full) {
 std::string free_folder(const std::string& wanted, const std::string& owner) {
     const Json mine = Json::parse(owner, nullptr, false);
     for (int n = 1;; ++n) {
-        const std::string folder = n == 1 ? wanted : wanted + "-" + std::to_string(n);
+        std::string folder = n == 1 ? wanted : wanted + "-" + std::to_string(n);
         const Json theirs = owner_of(folder);
         if (theirs.is_null() || theirs == mine) return folder;
     }

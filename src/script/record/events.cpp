@@ -6,7 +6,7 @@
 
 namespace hinge::script {
 
-void write_event(const Context& c, const char* kind, Json fields) {
+void write_event(const Context& c, const char* kind, const Json& fields) {
     if (!c.messages.events) return;
     Json j = {{"event", kind}};
     j.update(fields);

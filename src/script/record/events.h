@@ -10,7 +10,7 @@ namespace hinge::script {
 using Json = nlohmann::ordered_json;
 
 /// Writes { "event": kind, ... } as a line, if --json is on.
-void write_event(const Context& c, const char* kind, Json fields);
+void write_event(const Context& c, const char* kind, const Json& fields);
 
 /// A Lua value as JSON: tables with items are lists, others objects with their keys in order; a number that is not
 /// finite is its text.

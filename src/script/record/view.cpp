@@ -46,7 +46,7 @@ output::Show show_of(const std::string& name) {
 
 void read_direction(Options& o, output::View& view) {
     const auto direction = [&](const char* name) {
-        const auto v = o.triple(name, "");
+        auto v = o.triple(name, "");
         if (v && v->isZero(0)) o.complain(name, "{0, 0, 0}", "must be a direction");
         return v;
     };
