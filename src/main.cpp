@@ -220,9 +220,7 @@ int main(int argc, char** argv) {
     int status = 1;
     try {
         status = program(argc, argv);
-    } catch (const std::exception& e) {
-        std::cerr << "hinge: " << e.what() << "\n";
-    }
+    } catch (const std::exception& e) { std::cerr << "hinge: " << e.what() << "\n"; }
     if (std::fflush(stdout) == 0 && !std::ferror(stdout) && std::cout.flush()) return status;
     std::cerr << "hinge: cannot write to standard output: " << std::strerror(errno) << "\n";
     return status == 0 ? 1 : status;

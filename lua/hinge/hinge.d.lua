@@ -2468,7 +2468,8 @@ function model:move(options) end
 ---degrees of freedom. A static run moves them in proportion to its load factor, from where it finds them to the given
 ---displacement at factor 1, whatever `control` it has. A run that goes on from one that has settled moves nothing. The
 ---work of the supports is in the account `work`. In dynamics the supports stay where they are. It is an error if the
----node belongs to a rigid link, a diaphragm or a joint, and if one of its degrees of freedom has a displacement already.
+---node belongs to a rigid link, a diaphragm or a joint, and if one of its degrees of freedom has a displacement
+---already.
 ---```lua
 ---model:settle { node = wall, z = -0.02 } -- m, down
 ---local settled = model:static { steps = 4 }:finish()

@@ -90,7 +90,8 @@ void ShearStrength::compare(const Workspace& w, const Step& step, int index, int
     if (w.state.broken[index]) return;
     const double share = scales_[index].share[axis], left = share < 0 ? 1 : moment_left_by_shear(v, share);
     double excess = 0;
-    if (is_unsafe(m, left)) excess = m - left;
+    const double within = std::min(m, 1.0);  // hardening, or an end beyond the hinge of an element, is not for shear
+    if (is_unsafe(within, left)) excess = within - left;
     if (is_unsafe(v, 1)) excess = std::max(excess, v - 1);
     if (!(excess > 0)) return;
     const int member = w.structure.elements()[index].member;
@@ -110,9 +111,10 @@ void ShearStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
                        number_text(worst_.m, 2) + " of M" + about + "0 " +
                        (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
                                                 : "at t = " + number_text(worst_.at, 4) + " s");
-    text += is_unsafe(worst_.m, worst_.left) ? ": EN 1993-1-1 6.2.8 leaves " + number_text(worst_.left, 2) + " of M" +
-                                                   about + "0 beside that shear force"
-                                             : ": more than its plastic shear strength";
+    text += is_unsafe(std::min(worst_.m, 1.0), worst_.left)
+                ? ": EN 1993-1-1 6.2.8 leaves " + number_text(worst_.left, 2) + " of M" + about +
+                      "0 beside that shear force"
+                : ": more than its plastic shear strength";
     if (others > 0) text += ", and so do " + count_text(others, "more member") + " beyond what they can carry";
     list.push_back({text,
                     "no law of sections takes strength for shear forces: this run finds too high a strength; give such "

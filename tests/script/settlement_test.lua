@@ -121,7 +121,8 @@ end)
 
 local function fails(call, words)
   local done, message = pcall(call)
-  expect(not done and tostring(message):find(words, 1, true), "wanted an error with '%s', got %s", words, tostring(message))
+  message = tostring(message)
+  expect(not done and message:find(words, 1, true), "wanted an error with '%s', got %s", words, message)
 end
 
 case("wrong input is refused and changes nothing", function()
