@@ -49,6 +49,27 @@ function check.strict(map, where)
   return setmetatable(map, { __index = function(t, key) check.unknown(where, "field", key, check.keys(t)) end })
 end
 
+--- As check.strict, with fields that are made when they are first read: later.name() gives the value of the field `name`.
+--- pairs() makes them all.
+function check.lazy(map, later, where)
+  local function make(t, key)
+    local value = later[key]()
+    later[key] = nil
+    rawset(t, key, value)
+    return value
+  end
+  return setmetatable(map, {
+    __index = function(t, key)
+      if later[key] then return make(t, key) end
+      check.unknown(where, "field", key, check.keys(t))
+    end,
+    __pairs = function(t)
+      while next(later) do make(t, next(later)) end
+      return next, t, nil
+    end,
+  })
+end
+
 local bounds = {
   { "above", "above", function(v, limit) return v > limit end },
   { "at_least", "of at least", function(v, limit) return v >= limit end },

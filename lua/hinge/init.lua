@@ -1,37 +1,33 @@
 -- The module: everything a script gets from `require "hinge"`. hinge.d.lua describes it for editors.
+-- Most of its files are read when a script first asks for what they hold: a small script starts at once.
 local core = require "hinge.core"
 local check = require "hinge.check"
 local free = require "hinge.job".free
 require "hinge.hinges" -- the method of runs
 
-return check.strict({
+local later = {
+  results = function() return require "hinge.results" end,
+  scenario = function() return require "hinge.scenario".new end,
+  record = function() return require "hinge.records" end,
+}
+for _, name in ipairs {
+  "material", "section", "backbone", "blast", "combinations", "grid", "heat", "import", "joint", "moving_load",
+  "pressure", "units", "ground", "spectrum",
+} do
+  later[name] = function() return require("hinge." .. name) end
+end
+
+return check.lazy({
   version = core.version,
   model = core.model,
-  material = require "hinge.material",
-  section = require "hinge.section",
-  backbone = require "hinge.backbone",
-  benchmark = function(...) return require "hinge.benchmark".new(...) end,
-  blast = require "hinge.blast",
-  combinations = require "hinge.combinations",
-  grid = require "hinge.grid",
-  heat = require "hinge.heat",
-  import = require "hinge.import",
-  joint = require "hinge.joint",
-  moving_load = require "hinge.moving_load",
-  pressure = require "hinge.pressure",
-  units = require "hinge.units",
   resume = core.resume,
-  ground = require "hinge.ground",
-  record = require "hinge.records",
-  spectrum = require "hinge.spectrum",
   frame = free.frame,
   picture = free.picture,
   strip = free.strip,
   plot = free.plot,
   note = free.note,
-  results = require "hinge.results",
+  benchmark = function(...) return require "hinge.benchmark".new(...) end,
   robustness = function(...) return require "hinge.robustness"(...) end,
-  scenario = require "hinge.scenario".new,
   study = function(...) return require "hinge.study".run(...) end,
-  cost = function(...) return require "hinge.cost".compare(...) end, -- read when it is first asked for
-}, "hinge")
+  cost = function(...) return require "hinge.cost".compare(...) end,
+}, later, "hinge")

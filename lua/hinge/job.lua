@@ -1,8 +1,6 @@
 -- A job: the pictures, frames and notes of one run of a script.
 local core = require "hinge.core"
 local check = require "hinge.check"
-local draw_plot = require "hinge.plot.draw"
-local history = require "hinge.history"
 local hinges = require "hinge.hinges"
 local view_rules = require "hinge.view".rules
 
@@ -100,6 +98,7 @@ end
 function Job:plot(plot, ...)
   local where = named(self, "plot")
   local filename, more = ..., 2
+  local history = require "hinge.history"
   if history.is_source(plot) then
     local what
     if type(filename) ~= "string" then
@@ -109,7 +108,7 @@ function Job:plot(plot, ...)
   end
   check.no_more(where, select(more, ...))
   check.value(where, "what", plot, { "table" })
-  try(self, filename, draw_plot, plot, picture_path(where, self, filename, true), where)
+  try(self, filename, require "hinge.plot.draw", plot, picture_path(where, self, filename, true), where)
 end
 
 --- Prints a text and keeps it in summary.json.

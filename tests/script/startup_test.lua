@@ -1,4 +1,4 @@
--- Start-up: the program begins at once, and loads VTK only when something is drawn or written with it.
+-- Start-up: the program begins at once, reads only what a script uses, and loads VTK only when something is drawn.
 --
 -- Run: lua5.4 tests/script/startup_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -89,6 +89,35 @@ return hinge.scenario {
   else
     print "the picture module was not built: what it loads is not looked at"
   end
+end)
+
+case("a small script reads only the files of the library that it uses", function()
+  local lines = script("few.lua", two_nodes .. [[
+cantilever()
+local read = {}
+for name in pairs(package.loaded) do
+  if name:find "^hinge%." then read[#read + 1] = name end
+end
+table.sort(read)
+print("read: " .. table.concat(read, " "))
+local names = {}
+for name in pairs(hinge) do names[#names + 1] = name end
+table.sort(names)
+print("all: " .. table.concat(names, " "))
+print("unknown: " .. tostring(select(2, pcall(function() return hinge.grids end))))
+]])
+  local status, printed, complaint = support.run(hinge .. " run " .. lines)
+  equal(status, 0, "status " .. complaint)
+  local read = printed:match "read: ([^\n]*)" or ""
+  expect(read:find("hinge.material", 1, true), "what the script used is not in the list: %s", read)
+  for _, unused in ipairs { "hinge.joint", "hinge.results", "hinge.plot.draw", "hinge.blast", "hinge.import" } do
+    expect(not read:find(unused, 1, true), "a cantilever reads %s: %s", unused, read)
+  end
+  local all = printed:match "all: ([^\n]*)" or ""
+  for _, name in ipairs { "blast", "grid", "joint", "material", "model", "results", "version" } do
+    expect((" " .. all .. " "):find(" " .. name .. " ", 1, true), "pairs(hinge) leaves out %s: %s", name, all)
+  end
+  expect(printed:find("did you mean 'grid'", 1, true), "the message of a wrong name: %s", printed)
 end)
 
 checks.done()
