@@ -8,6 +8,7 @@
 # shellcheck source=scripts/setup.sh
 . "$(dirname -- "${BASH_SOURCE[0]}")/setup.sh"
 
+without_tests
 install_missing
 build_targets hinge_program hinge_output hinge_module  # the module: what README.md says next is typed at once
 exec "$build/hinge" run "$root/scripts/ten_storey_impact.lua" "$@"

@@ -11,8 +11,8 @@
 [ "$system" = debian ] || [ "$system" = ubuntu ] ||
   stop "a Debian package is made on Debian or Ubuntu; elsewhere use cmake --install"
 build=$root/build-package
-packages=("${debian[@]}")  # without those of the tests
-options=(-DHINGE_NATIVE=OFF -DHINGE_TESTS=OFF)
+options=(-DHINGE_NATIVE=OFF)
+without_tests
 install_missing
 build_targets all
 rm -f "$build"/*.deb

@@ -16,6 +16,7 @@ debian=(g++ cmake ninja-build libeigen3-dev libspectra-dev liblua5.4-dev lua5.4 
   gnuplot-nox dpkg-dev file)
 # The tests hold the tree to these tools as Debian 12 has them, look at the page of hinge report in a browser, and
 # submit a study to a Slurm of their own. ccache: two builds of one tree share what does not depend on the processor.
+# demo.sh and package.sh do without.
 debian_tests=(catch2 clang-format lua-check chromium-headless-shell nodejs slurm-wlm munge ccache)
 fedora=(gcc-c++ cmake ninja-build eigen3-devel spectra-devel lua-devel lua vtk-devel json-devel cli11-devel
   libedit-devel zlib-devel giflib-devel libX11-devel libxcb-devel libglvnd-devel xorg-x11-server-Xvfb dejavu-sans-fonts
@@ -90,6 +91,19 @@ install_missing() {
 configured() {
   [ -f "$build/build.ninja" ] && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt" &&
     grep -qxF CMAKE_BUILD_TYPE:STRING=Release "$build/CMakeCache.txt"
+}
+
+# Leaves the tests out: of the packages, and of a first build. A build that has them already keeps them.
+without_tests() {
+  if [ "$system" = debian ]; then packages=("${debian[@]}"); fi
+  [[ " ${options[*]} " = *HINGE_TESTS* ]] || options+=(-DHINGE_TESTS=OFF)
+}
+
+# Adds the tests to a build that was made without them. What was compiled stays.
+with_tests() {
+  if configured && grep -qxF HINGE_TESTS:BOOL=OFF "$build/CMakeCache.txt"; then
+    cmake -S "$root" -B "$build" -DHINGE_TESTS=ON || stop "cmake failed; see above"
+  fi
 }
 
 mode=(-G Ninja -DCMAKE_BUILD_TYPE=Release)

@@ -10,5 +10,6 @@
 [ "${system:-debian}" = debian ] ||
   stop "the tests are held to the tools of Debian 12: Catch2 2, clang-format 14, luacheck"
 install_missing
+with_tests
 build_targets all
 exec ctest --test-dir "$build" --output-on-failure --no-tests=error -j 2 "$@"

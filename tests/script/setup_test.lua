@@ -219,4 +219,24 @@ case("demo.sh builds no tests and hands its arguments to the program", function(
   expect(not (support.read(log) or "fresh"):find "fresh", "configured twice: %s", support.read(log))
 end)
 
+case("demo.sh leaves the tests out, and test.sh adds them to the same build", function()
+  local _, printed, complaint, calls = machine { packages = of_program:gsub("xvfb", ""), command = "demo" }
+  expect(printed:find "hinge: installing xvfb\n", "packages of the tests are installed: %s%s", printed, complaint)
+  expect(calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF\n", "the first build: %s", calls)
+
+  -- test.sh where demo.sh built: cmake is told once more, and nothing is built from the start
+  local cache = quote(root .. "/build/CMakeCache.txt")
+  local with_tests = ("PATH=%s os_release=%s/os-release %s"):format(bin, folder, quote(root .. "/scripts/test.sh"))
+  support.run(("mkdir -p %s && %s; echo HINGE_TESTS:BOOL=OFF >>%s"):format(quote(root .. "/build"), configures, cache))
+  os.remove(log)
+  support.run(with_tests)
+  calls = support.read(log) or ""
+  expect(calls:find "cmake %-S [^\n]*/build %-DHINGE_TESTS=ON\n" and not calls:find "%-%-fresh", "calls: %s", calls)
+  support.run(("%s; echo HINGE_TESTS:BOOL=ON >>%s"):format(configures, cache))
+  os.remove(log)
+  support.run(with_tests)
+  calls = support.read(log) or ""
+  expect(calls:find "cmake %-%-build" and not calls:find "HINGE_TESTS", "a build with tests: %s", calls)
+end)
+
 checks.done()
