@@ -49,10 +49,14 @@ function check.strict(map, where)
   return setmetatable(map, { __index = function(t, key) check.unknown(where, "field", key, check.keys(t)) end })
 end
 
---- As check.strict, with fields that are made when they are first read: later.name() gives the value of the field `name`.
---- pairs() makes them all.
+--- As check.strict, with fields that are made when they are first read: later.name() gives the value of the field
+--- `name`. pairs() makes them all. What later.name() requires is found where it is now, also if a script has given
+--- package.path another value since.
 function check.lazy(map, later, where)
+  local path = package.path
   local function make(t, key)
+    local _ <close> = setmetatable({ package.path }, { __close = function(kept) package.path = kept[1] end })
+    package.path = path
     local value = later[key]()
     later[key] = nil
     rawset(t, key, value)

@@ -56,8 +56,11 @@ local function names_of(value, methods)
       end
     end
   end
-  if type(value) == "table" then add(value) end
   local meta = debug.getmetatable(value)
+  if type(value) == "table" then
+    if meta and meta.__pairs then pairs(value) end -- hinge: its fields are made when they are first read
+    add(value)
+  end
   if not meta then return names end
   if type(meta.methods) == "table" then add(meta.methods) end
   if type(meta.__index) == "table" then add(meta.__index) end

@@ -122,6 +122,11 @@ void must_be_regular(const Factors& factors) {
 
 }  // namespace
 
+double largest_eigenvalue(const Eigen::MatrixXd& symmetric) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(symmetric, Eigen::EigenvaluesOnly);
+    return solver.eigenvalues().maxCoeff();
+}
+
 int negative_pivots(const SparseMatrix& K) {
     const Factors factors(K);
     must_be_regular(factors);

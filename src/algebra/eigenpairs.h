@@ -20,6 +20,9 @@ struct Eigenpairs {
 /// value is missing. Throws std::runtime_error if it does not converge.
 Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors);
 
+/// Of a small symmetric matrix; its lower half counts.
+double largest_eigenvalue(const Eigen::MatrixXd& symmetric);
+
 /// Number of negative pivots of a symmetric matrix, given by its lower half. Throws std::runtime_error where it is
 /// singular.
 int negative_pivots(const SparseMatrix& K);

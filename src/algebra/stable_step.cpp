@@ -1,11 +1,12 @@
 #include "algebra/stable_step.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <tuple>
 
+#include "algebra/eigenpairs.h"
 #include "beam/element_mass.h"
 #include "state/node_mass.h"
 
@@ -19,7 +20,7 @@ double highest(const Element& e) {
     const Vec12 root =
         beam::lumped_inertia(e.rigidity, e.length).matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
     K = root.asDiagonal() * K * root.asDiagonal();
-    return Eigen::SelfAdjointEigenSolver<Mat12>(K, Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
+    return largest_eigenvalue(K);
 }
 
 /// Calls f(element, omega^2, c) for each.
@@ -78,8 +79,7 @@ public:
             group_[find(p.a)] = find(p.b);
         }
         for (const auto& [at, part] : sum) {
-            const double square =
-                Eigen::SelfAdjointEigenSolver<Mat6>(part.transpose() * part, Eigen::EigenvaluesOnly).eigenvalues()[5];
+            const double square = largest_eigenvalue(part.transpose() * part);
             norms_.push_back({at.first, at.second, std::sqrt(std::max(0.0, square))});
         }
     }

@@ -1,5 +1,4 @@
 // The consistent tangent of elements and pairs whose sections follow a PotentialLaw.
-#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "beam/potential_parts.h"
@@ -31,32 +30,46 @@ bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End&
 
 namespace {
 
-/// K - K B^T (B K B^T + D'')^-1 B K: the tangent where the n sections of B flow. Where N may flow at either of two
-/// ends, the matrix in the middle is singular, and what is left of it is damped.
-template <int n, int size>
-Eigen::Matrix<double, size, size> reduced(const Eigen::Matrix<double, size, size>& K,
-                                          const Eigen::Matrix<double, 16, size>& rows, const Mat4 (&bend)[4]) {
-    constexpr int height = 4 * n;
-    const Eigen::Matrix<double, height, size> BK = rows.template topRows<height>() * K;
-    Eigen::Matrix<double, height, height> H = BK * rows.template topRows<height>().transpose();
-    for (int i = 0; i < n; ++i) H.template block<4, 4>(4 * i, 4 * i) += bend[i];
-    for (int i = 0; i < height; ++i) {
-        if (H(i, i) == 0) H(i, i) = 1;  // of infinite strength
-        else H(i, i) *= 1 + least_pivot_growth;
-    }
-    return K - BK.transpose() * H.ldlt().solve(BK);
-}
-
+/// K - K B^T (B K B^T + D'')^-1 B K: the tangent where sections flow, with four rows of B and a block of D'' for each.
+/// Row after row is eliminated, that of the largest pivot first. Where N may flow at either of two ends, the matrix in
+/// the middle is singular, and what is left of it is damped.
 template <int size>
-Eigen::Matrix<double, size, size> reduced(int n, const Eigen::Matrix<double, size, size>& K,
-                                          const Eigen::Matrix<double, 16, size>& rows, const Mat4 (&bend)[4]) {
-    switch (n) {
-        case 0: return K;
-        case 1: return reduced<1>(K, rows, bend);
-        case 2: return reduced<2>(K, rows, bend);
-        case 3: return reduced<3>(K, rows, bend);
-        default: return reduced<4>(K, rows, bend);
+Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, const Eigen::Matrix<double, 16, size>& B,
+                                          const Mat4 (&bend)[4], int sections) {
+    const int height = 4 * sections;
+    double BK[16][size], H[16][16];
+    for (int i = 0; i < height; ++i) {
+        for (int j = 0; j < size; ++j) BK[i][j] = 0;
+        for (int m = 0; m < size; ++m)
+            for (int j = 0; j < size; ++j) BK[i][j] += B(i, m) * K(j, m);
+        for (int k = 0; k <= i; ++k) {
+            double sum = i / 4 == k / 4 ? bend[i / 4](i % 4, k % 4) : 0;
+            for (int j = 0; j < size; ++j) sum += BK[i][j] * B(k, j);
+            H[i][k] = H[k][i] = sum;
+        }
+        if (H[i][i] == 0) H[i][i] = 1;  // of infinite strength
+        else H[i][i] *= 1 + least_pivot_growth;
     }
+    bool left[16];
+    std::fill_n(left, 16, true);
+    for (int step = 0; step < height; ++step) {
+        int p = -1;
+        for (int i = 0; i < height; ++i)
+            if (left[i] && (p < 0 || H[i][i] > H[p][p])) p = i;
+        left[p] = false;
+        if (!(H[p][p] > 0)) continue;
+        for (int i = 0; i < size; ++i) {
+            const double part = BK[p][i] / H[p][p];
+            for (int j = 0; j < size; ++j) K(j, i) -= part * BK[p][j];
+        }
+        for (int i = 0; i < height; ++i) {
+            if (!left[i]) continue;
+            const double part = H[i][p] / H[p][p];
+            for (int k = 0; k < height; ++k) H[i][k] -= part * H[p][k];
+            for (int j = 0; j < size; ++j) BK[i][j] -= part * BK[p][j];
+        }
+    }
+    return K;
 }
 
 }  // namespace
@@ -73,7 +86,7 @@ Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const do
         if (!curvature_of(flow, i, end, bend[count])) continue;
         B.middleRows<4>(4 * count++) = end.rows();
     }
-    return reduced<6>(count, K, B, bend);
+    return reduced<6>(K, B, bend, count);
 }
 
 Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
@@ -92,7 +105,7 @@ Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const 
             B.middleRows<4>(4 * count).setZero();
             B.block<4, 6>(4 * count++, 6 * i) = own;
         }
-    return reduced<12>(count, elastic, B, bend);
+    return reduced<12>(elastic, B, bend, count);
 }
 
 }  // namespace hinge::beam

@@ -100,6 +100,8 @@ for name in pairs(package.loaded) do
 end
 table.sort(read)
 print("read: " .. table.concat(read, " "))
+package.path = "/nowhere/?.lua" -- a script's own business
+print("kN: " .. hinge.units.kN .. " " .. package.path)
 local names = {}
 for name in pairs(hinge) do names[#names + 1] = name end
 table.sort(names)
@@ -113,6 +115,7 @@ print("unknown: " .. tostring(select(2, pcall(function() return hinge.grids end)
   for _, unused in ipairs { "hinge.joint", "hinge.results", "hinge.plot.draw", "hinge.blast", "hinge.import" } do
     expect(not read:find(unused, 1, true), "a cantilever reads %s: %s", unused, read)
   end
+  expect(printed:find("kN: 1000.* /nowhere/%?%.lua\n"), "another package.path: %s", printed)
   local all = printed:match "all: ([^\n]*)" or ""
   for _, name in ipairs { "blast", "grid", "joint", "material", "model", "results", "version" } do
     expect((" " .. all .. " "):find(" " .. name .. " ", 1, true), "pairs(hinge) leaves out %s: %s", name, all)

@@ -49,10 +49,11 @@ std::shared_ptr<const HeatProperties> read_properties(Options& o) {
     if (o.push_field("properties") == LUA_TNIL) {
         lua_pop(L, 1);
         luaL_getsubtable(L, LUA_REGISTRYINDEX, LUA_LOADED_TABLE);
-        lua_getfield(L, -1, "hinge.heat");
+        lua_getfield(L, -1, "hinge");
+        lua_getfield(L, -1, "heat");  // its file is read when it is first asked for
         lua_getfield(L, -1, "steel");
         lua_call(L, 0, 1);
-        lua_replace(L, -3), lua_pop(L, 1);
+        lua_replace(L, -4), lua_pop(L, 2);
     }
     if (lua_type(L, -1) != LUA_TTABLE)
         o.complain("properties", show(L, -1),
