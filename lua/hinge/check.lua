@@ -53,9 +53,10 @@ end
 --- `name`. pairs() makes them all. What later.name() requires is found where it is now, also if a script has given
 --- package.path another value since.
 function check.lazy(map, later, where)
-  local path = package.path
+  local path = rawget(package, "path") -- nil in the sandbox, which finds the files by itself
   local function make(t, key)
-    local _ <close> = setmetatable({ package.path }, { __close = function(kept) package.path = kept[1] end })
+    local of_script = rawget(package, "path")
+    local _ <close> = setmetatable({}, { __close = function() package.path = of_script end })
     package.path = path
     local value = later[key]()
     later[key] = nil
