@@ -3,7 +3,7 @@
 local check = require "hinge.check"
 
 local import = {}
-for _, name in ipairs { "s2k", "tcl", "csv", "build", "write" } do
+for _, name in ipairs { "s2k", "e2k", "tcl", "csv", "build", "write" } do
   import[name] = function(...) return require("hinge.import." .. name)(...) end
 end
 

@@ -138,10 +138,16 @@ local readers = {
     return import.tcl { file = samples .. "frame.py", units = { length = 1, force = "N" } }
   end },
   { "CSV", sap_cases, read_csv },
+  { "ETABS", sap_cases, function() return import.e2k { file = samples .. "frame.e2k" } end,
+    node = function(i)
+      return ("%d@%s"):format((i - 1) % 6 + 1, i <= 6 and "Base" or i <= 12 and "Storey 1" or "Storey 2")
+    end,
+    member = { ["8"] = "C2@Storey 2", ["26"] = "B7@Storey 2" } },
 }
 
 for _, reader in ipairs(readers) do
-  local what, cases = reader[1], reader[2]
+  local what, cases, node, member = reader[1], reader[2], reader.node or tostring, reader.member or {}
+  local turned, last = member["8"] or "8", member["26"] or "26"
   case(what .. ": the numbers of the frame by hand, also of the written script", function()
     local frame, notes = reader[3]()
     equal(#notes, 0, "nothing is left unread: " .. tostring(notes))
@@ -150,13 +156,13 @@ for _, reader in ipairs(readers) do
     near(s.length, 12 * 3.5 + 8 * 6 + 6 * 5, 1e-9, "length of all members, m")
     near(s.mass_of_members, 7850 * (42 * 0.0149 + 78 * 0.00845), 1e-6, "mass, kg")
     local model, nodes, members = import.build(frame, small)
-    near(members["8"].up[2] / members["8"].up[1], math.tan(math.pi / 6), 1e-12, "the turned column")
-    same_numbers(what, model, function(i) return nodes[tostring(i)] end, cases)
+    near(members[turned].up[2] / members[turned].up[1], math.tan(math.pi / 6), 1e-12, "the turned column")
+    same_numbers(what, model, function(i) return nodes[node(i)] end, cases)
     import.write(frame, folder .. "written.lua", small)
     local again, its_nodes, its_members = dofile(folder .. "written.lua")
-    same_numbers(what .. ", written", again, function(i) return its_nodes[tostring(i)] end, cases)
-    equal(its_members["26"].b.x, members["26"].b.x, "a member of the script by its name")
-    equal(its_members["26"].group, members["26"].group, "its group")
+    same_numbers(what .. ", written", again, function(i) return its_nodes[node(i)] end, cases)
+    equal(its_members[last].b.x, members[last].b.x, "a member of the script by its name")
+    equal(its_members[last].group, members[last].group, "its group")
   end)
 end
 
@@ -478,6 +484,177 @@ case("self weight: by gravity or by loads, and the choice where they differ", fu
   frame.cases[2] = { name = "more", self_weight = 1, loads = {} }
   good, message = pcall(import.build, frame, { self_weight = "gravity" })
   expect(not good and tostring(message):find "2 load cases have self weight", "refuses two: %s", tostring(message))
+end)
+
+-- ETABS ---------------------------------------------------------------------------------------------------------------
+
+-- A file with a frame of two storeys of 3 m over points 1 (0, 0) and 2 (4, 0); more: further lines.
+local function etabs(more, options)
+  local o = options or {}
+  local text = ([[
+$ CONTROLS
+  UNITS  %s
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "S2"  HEIGHT 3
+  STORY "S1"  HEIGHT 3
+  STORY "Base"  ELEV 1
+$ MATERIAL PROPERTIES
+  MATERIAL "S"  TYPE "Steel"  WEIGHTPERVOLUME 76.9822025
+  MATERIAL "S"  SYMTYPE "Isotropic"  E 210000000  U 0.3
+  MATERIAL "S"  FY 355000  FU 510000
+$ FRAME SECTIONS
+  FRAMESECTION "A"  MATERIAL "S"  SHAPE %s
+$ POINT COORDINATES
+  POINT "1"  0 0
+  POINT "2"  4 0
+  POINT "3"  4 3 0.5
+$ LINE CONNECTIVITIES
+  LINE "C1"  COLUMN "1" "1" 1
+  LINE "B1"  BEAM "1" "2" 0
+  LINE "D1"  BRACE "1" "2" 2
+  LINE "B2"  BEAM "2" "3" 0
+$ LOAD PATTERNS
+  LOADPATTERN "DEAD"  TYPE "Dead"  SELFWEIGHT 1
+%s]]):format(o.units or '"KN" "M" "C"', o.shape or '"Steel I/Wide Flange"  D 0.4 B 0.2 TF 0.012 TW 0.008', more or "")
+  return import.e2k { file = write("frame.e2k", text) }
+end
+
+local etabs_head = 23 -- lines before more
+
+case("ETABS: storeys and points are joints, braces go over storeys, points may lie below", function()
+  local frame, notes = etabs [[
+$ LINE ASSIGNS
+  LINEASSIGN "C1"  "S1"  SECTION "A"
+  LINEASSIGN "D1"  "S2"  SECTION "A"  RELEASE "M2I M3I M2J M3J TJ"
+  LINEASSIGN "B2"  "S2"  SECTION "A"
+]]
+  local _, nodes, members = import.build(frame, small)
+  for name, at in pairs { ["1@Base"] = { 0, 0, 1 }, ["1@S1"] = { 0, 0, 4 }, ["2@S2"] = { 4, 0, 7 },
+    ["3@S2"] = { 4, 3, 6.5 } } do
+    local n = nodes[name]
+    equal(("%g %g %g"):format(n.x, n.y, n.z), ("%g %g %g"):format(at[1], at[2], at[3]), name)
+  end
+  equal(members["D1@S2"].group, "braces", "its group")
+  for _, m in ipairs(frame.members) do
+    if m.name == "D1@S2" then
+      equal(m.a .. " " .. m.b, "1@Base 2@S2", "a brace over two storeys")
+      equal(m.release.a .. " " .. m.release.b, "rx,ry rx,ry,rz", "released ends")
+    end
+  end
+  expect(tostring(notes):find("below its storey", 1, true), "the third number of a point is noted: %s", tostring(notes))
+  local m = frame.materials[1]
+  near(m.yield_stress, 355e6, 1, "FY, Pa")
+  near(m.density, 7850, 1e-6, "the density is the weight over 9.80665 m/s^2")
+  local s, h = members["C1@S1"].section, hinge.section.h { width = 0.2, depth = 0.4, web = 0.008, flange = 0.012 }
+  for _, key in ipairs { "area", "Ix", "Iy", "J", "Zx", "depth" } do near(s[key], h[key], 1e-12, key) end
+end)
+
+case("ETABS: other shapes, a shape by its name, modifiers, and the older dialect", function()
+  local assign = '$ LINE ASSIGNS\n  LINEASSIGN "C1"  "S1"  SECTION "A"\n'
+  for shape, wanted in pairs {
+    ['"Steel Tube"  D 0.4 B 0.2 TF 0.012 TW 0.008'] = hinge.section.box { width = 0.2, depth = 0.4, web = 0.008,
+      flange = 0.012 },
+    ['"Steel Pipe"  D 0.4 TF 0.01'] = hinge.section.pipe { diameter = 0.4, thickness = 0.01 },
+    ['"Concrete Rectangular"  D 0.4 B 0.2'] = hinge.section.solid { width = 0.2, depth = 0.4 },
+    ['"HEB 200"'] = hinge.section.named "HEB 200",
+  } do
+    local _, _, members = import.build((etabs(assign, { shape = shape })), small)
+    for _, key in ipairs { "area", "Ix", "Iy", "J", "Zx" } do
+      near(members["C1@S1"].section[key], wanted[key], 1e-12, shape .. ": " .. key)
+    end
+  end
+  local frame = etabs(assign, { shape = '"General"  AREA 0.01 I33 2e-4 I22 5e-5 TORSION 1e-6 AS2 0.004 AS3 0.005\n'
+    .. '  FRAMESECTION "A"  I33MODIFIER 0.5  I2MOD 0.7' })
+  near(frame.sections[1].Ix, 1e-4, 1e-15, "I33MODIFIER")
+  near(frame.sections[1].Iy, 3.5e-5, 1e-15, "I2MOD")
+
+  local old = import.e2k { file = write("old.e2k", [[
+$ PROGRAM INFORMATION
+  PROGRAM  "ETABS"  VERSION "9.7.3"
+$ CONTROLS
+  UNITS  "TON"  "M"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "STORY1"  HEIGHT 3  ELEV 3
+  STORY "BASE"  ELEV 0
+$ MATERIAL PROPERTIES
+  MATERIAL  "STEEL"  M 0.8  W 7.85  TYPE "ISOTROPIC"  E 2.1E+07  U 0.3  A 1.2E-05
+$ FRAME SECTIONS
+  FRAMESECTION  "A"  MATERIAL "STEEL"  SHAPE "Rectangular"  D 0.4  B 0.2
+$ POINT COORDINATES
+  POINT "1"  0  0
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+$ POINT ASSIGNS
+  POINTASSIGN  "1"  "BASE"  RESTRAINT "UX UY UZ RX RY RZ"
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "STORY1"  SECTION "A"  ANG  90  MINNUMSTA 3  LENGTHOFFI 0  LENGTHOFFJ 0  RIGIDZONE 1
+$ STATIC LOADS
+  LOADCASE "G"  TYPE  "DEAD"  SELFWEIGHT  0
+$ POINT OBJECT LOADS
+  POINTLOAD  "1"  "STORY1"  TYPE "FORCE"  LC "G"  FX 0  FY 2  FZ 0  MX 0  MY 0  MZ 0
+]]) }
+  local g = 9806.65
+  near(old.materials[1].density, 0.8 * g, 1e-9 * g, "M is the mass per volume")
+  near(old.materials[1].E, 2.1e7 * g, 1, "tons of force")
+  local model, nodes = import.build(old, small)
+  local _, tip_y = nodes["1@STORY1"]:displacement(model:static { steps = 1, loads = { G = 1 } }:finish())
+  -- turned by 90 degrees axis 2 is Y: the depth of 0.4 m bends
+  local Es, I, shear = 2.1e7 * g, 0.2 * 0.4 ^ 3 / 12, 5 / 6 * 0.08
+  near(tip_y, 2 * g * (27 / (3 * Es * I) + 3 / (Es / 2.6 * shear)), 1e-9, "displacement, m")
+end)
+
+case("ETABS: what is not read is named with its line, and broken lines are refused", function()
+  local frame, notes = etabs [[
+$ LINE ASSIGNS
+  LINEASSIGN "B1"  "S1"  SECTION "A"  LENGTHOFFI 0.2 LENGTHOFFJ 0.2  PROPMOD "half"
+$ POINT ASSIGNS
+  POINTASSIGN "1"  "S1"  DIAPH "D1"
+  POINTASSIGN "2"  "S1"  DIAPH "D1"  SPRINGPROP "soft"
+$ FRAME OBJECT LOADS
+  LINELOAD "B1"  "S1"  TYPE "UNIFF"  DIR "GRAV"  LC "DEAD"  FVAL 5
+  LINELOAD "B1"  "S1"  TYPE "TRAPF"  DIR "GRAV"  LC "DEAD"  FSTART 5  FEND 0  RDSTART 0  RDEND 1
+  LINELOAD "B1"  "S1"  TYPE "POINTF"  DIR "GRAV"  LC "DEAD"  FVAL 5  RD 0.5
+$ AREA CONNECTIVITIES
+  AREA "F1"  FLOOR 4 "1" "2" "3" "1" 0 0 0 0
+$ LOAD COMBINATIONS
+  COMBO "C"  TYPE "Linear Add"
+]]
+  local q = frame.cases[1].loads[1].q
+  equal(("%g %g %g"):format(q[1], q[2], q[3]), "0 0 -5000", "the uniform load, N/m")
+  equal(#frame.cases[1].loads, 1, "and no other")
+  local text = tostring(notes)
+  for offset, words in pairs { [2] = "end offsets", [4] = "diaphragm D1 on S1", [5] = "SPRINGPROP", [8] = "uniform",
+    [9] = "TYPE", [11] = "table is not read" } do
+    local line = etabs_head + offset
+    local entry
+    for _, e in ipairs(notes) do
+      if e.line == line and e.reason:find(words, 1, true) then entry = e end
+    end
+    expect(entry, "line %d is not noted with '%s':\n%s", line, words, text)
+  end
+  expect(at_line(notes.skipped, etabs_head + 13), "combinations are no part of a frame: %s", text)
+  expect(text:find("PROPMOD", 1, true), "an unknown key is named: %s", text)
+
+  local assign = '$ LINE ASSIGNS\n  LINEASSIGN "C1"  "S1"  SECTION "A"\n'
+  for wrong, words in pairs {
+    ['$ LINE ASSIGNS\n  LINEASSIGN "C9"  "S1"  SECTION "A"\n'] = ":25: line 'C9' is not in $ LINE CONNECTIVITIES",
+    ['$ LINE ASSIGNS\n  LINEASSIGN "C1"  "S7"  SECTION "A"\n'] = ":25: storey 'S7' is not in $ STORIES",
+    ['$ LINE ASSIGNS\n  LINEASSIGN "C1"  "Base"  SECTION "A"\n'] = ":25: line C1 on storey Base begins",
+    ['$ LINE ASSIGNS\n  LINEASSIGN "C1"  "S1"  SECTION "Z"\n'] = ":25: section Z",
+    ['$ LINE ASSIGNS\n  LINEASSIGN "C1"  "S1"  SECTION "A"  RELEASE "M4I"\n'] = ":25: RELEASE 'M4I'",
+    [assign .. '$ POINT ASSIGNS\n  POINTASSIGN "1"  "Base"  RESTRAINT "UP"\n'] = ":27: RESTRAINT 'UP'",
+    [assign .. '$ POINT OBJECT LOADS\n  POINTLOAD "1"  "S1"  TYPE "FORCE"  LC "DEAD"  FX "much"\n'] =
+      ":27: FX is 'much'",
+    [assign .. '$ POINT ASSIGNS\n  POINTASSIGN "1"  "Base  RESTRAINT\n'] = ":27: the quotes are not closed",
+  } do
+    local good, message = pcall(etabs, wrong)
+    expect(not good and tostring(message):find(words:gsub("[%$%(%)]", "%%%0"), 1, false),
+      "wanted '%s', got: %s", words, tostring(message))
+  end
+  local good, message = pcall(etabs, "", { units = '"STONE" "M"' })
+  expect(not good and tostring(message):find(":2: UNITS are 'STONE'", 1, true), "units: %s", tostring(message))
+  good, message = pcall(import.e2k, { file = write("empty.e2k", "nothing\n") })
+  expect(not good and tostring(message):find("no line that begins with", 1, true), "%s", tostring(message))
 end)
 
 -- OpenSees ------------------------------------------------------------------------------------------------------------

@@ -31,14 +31,14 @@ local function dimensions(reader, row)
   end
 end
 
-local function shape_of(reader, row, where)
+local function shape_of(reader, row)
   local d = dimensions(reader, row)
   local shape = (row:text "Shape" or "General"):upper()
   local maker = makers[shape]
   if not maker then return { size = d "t2" and d "t3" and { width = d "t2", depth = d "t3" } } end
   local good, made = pcall(maker, d)
   if not good then
-    notes.fail(where, row.place, "section of shape %s: %s", shape, (tostring(made):gsub("^.-hinge%.", "hinge.")))
+    notes.fail(reader.where, row.place, "section of shape %s: %s", shape, (tostring(made):gsub("^.-hinge%.", "hinge.")))
   end
   return made or { size = { width = d "t2", depth = d "t3" } }
 end
@@ -67,7 +67,8 @@ local function is_there(value) return value and value > 0 end
 
 --- The section as a row of frame.sections, or nil and why it cannot be read.
 return function(reader, row, name)
-  local shape = shape_of(reader, row, "hinge.import.s2k")
+  if row:text "Named" then return { name = name, named = row:text "Named" } end
+  local shape = shape_of(reader, row)
   local whole = row:text "Area" and row:number "Area" * reader.length ^ 2 or shape.area
   local area = whole and whole * row:number("AMod", 1)
   local Ix = property(reader, row, "I33", "I3Mod", 4, shape.Ix)

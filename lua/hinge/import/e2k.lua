@@ -1,0 +1,494 @@
+-- import.e2k: a frame from a text file of ETABS (.e2k, .$et): sections that begin with "$ NAME", lines of a word, names
+-- and pairs of a key and a value. The lines are put into the tables of SAP2000, which sap_frame.lua reads.
+--
+-- Names of sections and keys: exported files of versions 9 to 22 and programs that write them, in public repositories.
+-- STORY lists the storeys from the top, each with its height, the base with its elevation. LINE "C1" COLUMN "1" "2" 1
+-- has its second point on the storey to which LINEASSIGN puts it, and its first point one storey below. The third
+-- number of a POINT is how far it lies below its storey.
+local check = require "hinge.check"
+local named = require "hinge.named"
+local notes = require "hinge.import.notes"
+local sap_frame = require "hinge.import.sap_frame"
+local units = require "hinge.units"
+
+local where = "hinge.import.e2k"
+
+-- Lines ---------------------------------------------------------------------------------------------------------------
+
+-- The words of a line; those in quotes without them.
+local function words_of(place, line)
+  local words, at = {}, 1
+  while true do
+    at = line:find("%S", at)
+    if not at then return words end
+    if line:sub(at, at) == '"' then
+      local stop = line:find('"', at + 1, true)
+      if not stop then notes.fail(where, place, "the quotes are not closed: %s", line) end
+      words[#words + 1], at = line:sub(at + 1, stop - 1), stop + 1
+    else
+      local word, stop = line:match("^(%S+)()", at)
+      words[#words + 1], at = word, stop
+    end
+  end
+end
+
+-- The sections of the file by name: { title =, place =, lines = { { place =, text =, words = } } }, and in their order.
+local function sections_of(path)
+  local sections, others, current = {}, {}, nil
+  for number, text in notes.lines(notes.read(where, path)) do
+    local place = { file = path, line = number }
+    local name = text:match "^%s*%$%s*(.-)%s*$"
+    if name then
+      name = name:upper()
+      if name:find "^END OF MODEL" then break end
+      current = sections[name]
+      if not current and not name:find "^FILE " then
+        current = { name = name, title = "$ " .. name, place = place, lines = {} }
+        sections[name], sections[#sections + 1] = current, current
+      end
+    elseif text:find "%S" and current then
+      table.insert(current.lines, { place = place, text = text, words = words_of(place, text) })
+    elseif text:find "%S" then
+      others[#others + 1] = { place = place, line = text }
+    end
+  end
+  return sections, others
+end
+
+-- The pairs of a key and a value behind the first words of a line, by key.
+local function pairs_after(line, first)
+  local found = {}
+  for i = first, #line.words, 2 do
+    local key, value = line.words[i]:upper(), line.words[i + 1]
+    if value == nil then notes.fail(where, line.place, "%s has no value", key) end
+    found[key] = value
+  end
+  return found
+end
+
+local function number_of(line, word, what)
+  local x = tonumber(word)
+  if not x or x ~= x or math.abs(x) == math.huge then
+    notes.fail(where, line.place, "%s is '%s'; must be a number", what, tostring(word))
+  end
+  return x
+end
+
+-- Raises an error unless these keys of a line are numbers, where they are there.
+local function must_be_numbers(line, given, keys)
+  for key in keys:gmatch "%S+" do
+    if given[key] then number_of(line, given[key], key) end
+  end
+end
+
+-- The reader ----------------------------------------------------------------------------------------------------------
+
+local Reader = {}
+Reader.__index = Reader
+
+--- The lines of a section that begin with a word; marks the section as read.
+function Reader:lines(name, word)
+  local found, list = self.sections[name], {}
+  if not found then return list end
+  found.read = true
+  for _, line in ipairs(found.lines) do
+    if line.words[1]:upper() == word then
+      line.read = true
+      list[#list + 1] = line
+    end
+  end
+  return list
+end
+
+function Reader:remark(line, reason, assumed)
+  table.insert(self.remarks, { place = line.place, line = line.text, reason = reason, assumed = assumed })
+end
+
+--- A row of a table of SAP2000 with these fields, made of a line.
+function Reader:row(table_name, section, line, fields)
+  local found = self.tables[table_name]
+  if not found then
+    found = { name = table_name, title = "$ " .. section, place = line.place, rows = {} }
+    self.tables[table_name], self.tables[#self.tables + 1] = found, found
+  end
+  local row = sap_frame.row(where, "$ " .. section, line.place, line.text)
+  row.fields = fields
+  table.insert(found.rows, row)
+end
+
+--- Notes the keys of a line that are neither taken nor of no meaning for the frame.
+function Reader:note_keys(line, given, taken, without_meaning)
+  local left = {}
+  for _, key in ipairs(check.keys(given)) do
+    local known = taken[key]
+    for _, beginning in ipairs(without_meaning or {}) do known = known or key:sub(1, #beginning) == beginning end
+    if not known then left[#left + 1] = key end
+  end
+  if #left > 0 then self:remark(line, "not read of it: " .. table.concat(left, ", ")) end
+end
+
+local function set(text)
+  local names = {}
+  for name in text:gmatch "%S+" do names[name] = true end
+  return names
+end
+
+local forces = { N = "N", KN = "kN", KGF = "kgf", TON = "tonf", TONF = "tonf", LB = "lb", KIP = "kip" }
+local lengths = { M = "m", CM = "cm", MM = "mm", IN = "in", FT = "ft" }
+local metres = { m = 1, cm = 1e-2, mm = 1e-3, ["in"] = units.inch, ft = units.ft }
+
+function Reader:read_units()
+  local line = self:lines("CONTROLS", "UNITS")[1]
+  if not line then check.fail("%s: %s has no line UNITS in $ CONTROLS, so that its units are not known", where,
+    self.file) end
+  local force, length = forces[(line.words[2] or ""):upper()], lengths[(line.words[3] or ""):upper()]
+  if not (force and length) then
+    notes.fail(where, line.place, "UNITS are '%s' and '%s'; must be a force (%s) and a length (%s)",
+      line.words[2] or "", line.words[3] or "", table.concat(check.keys(forces), ", "),
+      table.concat(check.keys(lengths), ", "))
+  end
+  self.metre = metres[length]
+  self:row("PROGRAM CONTROL", "CONTROLS", line, { CurrUnits = force .. ", " .. length })
+end
+
+-- self.storey: by name { index =, z = }, index 1 at the top; self.storeys: in this order.
+function Reader:read_storeys()
+  local section = "STORIES - IN SEQUENCE FROM TOP"
+  self.storey, self.storeys = {}, {}
+  for _, line in ipairs(self:lines(section, "STORY")) do
+    local name, given = line.words[2], pairs_after(line, 3)
+    if not name then notes.fail(where, line.place, "STORY has no name") end
+    if self.storey[name] then notes.fail(where, line.place, "storey %s is there twice", name) end
+    self:note_keys(line, given, set "HEIGHT ELEV", { "MASTERSTORY", "SIMILARTO", "SPLICE", "COLOR", "CUMULATIVE" })
+    local storey = { name = name, index = #self.storeys + 1, line = line,
+      height = given.HEIGHT and number_of(line, given.HEIGHT, "HEIGHT") or nil,
+      z = given.ELEV and number_of(line, given.ELEV, "ELEV") or nil }
+    self.storey[name], self.storeys[storey.index] = storey, storey
+  end
+  local base = self.storeys[#self.storeys]
+  if not base or not (base.z or base.height) then
+    check.fail("%s: %s has no storeys in $ %s", where, self.file, section)
+  end
+  if not base.z then notes.fail(where, base.line.place, "the last STORY is the base; it needs ELEV") end
+  for i = #self.storeys - 1, 1, -1 do
+    local storey = self.storeys[i]
+    if not storey.height then notes.fail(where, storey.line.place, "storey %s has no HEIGHT", storey.name) end
+    storey.z = self.storeys[i + 1].z + storey.height
+  end
+end
+
+function Reader:read_points()
+  self.point = {}
+  for _, line in ipairs(self:lines("POINT COORDINATES", "POINT")) do
+    local name = line.words[2]
+    if not name then notes.fail(where, line.place, "POINT has no name") end
+    if self.point[name] then notes.fail(where, line.place, "point %s is there twice", name) end
+    local below = line.words[5] and number_of(line, line.words[5], "the third number of the point") or 0
+    self.point[name] = { x = number_of(line, line.words[3], "x"), y = number_of(line, line.words[4], "y"),
+      below = below, line = line }
+    if below ~= 0 then self:remark(line, "the third number is how far the point lies below its storey", true) end
+  end
+end
+
+function Reader:storey_of(line, name)
+  if not self.storey[name or ""] then
+    notes.fail(where, line.place, "storey '%s' is not in $ STORIES", tostring(name))
+  end
+  return self.storey[name]
+end
+
+--- The joint of a point on a storey, which is made when it is first used.
+function Reader:joint(line, point, storey)
+  local p = self.point[point]
+  if not p then notes.fail(where, line.place, "point '%s' is not in $ POINT COORDINATES", tostring(point)) end
+  local name = point .. "@" .. storey.name
+  if not self.joints[name] then
+    self.joints[name] = true
+    self:row("JOINT COORDINATES", "POINT COORDINATES", p.line, { Joint = name, XorR = tostring(p.x), Y = tostring(p.y),
+      Z = tostring(storey.z - p.below) })
+  end
+  return name
+end
+
+-- Materials and sections ----------------------------------------------------------------------------------------------
+
+-- The pairs of all lines of a name, and the first of these lines: { name =, line =, given = }, in their order.
+function Reader:gathered(section, word)
+  local list, by_name = {}, {}
+  for _, line in ipairs(self:lines(section, word)) do
+    local name = line.words[2]
+    if not name then notes.fail(where, line.place, "%s has no name", word) end
+    local found = by_name[name]
+    if not found then
+      found = { name = name, line = line, given = {} }
+      by_name[name], list[#list + 1] = found, found
+    end
+    for key, value in pairs(pairs_after(line, 3)) do found.given[key] = value end
+  end
+  return list
+end
+
+function Reader:read_materials()
+  local section = "MATERIAL PROPERTIES"
+  for _, m in ipairs(self:gathered(section, "MATERIAL")) do
+    local given = m.given
+    must_be_numbers(m.line, given, "E U G12 M W WEIGHTPERVOLUME FY")
+    local weight = given.WEIGHTPERVOLUME or given.W
+    local mass = given.M
+      or weight and tostring(number_of(m.line, weight, "the weight") * self.metre / units.gravity) or nil
+    self:row("MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES", section, m.line, { Material = m.name,
+      E1 = given.E, U12 = given.U, G12 = given.G, UnitMass = mass, UnitWeight = weight })
+    if given.FY then
+      self:row("MATERIAL PROPERTIES 03A - STEEL DATA", section, m.line, { Material = m.name, Fy = given.FY })
+    end
+  end
+end
+
+local shapes = { TUBE = "Box/Tube", RECTANGULAR = "Rectangular", ["RECTANGULAR BAR"] = "Rectangular",
+  CIRCLE = "Circle", ["CIRCULAR BAR"] = "Circle", PIPE = "Pipe", ["I/WIDE FLANGE"] = "I/Wide Flange",
+  ["BOX/TUBE"] = "Box/Tube", GENERAL = "General" }
+local modifiers = { AREAMODIFIER = "AMod", AMOD = "AMod", AS2MODIFIER = "A2Mod", A2MOD = "A2Mod",
+  AS3MODIFIER = "A3Mod", A3MOD = "A3Mod", JMODIFIER = "JMod", JMOD = "JMod", I22MODIFIER = "I2Mod", I2MOD = "I2Mod",
+  I33MODIFIER = "I3Mod", I3MOD = "I3Mod", MMODIFIER = "MMod", MMOD = "MMod", WMODIFIER = "WMod", WMOD = "WMod" }
+local taken_of_sections = set "MATERIAL SHAPE D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
+
+function Reader:read_sections()
+  local section = "FRAME SECTIONS"
+  if not self.sections[section] and self.sections["FRAME PROPERTIES"] then section = "FRAME PROPERTIES" end
+  for _, s in ipairs(self:gathered(section, "FRAMESECTION")) do
+    local given = s.given
+    must_be_numbers(s.line, given, "D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22")
+    for key in pairs(modifiers) do must_be_numbers(s.line, given, key) end
+    local shape = (given.SHAPE or "General")
+    local plain = shape:gsub("^Steel ", ""):gsub("^Concrete ", "")
+    local known = shapes[plain:upper()]
+    local row = { SectionName = s.name, Material = given.MATERIAL, Shape = known or shape, t3 = given.D, t2 = given.B,
+      tf = given.TF, tw = given.TW or given.T, Area = given.AREA, AS2 = given.AS2, AS3 = given.AS3, I33 = given.I33,
+      I22 = given.I22, TorsConst = given.TORSION, Z33 = given.Z33, Z22 = given.Z22 }
+    if known == "Pipe" then row.tw = given.TW or given.T or given.TF end
+    if not known and not given.AREA and pcall(named.properties, shape) then row.Named = shape end
+    for key, field in pairs(modifiers) do row[field] = row[field] or given[key] end
+    local taken = {}
+    for key in pairs(taken_of_sections) do taken[key] = true end
+    for key in pairs(modifiers) do taken[key] = true end
+    self:note_keys(s.line, given, taken, { "COLOR", "NOTES", "AUTORIGIDZONE", "FILE", "S33", "S22", "R33", "R22" })
+    self:row("FRAME SECTION PROPERTIES 01 - GENERAL", section, s.line, row)
+  end
+end
+
+-- Lines of the frame --------------------------------------------------------------------------------------------------
+
+function Reader:read_connectivities()
+  self.line = {}
+  for _, line in ipairs(self:lines("LINE CONNECTIVITIES", "LINE")) do
+    local name, kind, a, b = line.words[2], line.words[3], line.words[4], line.words[5]
+    if not b then notes.fail(where, line.place, "LINE must have a name, COLUMN, BEAM or BRACE, and two points") end
+    if self.line[name] then notes.fail(where, line.place, "line %s is there twice", name) end
+    local down = line.words[6] and number_of(line, line.words[6], "the storeys between its ends") or 0
+    self.line[name] = { kind = kind:upper(), a = a, b = b, down = down, line = line }
+  end
+end
+
+local releases = set "P V2 V3 T M2 M3"
+local taken_of_lines = set "SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ"
+local of_no_meaning = { "MINNUMSTA", "MAXSTASPC", "AUTOMESH", "MESH", "RIGIDZONE", "PIER", "SPANDREL", "TRANSSTIFF",
+  "CARDINALPT", "DESIGN" }
+
+-- The released forces of a line: "M2I M3J" as the fields of SAP2000.
+local function released(line, text)
+  local fields = {}
+  for name in text:gmatch "%S+" do
+    local force, at = name:upper():match "^(%w-)([IJ])$"
+    if not releases[force or ""] then
+      notes.fail(where, line.place, "RELEASE '%s' is not known; must be P, V2, V3, T, M2 or M3 with I or J", name)
+    end
+    fields[force .. at] = "Yes"
+  end
+  return fields
+end
+
+function Reader:read_line(line, name, storey, given)
+  local l = self.line[name]
+  if not l then notes.fail(where, line.place, "line '%s' is not in $ LINE CONNECTIVITIES", name) end
+  local below = self.storeys[storey.index + l.down]
+  if not below or l.down ~= math.floor(l.down) or l.down < 0 then
+    notes.fail(where, line.place, "line %s on storey %s begins %s below it; there %s %d", name, storey.name,
+      check.count(l.down, "storey"), #self.storeys - storey.index == 1 and "is" or "are", #self.storeys - storey.index)
+  end
+  local section = "LINE ASSIGNS"
+  local frame = name .. "@" .. storey.name
+  if self.frames[frame] then
+    notes.fail(where, line.place, "line %s is assigned twice to storey %s", name, storey.name)
+  end
+  self.frames[frame] = true
+  self:row("CONNECTIVITY - FRAME", section, line, { Frame = frame, JointI = self:joint(line, l.a, below),
+    JointJ = self:joint(line, l.b, storey) })
+  self:row("FRAME SECTION ASSIGNMENTS", section, line, { Frame = frame, AnalSect = given.SECTION or "None" })
+  must_be_numbers(line, given, "ANG LENGTHOFFI LENGTHOFFJ")
+  if given.ANG then self:row("FRAME LOCAL AXES 1 - TYPICAL", section, line, { Frame = frame, Angle = given.ANG }) end
+  if given.RELEASE then
+    local fields = released(line, given.RELEASE)
+    fields.Frame = frame
+    self:row("FRAME RELEASE ASSIGNMENTS 1 - GENERAL", section, line, fields)
+  end
+  self:row("GROUPS 2 - ASSIGNMENTS", section, line, { GroupName = l.kind:lower() .. "s", ObjectType = "Frame",
+    ObjectLabel = frame })
+  self:note_keys(line, given, taken_of_lines, of_no_meaning)
+  for _, key in ipairs { "LENGTHOFFI", "LENGTHOFFJ" } do
+    if given[key] and number_of(line, given[key], key) ~= 0 then
+      self:remark(line, "end offsets are not read: the member goes from joint to joint")
+      break
+    end
+  end
+end
+
+function Reader:read_lines()
+  local list, by_name = {}, {}
+  for _, line in ipairs(self:lines("LINE ASSIGNS", "LINEASSIGN")) do
+    local name, storey = line.words[2], self:storey_of(line, line.words[3])
+    local key = tostring(name) .. "@" .. storey.name
+    local given = pairs_after(line, 4)
+    local before = by_name[key]
+    if before and not given.SECTION then -- more of the same line
+      for field, value in pairs(given) do before.given[field] = value end
+    else
+      by_name[key] = { line = line, name = name, storey = storey, given = given }
+      list[#list + 1] = by_name[key]
+    end
+  end
+  for _, l in ipairs(list) do self:read_line(l.line, l.name, l.storey, l.given) end
+end
+
+function Reader:read_point_assigns()
+  local diaphragms = {}
+  for _, line in ipairs(self:lines("POINT ASSIGNS", "POINTASSIGN")) do
+    local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
+    if given.RESTRAINT then
+      local fields = { Joint = self:joint(line, line.words[2], storey) }
+      for name in given.RESTRAINT:gmatch "%S+" do
+        local kind, axis = name:upper():match "^([UR])([XYZ])$"
+        if not kind then
+          notes.fail(where, line.place, "RESTRAINT '%s' is not known; must be UX, UY, UZ, RX, RY or RZ", name)
+        end
+        fields[kind .. (("XYZ"):find(axis, 1, true))] = "Yes"
+      end
+      self:row("JOINT RESTRAINT ASSIGNMENTS", "POINT ASSIGNS", line, fields)
+    end
+    local diaphragm = given.DIAPH or given.DIAPHRAGM
+    if diaphragm and diaphragm:upper() ~= "DISCONNECTED" then
+      local key = diaphragm .. " on " .. storey.name
+      diaphragms[key] = diaphragms[key] or line
+    end
+    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM", { "GROUP" })
+  end
+  for _, key in ipairs(check.keys(diaphragms)) do
+    self:remark(diaphragms[key], ("diaphragm %s is not read; model:diaphragm makes one"):format(key))
+  end
+end
+
+-- Loads ---------------------------------------------------------------------------------------------------------------
+
+function Reader:read_patterns()
+  for _, from in ipairs { { "LOAD PATTERNS", "LOADPATTERN" }, { "STATIC LOADS", "LOADCASE" } } do
+    for _, line in ipairs(self:lines(from[1], from[2])) do
+      local given = pairs_after(line, 3)
+      self:row("LOAD PATTERN DEFINITIONS", from[1], line, { LoadPat = line.words[2], SelfWtMult = given.SELFWEIGHT })
+    end
+  end
+end
+
+function Reader:read_point_loads()
+  local section = "POINT OBJECT LOADS"
+  for _, line in ipairs(self:lines(section, "POINTLOAD")) do
+    local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
+    if (given.TYPE or ""):upper() ~= "FORCE" then
+      self:remark(line, "forces alone are read")
+    else
+      must_be_numbers(line, given, "FX FY FZ MX MY MZ")
+      self:row("JOINT LOADS - FORCE", section, line, { Joint = self:joint(line, line.words[2], storey),
+        LoadPat = given.LC, F1 = given.FX, F2 = given.FY, F3 = given.FZ, M1 = given.MX, M2 = given.MY, M3 = given.MZ })
+      self:note_keys(line, given, set "TYPE LC FX FY FZ MX MY MZ")
+    end
+  end
+end
+
+local directions = { GRAV = "Gravity", GRAVITY = "Gravity", X = "X", Y = "Y", Z = "Z", ["1"] = "1", ["2"] = "2",
+  ["3"] = "3", GRAVPROJ = "Grav Proj", XPROJ = "X Proj", YPROJ = "Y Proj", ZPROJ = "Z Proj" }
+
+function Reader:read_line_load(section, line)
+  local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
+  local kind, to = (given.TYPE or ""):upper(), directions[(given.DIR or ""):upper()]
+  local frame = tostring(line.words[2]) .. "@" .. storey.name
+  if not self.frames[frame] then
+    notes.fail(where, line.place, "line %s has no LINEASSIGN on storey %s", tostring(line.words[2]), storey.name)
+  end
+  if kind ~= "UNIFF" and kind ~= "TRAPF" then return self:remark(line, "loads of this TYPE are not read") end
+  if not to then return self:remark(line, "its direction is not read") end
+  must_be_numbers(line, given, "FVAL FSTART FEND RDSTART RDEND")
+  local a, b = given.FVAL or given.FSTART, given.FVAL or given.FEND
+  self:row("FRAME LOADS - DISTRIBUTED", section, line, { Frame = frame, LoadPat = given.LC, Dir = to,
+    CoordSys = to:find "^%d$" and "Local" or "GLOBAL", FOverLA = a, FOverLB = b, RelDistA = given.RDSTART,
+    RelDistB = given.RDEND })
+  self:note_keys(line, given, set "TYPE DIR LC FVAL FSTART FEND RDSTART RDEND")
+end
+
+function Reader:read_line_loads()
+  for _, section in ipairs { "LINE OBJECT LOADS", "FRAME OBJECT LOADS" } do
+    for _, line in ipairs(self:lines(section, "LINELOAD")) do self:read_line_load(section, line) end
+  end
+end
+
+-- What is left --------------------------------------------------------------------------------------------------------
+
+-- Sections that say nothing about the frame. Beginnings of their names.
+local beside = { "PROGRAM INFORMATION", "CONTROLS", "GRIDS", "DIAPHRAGM NAMES", "ANALYSIS OPTIONS", "FUNCTIONS",
+  "LOAD CASES", "LOAD COMBINATIONS", "PROJECT INFORMATION", "DIMENSION LINES", "DEVELOPED ELEVATIONS", "GROUPS",
+  "REBAR DEFINITIONS", "LOG", "PIER/SPANDREL NAMES", "TABLE SETS", "MODAL", "STEEL DESIGN", "STEEL PREFERENCES",
+  "CONCRETE DESIGN", "CONCRETE PREFERENCES", "COMPOSITE", "WALL PREFERENCES", "WALL DESIGN", "SHEAR WALL DESIGN",
+  "REFERENCE PLANES", "REFERENCE LINES", "RESPONSE SPECTRUM CASES", "PUSHOVER", "NAMED SETS", "AUTO SELECT",
+  "SECTION CUTS", "GENERALIZED DISPLACEMENTS", "TOWERS", "DEFAULT", "DESIGN", "OPTIONS", "PREFERENCES", "SLAB DESIGN",
+  "ACCEPTANCE CRITERIA", "STORIES" }
+
+local function is_beside(name)
+  for _, beginning in ipairs(beside) do
+    if name:sub(1, #beginning) == beginning then return true end
+  end
+  return false
+end
+
+-- Sections without a reader, and lines of the others that begin with a word that has none.
+function Reader:note_the_rest()
+  for _, s in ipairs(self.sections) do
+    local left = {}
+    for _, line in ipairs(s.lines) do
+      if not line.read then left[#left + 1] = line end
+    end
+    if #left > 0 then
+      table.insert(self.tables, { name = s.name, title = s.title, place = left[1].place, rows = left,
+        beside = is_beside(s.name) })
+    end
+  end
+  table.insert(self.tables, { name = "", rows = {}, remarks = self.remarks })
+end
+
+return function(options, ...)
+  check.no_more(where, ...)
+  local o = check.options(where, options, { file = { "string" } })
+  local sections, others = sections_of(o.file)
+  if #sections == 0 then check.fail("%s: %s has no line that begins with '$ '", where, o.file) end
+  local self = setmetatable({ file = o.file, sections = sections, tables = {}, remarks = {}, joints = {},
+    frames = {} }, Reader)
+  self:read_units()
+  self:read_storeys()
+  self:read_points()
+  self:read_materials()
+  self:read_sections()
+  self:read_connectivities()
+  self:read_lines()
+  self:read_point_assigns()
+  self:read_patterns()
+  self:read_point_loads()
+  self:read_line_loads()
+  self:note_the_rest()
+  return sap_frame.read(where, o.file, self.tables, others, "ETABS")
+end

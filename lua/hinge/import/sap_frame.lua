@@ -1,0 +1,530 @@
+-- A frame in tables of SAP2000: rows of fields by the names that SAP2000 gives them. import.s2k reads such tables, and
+-- import.e2k makes them of ETABS's lines.
+--
+-- Names of tables and fields: exported files in public repositories. Local axes, after the help of CSI on frames: axis
+-- 1 is along the member. Axis 2 is in a vertical plane and upwards; of a vertical member it is along global X. A member
+-- is vertical if the sine of its angle to Z is below 1e-3. The angle turns axis 2 towards axis 3.
+local check = require "hinge.check"
+local frame_module = require "hinge.import.frame"
+local notes = require "hinge.import.notes"
+local divided = require "hinge.import.divided"
+local sap_section = require "hinge.import.sap_section"
+local units = require "hinge.units"
+
+-- Rows ----------------------------------------------------------------------------------------------------------------
+
+local Row = {}
+Row.__index = Row
+
+local function fail(row, ...) notes.fail(row.where, row.place, ...) end
+
+--- The text of a field, or nil where it is left out.
+function Row:text(key)
+  self.used[key] = true
+  return self.fields[key]
+end
+
+function Row:need(key)
+  local value = self:text(key)
+  if value == nil then fail(self, "%s: the row has no field %s", self.table, key) end
+  return value
+end
+
+--- A field as a number; `default` where it is left out.
+function Row:number(key, default)
+  local value = self:text(key)
+  if value == nil and default ~= nil then return default end
+  value = value or self:need(key)
+  local x = tonumber(value)
+  if not x or x ~= x or math.abs(x) == math.huge then
+    fail(self, "%s: field %s is '%s'; must be a number", self.table, key, value)
+  end
+  return x
+end
+
+function Row:yes(key) return (self:text(key) or "No"):lower() == "yes" end
+
+local sap_frame = {}
+
+--- An empty row. `where`: the call, for messages; `title`: its table as messages name it; `place`: { file =, line = };
+--- `line`: its text in the file.
+function sap_frame.row(where, title, place, line)
+  return setmetatable({ fields = {}, used = {}, where = where, place = place, table = title, line = line }, Row)
+end
+
+-- The reader ----------------------------------------------------------------------------------------------------------
+
+local Reader = {}
+Reader.__index = Reader
+
+-- The rows of a table that may be missing; marks it as read.
+function Reader:rows(name)
+  local found = self.tables[name]
+  if not found then return {} end
+  found.read = true
+  return found.rows
+end
+
+function Reader:not_read(row, reason)
+  row.unread = true
+  notes.add(self.notes, row.place, row.line, reason)
+end
+
+local forces = { n = 1, kn = 1e3, kgf = units.gravity, tonf = 1e3 * units.gravity, lb = units.lbf, kip = units.kip }
+local lengths = { m = 1, cm = 1e-2, mm = 1e-3, micron = 1e-6, ["in"] = units.inch, ft = units.ft }
+
+-- CurrUnits="Kip, in, F"; masses fit forces, lengths and seconds.
+function Reader:read_units()
+  local row = self:rows "PROGRAM CONTROL"[1]
+  if not row then
+    check.fail("%s: %s has no TABLE \"PROGRAM CONTROL\", so that its units are not known", self.where, self.file)
+  end
+  local text = row:need "CurrUnits"
+  local force, length = text:match "^%s*(%a+)%s*,%s*(%a+)"
+  self.force, self.length = forces[(force or ""):lower()], lengths[(length or ""):lower()]
+  if not (self.force and self.length) then
+    fail(row, "CurrUnits is '%s'; must be a force (%s) and a length (%s), as in 'KN, m, C'", text,
+      table.concat(check.keys(forces), ", "), table.concat(check.keys(lengths), ", "))
+  end
+  self.mass = self.force / self.length -- times s^2
+  local program = row:text "ProgramName"
+  if program and program:upper() ~= "SAP2000" then
+    notes.add(self.notes.assumed, row.place, "ProgramName=" .. program,
+      "the local axes of frames are taken by the rule of SAP2000; ETABS lets axis 1 of beams point towards +X")
+  end
+  for _, key in ipairs { "Version", "ProgLevel" } do row:text(key) end
+end
+
+local directions = { "x", "y", "z", "rx", "ry", "rz" }
+
+-- What is left out of the analysis, as in a plane frame, is fixed at every joint.
+function Reader:read_freedoms()
+  local row = self:rows "ACTIVE DEGREES OF FREEDOM"[1]
+  self.inactive = {}
+  for _, letter in ipairs(row and directions or {}) do
+    local key = (#letter == 1 and "U" .. letter or letter):upper()
+    if row:text(key) and not row:yes(key) then self.inactive[letter] = true end
+  end
+  if next(self.inactive) then
+    notes.add(self.notes.assumed, row.place, row.line, "what is not active is fixed at all joints")
+  end
+end
+
+-- Where a joint is, m: in the global system where the file says it, as it does for all systems.
+function Reader:position(row)
+  local system, kind = row:text "CoordSys" or "GLOBAL", row:text "CoordType" or "Cartesian"
+  local keys = row:text "GlobalX" and { "GlobalX", "GlobalY", "GlobalZ" } or { "XorR", "Y", "Z" }
+  if keys[1] == "XorR" and (system:upper() ~= "GLOBAL" or kind:lower() ~= "cartesian") then
+    fail(row, "the joint is in the system %s, %s, and its GlobalX, GlobalY and GlobalZ are not in the file", system,
+      kind)
+  end
+  local x, y, z = row:number(keys[1]), row:number(keys[2]), row:number(keys[3])
+  for _, key in ipairs { "XorR", "Y", "Z", "SpecialJt" } do row:text(key) end
+  return x * self.length, y * self.length, z * self.length
+end
+
+function Reader:read_joints()
+  if not self.tables["JOINT COORDINATES"] then
+    local names = {}
+    for i, found in ipairs(self.tables) do names[i] = '"' .. found.name .. '"' end
+    check.fail("%s: %s has no TABLE \"JOINT COORDINATES\"; it has %s", self.where, self.file,
+      #names > 0 and table.concat(names, ", ") or "no table at all")
+  end
+  for _, row in ipairs(self:rows "JOINT COORDINATES") do
+    local x, y, z = self:position(row)
+    local name = row:need "Joint"
+    if self.node[name] then fail(row, "joint %s is there twice", name) end
+    local node = { name = name, x = x, y = y, z = z }
+    table.insert(self.frame.nodes, node)
+    self.node[name] = node
+    self.places[node] = { file = self.file, line = row.place.line, text = row.line }
+  end
+end
+
+function Reader:joint(row, key)
+  local name = row:need(key)
+  if not self.node[name] then fail(row, "%s: joint %s is not in JOINT COORDINATES", row.table, name) end
+  return self.node[name]
+end
+
+function Reader:read_restraints()
+  local fixed = {}
+  for _, row in ipairs(self:rows "JOINT RESTRAINT ASSIGNMENTS") do
+    local set = {}
+    for i, letter in ipairs(directions) do
+      set[letter] = row:yes(i <= 3 and "U" .. i or "R" .. i - 3)
+    end
+    fixed[self:joint(row, "Joint").name] = set
+  end
+  for _, node in ipairs(self.frame.nodes) do
+    local letters = {}
+    for _, letter in ipairs(directions) do
+      local set = fixed[node.name]
+      if set and set[letter] or self.inactive[letter] then letters[#letters + 1] = letter end
+    end
+    if #letters > 0 then node.fix = #letters == 6 and "all" or table.concat(letters, ",") end
+  end
+end
+
+function Reader:read_materials()
+  local yield = {}
+  for _, row in ipairs(self:rows "MATERIAL PROPERTIES 03A - STEEL DATA") do
+    local fy = row:number("Fy", 0)
+    yield[row:need "Material"] = fy > 0 and fy * self.force / self.length ^ 2 or nil
+  end
+  for _, row in ipairs(self:rows "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES") do
+    local name, stress = row:need "Material", self.force / self.length ^ 2
+    local G, nu = row:number("G12", 0), row:number("U12", 0.3)
+    local E = row:number("E1", 0)
+    for _, key in ipairs { "A1", "SymType" } do row:text(key) end
+    if self.material[name] then
+      self:not_read(row, "material " .. name .. " has other values above, at another temperature")
+    elseif E <= 0 then
+      self.unreadable[name] = row
+      self:not_read(row, "the material has no E1")
+    else
+      local density = row:number("UnitMass", 0) * self.mass / self.length ^ 3
+      local weight = row:text "UnitWeight" and row:number "UnitWeight" * self.force / self.length ^ 3
+      self.material[name] = { name = name, E = E * stress, G = G > 0 and G * stress or nil, nu = G <= 0 and nu or nil,
+        density = density, unit_weight = weight, yield_stress = yield[name] }
+      table.insert(self.frame.materials, self.material[name])
+    end
+  end
+end
+
+function Reader:read_sections()
+  for _, row in ipairs(self:rows "FRAME SECTION PROPERTIES 01 - GENERAL") do
+    local name = row:need "SectionName"
+    local section, reason = sap_section(self, row, name)
+    if not section then
+      self.unreadable[name] = row
+      self:not_read(row, reason)
+    else
+      if self.section[name] then fail(row, "section %s is there twice", name) end
+      self.section[name] = { material = row:text "Material" }
+      table.insert(self.frame.sections, section)
+    end
+  end
+end
+
+-- By frame: the rows of a table.
+function Reader:by_frame(...)
+  local found = {}
+  for _, name in ipairs { ... } do
+    for _, row in ipairs(self:rows(name)) do found[row:need "Frame"] = row end
+  end
+  return found
+end
+
+-- Whether what a member needs was read; else a note or an error.
+function Reader:has(row, kind, name, known)
+  if known then return true end
+  local lost = self.unreadable[name]
+  if not lost then fail(row, "%s %s of %s is not in the file", kind, name, row.table) end
+  self:not_read(row, ("its %s %s was not read, see line %d"):format(kind, name, lost.place.line))
+  return false
+end
+
+-- The direction of axis 2 where the angle turns it; nil where it is that of hinge.
+local function turned(a, b, degrees)
+  if degrees == 0 then return nil end
+  local one = frame_module.direction(a, b)
+  local x, two = frame_module.axes(one) -- axis 3 is -x
+  local c, s = math.cos(math.rad(degrees)), math.sin(math.rad(degrees))
+  return { c * two[1] - s * x[1], c * two[2] - s * x[2], c * two[3] - s * x[3] }
+end
+
+-- The angle of a member, degrees; a mirrored or advanced one is noted.
+function Reader:angle(row)
+  if not row then return 0 end
+  if row:yes "AdvanceAxes" or row:yes "MirrorAbt2" or row:yes "MirrorAbt3" then
+    self:not_read(row, "of the local axes the angle alone is read")
+  end
+  return row:number("Angle", 0)
+end
+
+-- The released rotations of one end, such as "rx,ry": M3 is rx, M2 is ry, T is rz.
+function Reader:release(row, at)
+  if row:yes("P" .. at) or row:yes("V2" .. at) or row:yes("V3" .. at) then
+    self:not_read(row, ("end %s: releases of P, V2 and V3 are not read"):format(at))
+  end
+  local letters = {}
+  for _, pair in ipairs { { "M3", "rx" }, { "M2", "ry" }, { "T", "rz" } } do
+    if row:yes(pair[1] .. at) then letters[#letters + 1] = pair[2] end
+  end
+  return #letters > 0 and table.concat(letters, ",") or nil
+end
+
+function Reader:releases(row)
+  if not row then return nil end
+  if row:yes "PartialFix" then self:not_read(row, "a spring of a partial release is not read: the end is released") end
+  local release = { a = self:release(row, "I"), b = self:release(row, "J") }
+  return next(release) and release or nil
+end
+
+-- The names of a frame's groups: one or a list.
+function Reader:groups()
+  local of = {}
+  for _, row in ipairs(self:rows "GROUPS 2 - ASSIGNMENTS") do
+    local group, frame = row:need "GroupName", row:text "ObjectLabel"
+    if (row:text "ObjectType" or ""):lower() == "frame" and frame and group:upper() ~= "ALL" then
+      local before = of[frame]
+      of[frame] = not before and group or type(before) == "table" and before or { before }
+      if before then table.insert(of[frame], group) end
+    end
+  end
+  return of
+end
+
+-- Section and material of a frame, or nil with a note. given: its row of FRAME SECTION ASSIGNMENTS.
+function Reader:assigned(given)
+  local section = given:text "AnalSect" or given:text "DesignSect" or given:need "Section"
+  local own = given:text "MatProp"
+  if section:lower() == "none" then
+    self:not_read(given, "the frame has no section")
+    return nil
+  end
+  if not self:has(given, "section", section, self.section[section]) then return nil end
+  local material = own and own ~= "Default" and own or self.section[section].material
+  if not self:has(given, "material", material, self.material[material]) then return nil end
+  return section, material
+end
+
+-- A row of CONNECTIVITY - FRAME as a member. more: angles, releases and groups by frame.
+function Reader:read_member(row, given, more)
+  local name, a, b = row:need "Frame", self:joint(row, "JointI"), self:joint(row, "JointJ")
+  for _, key in ipairs { "Length", "CentroidX", "CentroidY", "CentroidZ" } do row:text(key) end
+  if self.lost[name] or self.member[name] then fail(row, "frame %s is there twice", name) end
+  if not given then fail(row, "frame %s is not in TABLE \"FRAME SECTION ASSIGNMENTS\"", name) end
+  if a.x == b.x and a.y == b.y and a.z == b.z then fail(row, "frame %s has no length", name) end
+  self.lost[name] = row -- until it is read
+  if row:yes "IsCurved" then return self:not_read(row, "the frame is curved") end
+  local section, material = self:assigned(given)
+  if not section then return end
+  local member = { name = name, a = a.name, b = b.name, section = section, material = material,
+    up = turned(a, b, self:angle(more.angles[name])), group = more.groups[name],
+    release = self:releases(more.releases[name]) }
+  self.lost[name], self.member[name] = nil, member
+  self.places[member] = { file = self.file, line = row.place.line, text = row.line }
+  table.insert(self.frame.members, member)
+end
+
+function Reader:read_members()
+  local assigned = self:by_frame "FRAME SECTION ASSIGNMENTS"
+  local more = { groups = self:groups(), releases = self:by_frame "FRAME RELEASE ASSIGNMENTS 1 - GENERAL",
+    angles = self:by_frame("FRAME LOCAL AXES 1 - TYPICAL", "FRAME LOCAL AXES ASSIGNMENTS 1 - TYPICAL") }
+  for _, row in ipairs(self:rows "CONNECTIVITY - FRAME") do
+    self:read_member(row, assigned[row:need "Frame"], more)
+  end
+  for _, rows in ipairs { assigned, more.releases, more.angles } do
+    for _, row in pairs(rows) do self:frame_of(row) end
+  end
+end
+
+-- The member of a row, or nil where it was not read; an error where the file has no such frame.
+function Reader:frame_of(row)
+  local name = row:need "Frame"
+  if not self.member[name] and not self.lost[name] then
+    fail(row, "%s: frame %s is not in CONNECTIVITY - FRAME", row.table, name)
+  end
+  return self.member[name]
+end
+
+-- Divides the frames on which other joints lie, as SAP2000 does unless FRAME AUTO MESH says otherwise.
+function Reader:divide()
+  local meshes = self:by_frame("FRAME AUTO MESH", "FRAME AUTO MESH ASSIGNMENTS")
+  local on_axis, members = divided(self.frame.nodes), {}
+  for _, m in ipairs(self.frame.members) do
+    local row = meshes[m.name]
+    if row and row:yes "AtFrames" and row:yes "AutoMesh" then
+      self:not_read(row, "AtFrames=Yes: the frame is not divided where it crosses others")
+    end
+    local joined = not row or (row:text "AutoMesh" or "Yes") == "Yes" and (row:text "AtJoints" or "Yes") == "Yes"
+    local names = joined and on_axis(self.node[m.a], self.node[m.b]) or {}
+    self.parts[m.name] = #names == 0 and { m } or self:parts_of(m, names)
+    table.move(self.parts[m.name], 1, #self.parts[m.name], #members + 1, members)
+  end
+  self.frame.members = members
+end
+
+-- The parts of a member between joints on it: "3/1", "3/2" and so on.
+function Reader:parts_of(member, names)
+  local place = self.places[member]
+  notes.add(self.notes.assumed, place, place.text, ("it is divided at joints on it (%s), as %s does"):format(
+    table.concat(names, ", "), self.program))
+  local parts, from, release = {}, member.a, member.release or {}
+  for i = 1, #names + 1 do
+    local part = {}
+    for key, value in pairs(member) do part[key] = value end
+    part.name, part.a, part.b = ("%s/%d"):format(member.name, i), from, names[i] or member.b
+    local own = { a = i == 1 and release.a or nil, b = i > #names and release.b or nil }
+    part.release, from = next(own) and own or nil, part.b
+    parts[i] = part
+  end
+  return parts
+end
+
+-- Loads ---------------------------------------------------------------------------------------------------------------
+
+function Reader:read_patterns()
+  for _, row in ipairs(self:rows "LOAD PATTERN DEFINITIONS") do
+    local name = row:need "LoadPat"
+    if self.case[name] then fail(row, "load pattern %s is there twice", name) end
+    row:text "DesignType"
+    self.case[name] = { name = name, self_weight = row:number("SelfWtMult", 0), loads = {} }
+    table.insert(self.frame.cases, self.case[name])
+  end
+end
+
+-- The load pattern of a row: LoadPat, in older files LoadCase.
+function Reader:pattern(row)
+  local name = row:text "LoadPat" or row:text "LoadCase" or row:need "LoadPat"
+  if not self.case[name] then
+    if self.tables["LOAD PATTERN DEFINITIONS"] then
+      fail(row, "load pattern %s is not in LOAD PATTERN DEFINITIONS", name)
+    end
+    self.case[name] = { name = name, loads = {} }
+    table.insert(self.frame.cases, self.case[name])
+  end
+  return self.case[name]
+end
+
+local function any(v) return v[1] ~= 0 or v[2] ~= 0 or v[3] ~= 0 end
+
+function Reader:read_joint_loads()
+  for _, row in ipairs(self:rows "JOINT LOADS - FORCE") do
+    local joint, case = self:joint(row, "Joint"), self:pattern(row)
+    local v = {}
+    for i, key in ipairs { "F1", "F2", "F3", "M1", "M2", "M3" } do
+      v[i] = row:number(key, 0) * self.force * (i > 3 and self.length or 1)
+    end
+    if (row:text "CoordSys" or "GLOBAL"):upper() ~= "GLOBAL" then
+      self:not_read(row, "loads in GLOBAL alone are read")
+    else
+      local force, moment = { v[1], v[2], v[3] }, { v[4], v[5], v[6] }
+      local load = { node = joint.name, force = any(force) and force or nil, moment = any(moment) and moment or nil }
+      self.places[load] = { file = self.file, line = row.place.line, text = row.line }
+      if load.force or load.moment then table.insert(case.loads, load) end
+    end
+  end
+end
+
+-- Directions of loads along members: axes of hinge, and the load of size 1 there. Axes 1, 2, 3 are z, y, -x.
+local global = { X = { 1, 0, 0 }, Y = { 0, 1, 0 }, Z = { 0, 0, 1 }, GRAVITY = { 0, 0, -1 } }
+local projected = { ["X PROJ"] = global.X, ["Y PROJ"] = global.Y, ["Z PROJ"] = global.Z,
+  ["GRAV PROJ"] = global.GRAVITY }
+local own_axes = { ["1"] = { 0, 0, 1 }, ["2"] = { 0, 1, 0 }, ["3"] = { -1, 0, 0 } }
+
+local function direction_of(row)
+  local dir, system = row:need "Dir":upper(), (row:text "CoordSys" or "GLOBAL"):upper()
+  if own_axes[dir] and system == "LOCAL" then return own_axes[dir], "local" end
+  if system ~= "GLOBAL" then return nil end
+  if projected[dir] then return projected[dir], "projected" end
+  return global[dir], nil
+end
+
+-- Whether a load is the same from one end of the member to the other.
+local function is_uniform(row, length)
+  local a, b = row:number "FOverLA", row:number "FOverLB"
+  local from, to, whole = row:number("RelDistA", 0), row:number("RelDistB", 1), 1
+  local x, y = row:number("AbsDistA", 0), row:number("AbsDistB", length)
+  if (row:text "DistType" or "RelDist"):lower() == "absdist" then from, to, whole = x, y, length end
+  return a == b and math.abs(from) <= 1e-6 * whole and math.abs(to - whole) <= 1e-6 * whole, a
+end
+
+function Reader:read_frame_loads()
+  for _, row in ipairs(self:rows "FRAME LOADS - DISTRIBUTED") do
+    local member, case = self:frame_of(row), self:pattern(row)
+    local to, axes = direction_of(row)
+    if not member then
+      self:not_read(row, "its frame was not read")
+    elseif (row:text "Type" or "Force"):lower() ~= "force" then
+      self:not_read(row, "forces alone are read")
+    elseif not to then
+      self:not_read(row, "its direction is not read")
+    else
+      local _, length = frame_module.direction(self.node[member.a], self.node[member.b])
+      local uniform, size = is_uniform(row, length / self.length)
+      if not uniform then
+        self:not_read(row, "loads that are uniform over the whole member alone are read")
+      elseif size ~= 0 then
+        local w = size * self.force / self.length
+        for _, part in ipairs(self.parts[member.name]) do
+          table.insert(case.loads, { member = part.name, q = { w * to[1], w * to[2], w * to[3] }, axes = axes })
+        end
+      end
+    end
+  end
+end
+
+-- What is left --------------------------------------------------------------------------------------------------------
+
+-- Tables that say nothing about the frame: how it is analysed, designed, drawn. Beginnings of their names.
+local beside = { "ANALYSIS OPTIONS", "AUTO WAVE", "BRIDGE RESPONSE", "CASE - ", "COMBINATION DEFINITIONS",
+  "COORDINATE SYSTEMS", "DATABASE FORMAT", "DESIGN", "FRAME DESIGN PROCEDURES",
+  "FRAME LOAD TRANSFER", "FRAME OUTPUT STATION", "FUNCTION - ", "GRID LINES", "GROUPS 1", "GROUPS 3", "JOINT PATTERN",
+  "LOAD CASE DEFINITIONS", "MATERIAL LIST", "MATERIAL PROPERTIES 01", "MATERIAL PROPERTIES 03",
+  "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "NAMED SETS", "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
+  "PREFERENCES", "PROJECT INFORMATION", "REBAR SIZES", "TABLES AUTOMATICALLY" }
+
+local function is_beside(name)
+  for _, beginning in ipairs(beside) do
+    if name:sub(1, #beginning) == beginning then return true end
+  end
+  return false
+end
+
+-- The fields of a table's rows that nothing here is made of.
+local function unused(found)
+  local keys = {}
+  for _, row in ipairs(found.rows) do
+    for key in pairs(row.fields) do
+      if not (row.used[key] or row.unread) then keys[key] = true end
+    end
+  end
+  return check.keys(keys)
+end
+
+function Reader:note_the_rest(others)
+  for _, line in ipairs(others) do notes.add(self.notes.skipped, line.place, line.line) end
+  for _, found in ipairs(self.tables) do
+    for _, remark in ipairs(found.remarks or {}) do
+      notes.add(remark.assumed and self.notes.assumed or self.notes, remark.place, remark.line, remark.reason)
+    end
+    local title = found.title or ('TABLE: "%s"'):format(found.name)
+    if found.read then
+      local keys = unused(found)
+      if #keys > 0 then
+        notes.add(self.notes.skipped, found.place, title, "fields " .. table.concat(keys, ", "))
+      end
+    elseif #found.rows > 0 then
+      local list = (found.beside or is_beside(found.name)) and self.notes.skipped or self.notes
+      notes.add(list, found.place, ("%s, %s"):format(title, check.count(#found.rows, "row")),
+        list == self.notes and "the table is not read" or nil)
+    end
+  end
+end
+
+--- The description of the frame and the notes. `tables`: by name, { name =, place =, rows = }, and in their order; a
+--- table may have a title of its own, remarks for the notes, and beside = true: it says nothing about the frame.
+--- `others`: lines of the file that belong to none, { place =, line = }. `program`: whose rules hold.
+function sap_frame.read(where, file, tables, others, program)
+  local self = setmetatable({ where = where, file = file, tables = tables, program = program or "SAP2000",
+    frame = frame_module.new(file), notes = notes.new(), places = {}, node = {}, material = {}, section = {},
+    member = {}, parts = {}, case = {}, unreadable = {}, lost = {} }, Reader)
+  self:read_units()
+  self:read_freedoms()
+  self:read_joints()
+  self:read_restraints()
+  self:read_materials()
+  self:read_sections()
+  self:read_members()
+  self:divide()
+  self:read_patterns()
+  self:read_joint_loads()
+  self:read_frame_loads()
+  self:note_the_rest(others)
+  return frame_module.finish(self.frame, self.notes, self.places)
+end
+
+return sap_frame
