@@ -127,6 +127,27 @@ void add_report(CLI::App& app, Request& request) {
         "out, or the page cannot be written; 2 where no run was written.");
 }
 
+void add_export(CLI::App& app, Request& request) {
+    auto* verb = app.add_subcommand(
+        "export",
+        "Write a frame of SAP2000, ETABS, OpenSees or of tables in CSV as a script of hinge, and name what was "
+        "not read");
+    verb->add_option("file", request.script,
+                     "File .s2k, .e2k, .tcl or .py; or a folder with nodes.csv, members.csv, sections.csv, ...")
+        ->required();
+    const auto text = [&](const char* flags, const char* name, const char* help, const char* type) {
+        verb->add_option_function<std::string>(
+                flags, [&request, name](const std::string& value) { request.texts[name] = value; }, help)
+            ->type_name(type);
+    };
+    text("--out", "file", "The script, whose name ends in .lua (default: the file's name, in this folder)", "FILE");
+    text("--units", "units",
+         "Of a script of OpenSees: force and length, such as kN,m or kip,inch; a third one for masses", "FORCE,LENGTH");
+    verb->footer(
+        "Exit status: 0 the script was written, also where something was not read; 1 it cannot be written; 2 the file "
+        "is wrong.");
+}
+
 void add_history_command(CLI::App& app, Request& request) {
     auto* verb = app.add_subcommand(
         "history", "Print whose each output folder is: script, parameters, verdict, version of hinge, time");
@@ -275,7 +296,7 @@ void add_render(CLI::App& app, Request& request) {
 
 /// Declares all verbs. The values of options go into `request`, without the verb's name.
 void declare_verbs(CLI::App& app, Request& request) {
-    for (const auto add : {add_run, add_plan, add_check, add_cost, add_study, add_render, add_report,
+    for (const auto add : {add_run, add_plan, add_check, add_cost, add_study, add_render, add_report, add_export,
                            add_history_command, add_reference, add_do, add_prompt, add_new, add_completion})
         add(app, request);
 }

@@ -194,6 +194,7 @@ int program(int argc, char** argv) {
     const std::string verb = request.verb;
     if (verb == "render") return with_lua(request, "hinge.render", "main", false);
     if (verb == "report") return with_lua(request, "hinge.report_page", "main", false);
+    if (verb == "export") return with_lua(request, "hinge.export", "main", false);
     if (verb == "reference") return with_lua(request, "hinge.help", "main", false);
     if (verb == "new") return hinge::new_project(request.out);
     if (verb == "history") {

@@ -1244,14 +1244,14 @@ function blast.friedlander(options) end
 local import = {}
 
 ---Reads text tables of SAP2000 (.s2k): TABLE: "NAME", then rows of Key=Value. ETABS writes such tables too; its frames
----get the local axes of SAP2000. Read are PROGRAM CONTROL (units), ACTIVE DEGREES OF FREEDOM, JOINT COORDINATES, JOINT
----RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES 01 - GENERAL, FRAME SECTION ASSIGNMENTS, FRAME
----LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL (M2, M3, T), FRAME AUTO MESH (at joints),
----MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN
----DEFINITIONS, JOINT LOADS - FORCE, and FRAME LOADS - DISTRIBUTED if uniform over the whole frame. Sections have the
----properties that the file states, and the size, the outline and what is left out of their shape: I/Wide Flange,
----Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000 times the area. A file that
----contradicts itself is an error with its line.
+---get the local axes of SAP2000. For its files .e2k there is import.e2k. Read are PROGRAM CONTROL (units), ACTIVE
+---DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES
+---01 - GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
+---(M2, M3, T), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA
+---(Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, and FRAME LOADS - DISTRIBUTED if
+---uniform over the whole frame. Sections have the properties that the file states, and the size, the outline and what
+---is left out of their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear
+---area becomes 1000 times the area. A file that contradicts itself is an error with its line.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1284,6 +1284,51 @@ local import = {}
 function import.s2k(options) end
 
 ---@class hinge.import_s2k_options
+---@field file string path of the file
+
+---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
+---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE), POINT ASSIGNS
+---(RESTRAINT), MATERIAL PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC
+---LOADS, POINT OBJECT LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS if uniform over the whole line. A joint is a
+---point on a storey, "3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces.
+---Local axes, releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
+---hinge.section.named. Areas, diaphragms, springs and end offsets are not read; the notes name them.
+---```lua
+---local import = hinge.import
+---local name = os.tmpname()
+---local file = assert(io.open(name, "w"))
+---file:write [[
+---$ CONTROLS
+---  UNITS "KN" "M" "C"
+---$ STORIES - IN SEQUENCE FROM TOP
+---  STORY "Storey 1" HEIGHT 3.5
+---  STORY "Base" ELEV 0
+---$ MATERIAL PROPERTIES
+---  MATERIAL "S355" TYPE "Steel" WEIGHTPERVOLUME 76.98
+---  MATERIAL "S355" SYMTYPE "Isotropic" E 210000000 U 0.3
+---  MATERIAL "S355" FY 355000
+---$ FRAME SECTIONS
+---  FRAMESECTION "Column" MATERIAL "S355" SHAPE "Steel I/Wide Flange" D 0.2 B 0.2 TF 0.015 TW 0.009
+---$ POINT COORDINATES
+---  POINT "1" 0 0
+---$ LINE CONNECTIVITIES
+---  LINE "C1" COLUMN "1" "1" 1
+---$ POINT ASSIGNS
+---  POINTASSIGN "1" "Base" RESTRAINT "UX UY UZ RX RY RZ"
+---$ LINE ASSIGNS
+---  LINEASSIGN "C1" "Storey 1" SECTION "Column"
+---]]
+---file:close()
+---local frame, notes = import.e2k { file = name }
+---os.remove(name)
+---print(#notes, frame.members[1].name, frame.nodes[2].name, frame.nodes[2].z) -- 0, C1@Storey 1, 1@Storey 1, 3.5 m
+---```
+---@param options hinge.import_e2k_options
+---@return hinge.import_frame frame
+---@return hinge.import_notes notes
+function import.e2k(options) end
+
+---@class hinge.import_e2k_options
 ---@field file string path of the file
 
 ---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). Commands: model BasicBuilder with -ndm 2 -ndf 3 or -ndm
@@ -1402,8 +1447,9 @@ function import.build(frame, options) end
 ---@field gravity? number m/s^2, for the self weight; default 9.80665
 
 ---Writes a frame as a script of hinge that builds the same model as import.build: tables with one line for each node,
----member and load, by their names. The script ends with `return model, nodes, members`. Returns the path of the file.
----A file that is there is written over only if import.write has written it.
+---member and load, by their names. The script ends with `return model, nodes, members`, or in a scenario. Returns the
+---path of the file. A file that is there is written over only if import.write has written it. `hinge export FILE` does
+---the same for a file of another program.
 ---```lua
 ---local import = hinge.import
 ---local frame = { nodes = { { name = "a", x = 0, y = 0, z = 0, fix = "all" }, { name = "b", x = 2, y = 0, z = 0 } },
@@ -1416,9 +1462,14 @@ function import.build(frame, options) end
 ---```
 ---@param frame hinge.import_frame
 ---@param file string ends in .lua; a name without a folder is in the output folder
----@param options? hinge.import_build_options
+---@param options? hinge.import_write_options
 ---@return string path
 function import.write(frame, file, options) end
+
+---@class hinge.import_write_options: hinge.import_build_options
+---true: the script ends in a scenario that solves each load case by itself in statics and draws it, so that hinge run,
+---check and plan take it. Default false
+---@field scenario? boolean
 
 ---What a reader could not read, by file and line. The list itself has what is not read. print shows everything.
 ---@class hinge.import_notes

@@ -263,6 +263,7 @@ local calls = {
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
   ["hinge.robustness"] = function(x) hinge.robustness(with({ build = function() end, limit = 0.1 }, x)) end,
   ["hinge.import.s2k"] = function(x) hinge.import.s2k(with({ file = record_file }, x)) end,
+  ["hinge.import.e2k"] = function(x) hinge.import.e2k(with({ file = record_file }, x)) end,
   ["hinge.import.tcl"] = function(x)
     hinge.import.tcl(with({ file = record_file, units = { length = "m", force = "N" } }, x))
   end,

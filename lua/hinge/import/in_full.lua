@@ -166,10 +166,11 @@ return function(where, frame, options)
   local o = check.options(where, options, {
     model = { "table", default = {} }, self_weight = { "string", one_of = { "gravity", "loads" }, optional = true },
     gravity = { "number", unit = "m/s^2", above = 0, default = 9.80665 },
+    scenario = { "boolean", default = false },
   })
   local parts = frame_module.check(where, frame)
   for _, case in ipairs(parts.cases) do case.loads = table.move(case.loads, 1, #case.loads, 1, {}) end
-  parts.links, parts.springs, parts.options = {}, {}, o.model
+  parts.links, parts.springs, parts.options, parts.scenario = {}, {}, o.model, o.scenario
   expand_releases(where, parts)
   expand_weight(where, parts, o)
   return parts

@@ -173,8 +173,26 @@ local function add_cases(lines, full)
   for _, case in ipairs(full.cases) do add_case(lines, case) end
 end
 
--- How a script goes on: a static run of the first case.
+-- A scenario that solves each case by itself and draws it.
+local scenario = [=[
+return hinge.scenario {
+  run = function(_, job)
+    for i, name in ipairs { %s } do
+      local run = model:static { steps = 1, loads = { [name] = 1 } }:finish()
+      job:picture(run, { title = name, scale = "auto", ghost = true, loads = true }, ("case_%%d.png"):format(i))
+    end
+  end,
+}]=]
+
+-- How a script goes on: as a scenario, or a static run of the first case.
 local function add_end(lines, full)
+  if full.scenario then
+    local names = {}
+    for i, case in ipairs(full.cases) do names[i] = quoted(case.name) end
+    if #names == 0 then check.fail("%s: a scenario needs a load case; the frame has none", where) end
+    lines[#lines + 1] = scenario:format(table.concat(names, ", "))
+    return
+  end
   local first = full.cases[1]
   local loads = first and (", loads = %s"):format(literal { [first.name] = 1 }) or ""
   lines[#lines + 1] = ("-- To go on: local run = model:static { steps = 1%s }:finish()"):format(loads)

@@ -1,0 +1,74 @@
+-- hinge export: a frame of another program as a script of hinge.
+local check = require "hinge.check"
+local import = require "hinge.import"
+
+local export = {}
+
+local tables = { "nodes", "members", "sections", "materials", "supports", "loads", "masses" }
+local by_ending = { s2k = "s2k", ["$2k"] = "s2k", e2k = "e2k", ["$et"] = "e2k", tcl = "tcl", py = "tcl" }
+local known = ".s2k and .$2k of SAP2000, .e2k and .$et of ETABS, .tcl and .py of OpenSees, or a folder with nodes.csv "
+  .. "and members.csv"
+
+local function is_file(path)
+  local file = io.open(path)
+  local good = file and file:read(0) ~= nil or false
+  if file then file:close() end
+  return good
+end
+
+-- The tables of a folder, or nil where it has none.
+local function csv_of(folder)
+  local found = {}
+  for _, name in ipairs(tables) do
+    local path = folder .. "/" .. name .. ".csv"
+    if is_file(path) then found[name] = path end
+  end
+  return next(found) and found or nil
+end
+
+-- "kN,m" or "kN,m,t" as the units of import.tcl.
+local function units_of(text)
+  if not text then
+    check.fail("a script of OpenSees does not say its units; give --units FORCE,LENGTH, such as --units kN,m or "
+      .. "--units kip,inch, and a third one where masses are in another unit than force s^2 / length")
+  end
+  local list = {}
+  for word in text:gmatch "[^,%s]+" do list[#list + 1] = tonumber(word) or word end
+  if #list < 2 or #list > 3 then
+    check.fail("--units is '%s'; must be FORCE,LENGTH or FORCE,LENGTH,MASS, such as kN,m", text)
+  end
+  return { force = list[1], length = list[2], mass = list[3] }
+end
+
+--- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes.
+function export.read(source, units)
+  local tables_there = csv_of(source)
+  local reader = by_ending[(source:match "%.([^./]*)$" or ""):lower()]
+  if units and reader ~= "tcl" then check.fail("--units is for scripts of OpenSees; %s has its own", source) end
+  if tables_there then return import.csv(tables_there) end
+  if source:find "%.lua$" then check.fail("%s is a script of hinge already; export reads %s", source, known) end
+  if not reader then check.fail("%s is of no kind that export reads: %s", source, known) end
+  if reader == "tcl" then return import.tcl { file = source, units = units_of(units) } end
+  return import[reader] { file = source }
+end
+
+-- frame.lua beside where the command was typed, from models/frame.s2k or models/frame/.
+local function name_of(source)
+  local stem = source:gsub("/+$", ""):match "[^/]*$":gsub("%.[^.]*$", "")
+  return (stem == "" and "frame" or stem) .. ".lua"
+end
+
+--- The program: source, units and file as the command line has them. Returns the exit status.
+function export.main(options)
+  local frame, notes = export.read(options.script, options.units)
+  print(notes)
+  if #frame.cases == 0 then frame.cases[1] = { name = "self weight", self_weight = 1 } end
+  local path = import.write(frame, options.file or name_of(options.script), { scenario = true })
+  local lost = #notes > 0 and (" without the %s above that %s not read"):format(
+    check.count(#notes, "thing"), #notes == 1 and "was" or "were") or ""
+  print(("written to %s%s; hinge check %s looks it over, hinge run %s solves and draws its load cases"):format(path,
+    lost, path, path))
+  return 0
+end
+
+return export
