@@ -1,5 +1,6 @@
 -- Writes into the guide's pages what their scripts are, print and draw: the first block of Lua, what the commands of
--- console blocks print (but for blocks with "…"), and the pictures. What the pages say around it is left alone.
+-- console blocks and Python print (but for blocks with "…"), the notebook and the pictures. What the pages say around it
+-- is left alone.
 --
 -- Run: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...]        all pages where no name is given
 --      lua5.4 lua/guide/make.lua figures [NAME ...]             runs nothing: lists the numbers with a unit in the text
@@ -42,6 +43,20 @@ local function list_figures(name)
   end
 end
 
+-- What the page's Python prints goes below it; the notebook is written beside the page.
+local function with_python(name, text, folder, run)
+  local list = pages.python(text)
+  if #list == 0 then return text end
+  local python = assert(pages.python_there(), "no Python with pandas and VTK")
+  local outputs = assert(pages.run_python(list, folder, run, python))
+  for i = #list, 1, -1 do
+    local block = list[i].output
+    if block then text = text:sub(1, block.from - 1) .. outputs[i] .. text:sub(block.to + 1) end
+  end
+  pages.write(pages.folder .. name .. ".ipynb", pages.notebook(text, name))
+  return text
+end
+
 local function make(name)
   local path = pages.folder .. name .. ".md"
   local text = assert(pages.read(path), "there is no " .. path)
@@ -63,7 +78,9 @@ local function make(name)
     parts[#parts + 1] = text:sub(at, block.from - 1) .. new
     at = block.to + 1
   end
-  pages.write(path, table.concat(parts) .. text:sub(at))
+  text = table.concat(parts) .. text:sub(at)
+  text = with_python(name, text, folder, run)
+  pages.write(path, text)
   for _, picture in ipairs(pages.pictures(text)) do
     if not os.execute(("cp \"$(find %s/out -name '%s' | head -1)\" '%spictures/%s'"):format(folder, picture,
         pages.folder, picture)) then

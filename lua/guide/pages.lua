@@ -8,6 +8,8 @@
 --   variables it sees;
 -- * a block marked lua in an HTML comment is not shown to readers. It goes on where the block of Lua above it ends, and
 --   compares numbers of the page with computed ones (claim.lua);
+-- * those marked python are one program, which runs after the commands in their folder; a block marked text right below
+--   one is what it prints. NAME.ipynb holds them as a notebook;
 -- * all other blocks (sh, text) are only shown.
 -- A picture pictures/FILE.png is one that the page's commands leave in a folder under out/.
 local pages = { folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" }
@@ -90,6 +92,72 @@ function pages.snippets(text)
   local preamble = ("local claim, shown = require 'claim' (%q, %q)\n"):format(pages.seen(text), table.concat(printed))
   for i, program in ipairs(alone) do alone[i] = preamble .. program end
   return alone
+end
+
+--- The blocks of Python, each with the block of text that follows it, or nil: { code =, output = (a block) }.
+function pages.python(text)
+  local list, last = {}, nil
+  for _, block in ipairs(pages.blocks(text)) do
+    if block.language == "python" then
+      last = { code = block.text }
+      list[#list + 1] = last
+    else
+      if block.language == "text" and last then last.output = block end
+      last = nil
+    end
+  end
+  return list
+end
+
+--- A Python that has pandas and VTK, or nil.
+function pages.python_there()
+  for _, name in ipairs { "/usr/bin/python3", "python3" } do
+    if os.execute(name .. " -c 'import pandas, vtkmodules' >/dev/null 2>&1") then return name end
+  end
+end
+
+--- Runs the blocks of Python; `run` as pages.workplace gives it. Returns what each printed, or nil and the complaint.
+function pages.run_python(list, folder, run, python)
+  local program, mark = {}, "\30"
+  for i, block in ipairs(list) do program[i] = block.code .. 'print("\\x1e", end="")\n' end
+  pages.write(folder .. "/page.py", table.concat(program))
+  local status, printed, complaint = run(python .. " page.py")
+  if status ~= 0 then return nil, complaint end
+  local outputs = {}
+  for part in printed:gmatch("([^" .. mark .. "]*)" .. mark) do outputs[#outputs + 1] = part end
+  return outputs
+end
+
+local function json_text(text)
+  return '"' .. text:gsub('[\\"]', "\\%0"):gsub("\n", "\\n"):gsub("\t", "\\t") .. '"'
+end
+
+-- A cell of a notebook: its text as a list of lines.
+local function cell_of(kind, text)
+  local lines = {}
+  for line in text:gsub("\n$", ""):gmatch "[^\n]*\n?" do
+    if line ~= "" then lines[#lines + 1] = "    " .. json_text(line) end
+  end
+  local more = kind == "code" and '   "execution_count": null,\n   "outputs": [],\n' or ""
+  return ('  {\n   "cell_type": "%s",\n   "metadata": {},\n%s   "source": [\n%s\n   ]\n  }'):format(kind, more,
+    table.concat(lines, ",\n"))
+end
+
+--- The page's Python as a notebook of Jupyter (nbformat 4): each block under the heading and the prose above it.
+function pages.notebook(text, name)
+  local cells, at = {}, 1
+  for _, block in ipairs(pages.blocks(text)) do
+    if block.language == "python" then
+      local prose = text:sub(at, block.from - 1):match "\n(## .-)\n*```python\n$" or ""
+      if prose ~= "" then cells[#cells + 1] = cell_of("markdown", prose) end
+      cells[#cells + 1] = cell_of("code", block.text)
+    end
+    at = block.to + 4
+  end
+  local head = "# %s\n\nThe page %s.md of hinge's guide says what must run before."
+  table.insert(cells, 1, cell_of("markdown", head:format(text:match "^# ([^\n]*)", name)))
+  return ('{\n "cells": [\n%s\n ],\n "metadata": {},\n "nbformat": 4,\n "nbformat_minor": 2\n}\n'):format(
+    table.concat(cells, ",\n"))
 end
 
 --- A page without its HTML comments: what readers see.
