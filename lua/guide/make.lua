@@ -1,6 +1,5 @@
 -- Writes into the guide's pages what their scripts are, print and draw: the first block of Lua, what the commands of
--- console blocks and Python print (but for blocks with "…"), the notebook and the pictures. What the pages say around it
--- is left alone.
+-- console blocks and Python print (but for blocks with "…"), the notebook and the pictures. The text around them stays.
 --
 -- Run: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...]        all pages where no name is given
 --      lua5.4 lua/guide/make.lua figures [NAME ...]             runs nothing: lists the numbers with a unit in the text
