@@ -2515,6 +2515,38 @@ function model:diaphragm(options) end
 ---@param options hinge.move_options
 function model:move(options) end
 
+---Makes the structure crooked, without stress: it changes the declared places of nodes, and calls add up. It belongs
+---before the runs: no run goes on from one that was made before it. Give one of three. sway: the frame is out of
+---plumb, each node by sway times its height above `base`, along `direction`. bow: members are bowed by half a sine
+---wave, `bow` times their length in the middle, along the section's axis x or y. They need eight elements or more; the
+---growth of the moment under compression is then 5 % too small, with sixteen 1.3 %: (pi / n)^2 / 3 with n elements,
+---since the two elements of a pair are in line. mode: the shape of a mode of run:modes or run:buckling of this model,
+---its largest displacement `largest`; members that bend in it need eight elements. sway and bow take numbers, or those
+---of EN 1993-1-1:2005 5.3.2: phi of (5.5) for the height from `base` to the highest node and for `columns` in a row;
+---e0 / L of table 5.1 for a buckling curve.
+---```lua
+---local tower = hinge.model {}
+---local foot, head = tower:node { 0, 0, 0 }, tower:node { 0, 0, 6 }
+---tower:member { foot, head, section = square, material = steel, elements = 8 }
+---tower:imperfection { sway = { standard = "EN 1993-1-1", columns = 3 }, direction = { 1, 0, 0 } }
+---tower:imperfection { bow = { curve = "a", analysis = "plastic" }, axis = "x" }
+---print(head.x) -- 6 m * 1/200 * 2/sqrt(6) * sqrt(0.5 (1 + 1/3)) = 0.0200 m
+---```
+---@param options hinge.imperfection_options
+function model:imperfection(options) end
+
+---@class hinge.imperfection_options
+---@field sway? number|{ standard?: "EN 1993-1-1", columns?: integer } horizontal over vertical; columns: default 1
+---@field direction? vec3 of the sway, horizontal; default { 1, 0, 0 }
+---@field base? number m, the height z that stays; default that of the lowest node
+---part of the member's length, between -0.1 and 0.1; curve: "a0", "a", "b", "c", "d"; analysis: default "plastic"
+---@field bow? number|{ curve: string, analysis?: "plastic"|"elastic" }
+---@field axis? "x"|"y" of the bow; default "x"
+---@field member? hinge.member of the bow; default: all members, or those of `group`
+---@field group? hinge.group_like
+---@field mode? hinge.mode
+---@field largest? number m, of a mode: its largest displacement; below 0: the other way
+
 ---Displaces supports in statics: a settlement, an error of fit, or an end that is rotated. The call fixes the given
 ---degrees of freedom. A static run moves them in proportion to its load factor, from where it finds them to the given
 ---displacement at factor 1, whatever `control` it has. A run that goes on from one that has settled moves nothing. The

@@ -57,7 +57,6 @@ return {
   cable = one_way, ["tension only"] = one_way, ["compression only"] = one_way, strut = one_way,
   prestressing = there({ "model:prestress" }, "members that were made too short, or their force between fixed ends"),
   utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
-  imperfection = missing({ "model:node", "model:load" }, "nodes out of line, or a small load to the side"),
   isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),
   link = there({ "model:connector" }, "springs, dashpots, curves and functions between two nodes"),
   restart = there({ "run:checkpoint", "run:resume", "hinge.resume" }, "a run goes on from its checkpoint, bit by bit"),

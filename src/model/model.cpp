@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "beam/material_law.h"
 #include "beam/plastic_domain.h"
@@ -86,6 +87,26 @@ int Model::add_member(MemberData m) {
 
 void Model::set_member_groups(int member, std::vector<int> groups) {
     check_open(), members_[member].groups = std::move(groups);
+}
+
+void Model::displace(int node, const Vec3& by) { check_open(), nodes_[node].position += by; }
+void Model::add_bow(int member, const Vec3& bow) { check_open(), members_[member].bow += bow; }
+
+void Model::add_offsets(int member, const std::vector<Vec3>& inner) {
+    check_open();
+    std::vector<Vec3>& own = members_[member].inner;
+    if (own.empty()) own.assign(inner.size(), Vec3::Zero());
+    for (std::size_t i = 0; i < inner.size(); ++i) own[i] += inner[i];
+}
+
+Vec3 MemberData::offset(int after) const {
+    const auto on_curve = [this](int i) -> Vec3 {
+        if (i == 0 || i == elements) return Vec3::Zero();
+        const Vec3 wave = std::sin(std::numbers::pi * i / elements) * bow;
+        return inner.empty() ? wave : wave + inner[std::size_t(i) - 1];
+    };
+    const bool inside_pair = elements % 2 == 0 && after % 2 == 1;
+    return inside_pair ? 0.5 * (on_curve(after - 1) + on_curve(after + 1)) : on_curve(after);
 }
 
 bool Model::has_undecided_elements() const {

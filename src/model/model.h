@@ -104,6 +104,13 @@ struct MemberData {
     /// Bit i: end i is joined to its node by a joint (effects/joints.h), so that it has a node of its own.
     std::uint8_t joints = 0;
     bool has_joint(int end) const { return joints >> end & 1; }
+    /// What the nodes inside stand off the line between its ends, m: half a sine wave with `bow` in the middle, and
+    /// `inner`, one for each, or empty. The two elements of a pair are in line, since the pair's bending
+    /// (beam_column.h) is that of a straight bar: the node in the middle of a pair stands halfway between its ends.
+    Vec3 bow = Vec3::Zero();
+    std::vector<Vec3> inner = {};
+    bool is_straight() const { return inner.empty() && bow.isZero(0); }
+    Vec3 offset(int after) const;  ///< of the node after so many elements
 };
 
 /// Initial velocity of nodes as a rigid body: `linear` of the mean of their positions, m/s, and `angular` about it,
@@ -180,6 +187,11 @@ public:
     void fix(int node, std::uint8_t mask);
     int add_member(MemberData member);
     void set_member_groups(int member, std::vector<int> groups);
+    /// Imperfections: moves the declared place of a node, m, and adds to what the nodes inside a member stand off its
+    /// line.
+    void displace(int node, const Vec3& by);
+    void add_bow(int member, const Vec3& bow);
+    void add_offsets(int member, const std::vector<Vec3>& inner);
     bool has_undecided_elements() const;
     void set_elements(int member, int elements, ElementsBy by, double part, bool capped);
     /// Takes the numbers of elements that a copy of this model, or of a part of it, has chosen.

@@ -80,13 +80,6 @@ std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const b
 }
 
 /// Local axes of a member: z along it, y in the plane of z and `up`.
-Quat axes_of(const MemberData& member, const Vec3& span) {
-    const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
-    Mat3 axes;
-    axes << x, y, z;
-    return Quat(axes).normalized();
-}
-
 /// Elastic stiffness and mass of a section for a metre of its length.
 beam::Rigidity rigidity_of(const Section& section, const Material& material) {
     return {material.E * section.Ix,
@@ -131,6 +124,13 @@ struct Structure::KindKey {
     std::array<double, 4> rotation;
     auto operator<=>(const KindKey&) const = default;
 };
+
+Quat axes_of(const MemberData& member, const Vec3& span) {
+    const Vec3 z = span.normalized(), x = member.up.cross(z).normalized(), y = z.cross(x);
+    Mat3 axes;
+    axes << x, y, z;
+    return Quat(axes).normalized();
+}
 
 Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_(std::move(model)), mass_(mass) {
     const Model& m = *model_;
@@ -192,8 +192,10 @@ int Structure::declared_node(int node) const {
 void Structure::add_member(int index, KindMap& alike) {
     const MemberData& member = model_->members()[index];
     const Vec3 start = position_[member.node[0]], span = position_[member.node[1]] - start;
-    const Quat rotation = axes_of(member, span);
-    const double length = span.norm() / member.elements, radius = contact_radius(*member.section);
+    Quat rotation = axes_of(member, span);
+    double length = span.norm() / member.elements;
+    Vec3 part = span / member.elements;
+    const double radius = contact_radius(*member.section);
     int left = end_node(index, 0);
     for (int i = 0; i < member.elements; ++i) {
         const bool first_of_pair = i % 2 == 0;
@@ -201,7 +203,12 @@ void Structure::add_member(int index, KindMap& alike) {
         if (i + 1 < member.elements) {
             right = int(position_.size());
             position_.push_back(start + double(i + 1) / member.elements * span);
+            if (!member.is_straight()) position_.back() += member.offset(i + 1);
             fixed_.push_back(0);
+        }
+        if (!member.is_straight()) {
+            part = position_[right] - position_[left];
+            length = part.norm(), rotation = axes_of(member, part);
         }
         if (member.elements % 2 == 0) partner = int(elements_.size()) + (first_of_pair ? 1 : -1);
         const double s = normal_point(model_->options().formulation, first_of_pair ? 1 : -1);
@@ -211,7 +218,7 @@ void Structure::add_member(int index, KindMap& alike) {
                              index,
                              partner,
                              length,
-                             span / member.elements,
+                             part,
                              s,
                              kind.axes,
                              kind.rigidity,

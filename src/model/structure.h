@@ -42,6 +42,9 @@ beam::YieldSurface yield_surface(const Section& s, const Material& m);
 /// with them.
 enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };
 
+/// Axes x, y, z of a member's section where it runs along `span`, as a rotation from the global axes.
+Quat axes_of(const MemberData& member, const Vec3& span);
+
 /// Nodes and elements of a run. Nodes 0..declared-1 are the script's. Then come the ends of members that have a joint,
 /// in the place of their node; the rest lie inside members.
 class Structure {

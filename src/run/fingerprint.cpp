@@ -44,8 +44,10 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     const DynamicSettings& s = run.settings();
     std::vector<FingerprintPart> parts;
     parts.push_back(part("nodes", model.nodes(), [](Sum& a, const NodeData& n) { a(n.position, n.fixed); }));
-    parts.push_back(
-        part("members", model.members(), [](Sum& a, const MemberData& m) { a(m.node, m.up, m.elements, m.carries); }));
+    parts.push_back(part("members", model.members(), [](Sum& a, const MemberData& m) {
+        a(m.node, m.up, m.elements, m.carries);
+        if (!m.is_straight()) a(m.bow, m.inner);
+    }));
     parts.push_back(part("materials", model.members(), [](Sum& a, const MemberData& m) {
         a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);
         const auto add = [&](const beam::MaterialLaw& law) {

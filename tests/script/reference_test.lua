@@ -259,6 +259,7 @@ local calls = {
   ["model:remove"] = function(x) s.model:remove(with({ member = s.member, at = 1 }, x)) end,
   ["model:heat"] = function(x) s.model:heat(with({ member = s.member, temperature = 100 }, x)) end,
   ["model:prestress"] = function(x) s.model:prestress(x) end,
+  ["model:imperfection"] = function(x) s.model:imperfection(with({ sway = 0 }, x)) end,
   ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
   ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
   ["hinge.robustness"] = function(x) hinge.robustness(with({ build = function() end, limit = 0.1 }, x)) end,

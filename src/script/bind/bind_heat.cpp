@@ -74,17 +74,6 @@ bool is_over_time(Options& o, const char* field) {
     return type == LUA_TFUNCTION || type == LUA_TTABLE;
 }
 
-/// A member or a group; or neither.
-void read_members(Options& o, const ScriptModel& model, int& member, int& group) {
-    lua_State* L = o.L();
-    if (o.has("member") && o.has("group")) o.complain("group", "given beside member", "give one of the two");
-    if (o.push_field("member") != LUA_TNIL)
-        member = member_argument(L, -1, o.function() + ": field 'member'", &model).index;
-    lua_pop(L, 1);
-    if (o.push_field("group") != LUA_TNIL) group = group_argument(L, -1, o.function() + ": field 'group'", model);
-    lua_pop(L, 1);
-}
-
 /// What the middle and both sides of the section may not leave.
 void must_be_in_range(Options& o, const Heating& h, double temperature, const std::string& which) {
     const double half = 0.5 * std::max(std::abs(h.across[0]), std::abs(h.across[1]));
@@ -96,6 +85,16 @@ void must_be_in_range(Options& o, const Heating& h, double temperature, const st
 }
 
 }  // namespace
+
+void read_members(Options& o, const ScriptModel& model, int& member, int& group) {
+    lua_State* L = o.L();
+    if (o.has("member") && o.has("group")) o.complain("group", "given beside member", "give one of the two");
+    if (o.push_field("member") != LUA_TNIL)
+        member = member_argument(L, -1, o.function() + ": field 'member'", &model).index;
+    lua_pop(L, 1);
+    if (o.push_field("group") != LUA_TNIL) group = group_argument(L, -1, o.function() + ": field 'group'", model);
+    lua_pop(L, 1);
+}
 
 int heat_members(lua_State* L) {
     auto& model = self<ModelBox>(L, "model:heat").value;

@@ -4,21 +4,11 @@
 #include <numbers>
 
 #include "run/eigenmodes.h"
+#include "script/bind/mode_box.h"
 #include "script/record/snapshot.h"
 
 namespace hinge::script {
 namespace {
-
-/// A shape of a run.
-struct ModeBox {
-    static constexpr const char* lua_name = "hinge.mode";
-    std::shared_ptr<RunRecord> record;
-    std::vector<Vec6> shape;
-    std::optional<double> factor;  ///< of buckling; none: a natural mode
-    double omega_squared = 0;
-    Vec3 participation = Vec3::Zero();
-    Vec3 share = Vec3::Zero();  ///< effective masses over the whole mass
-};
 
 int read_count(Options& o) { return o.integer("n", 1, 6); }
 

@@ -109,6 +109,9 @@ State start_state(Options& o, const std::shared_ptr<const Structure>& structure,
                        std::to_string(from.broken.size()) + " elements",
                    "this model has " + std::to_string(state.displacement.size()) + " and " +
                        std::to_string(state.broken.size()) + "; add nothing between the runs");
+    if (before->run->structure().position() != structure->position())
+        o.complain("from", "the run made at " + before->asked_at,
+                   "model:imperfection has moved nodes since; it belongs before the first run");
     state = from;
     state.step = 0;
     for (std::size_t n = 0; n < here.nodes().size(); ++n)

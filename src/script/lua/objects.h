@@ -368,6 +368,8 @@ std::string reason_of(const RunRecord& record);
 
 NodeBox& node_argument(lua_State* L, int index, const std::string& what, const Model* model);
 MemberBox& member_argument(lua_State* L, int index, const std::string& what, const Model* model);
+/// The fields 'member' and 'group', of which one may be given: their indices; left alone where a field is not given.
+void read_members(Options& o, const ScriptModel& model, int& member, int& group);
 const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what,
                                                const Model* model = nullptr);
 void prepare_folder(const Context& c, const std::string& file);
