@@ -3578,8 +3578,11 @@ function mode:displacement(node) end
 ---hinge.strip({ { run:modes()[1]:snapshot(0.1), { title = "first mode" } } }, 1, "mode.png")
 ---```
 ---@param amplitude? number its largest displacement, m; default: a twentieth of the structure's size
+---s; the shape is then amplitude sin(2 pi time / period), with a period of 1 s for buckling modes, and pictures show
+---the time. Default: the amplitude itself
+---@param time? number
 ---@return hinge.snapshot
-function mode:snapshot(amplitude) end
+function mode:snapshot(amplitude, time) end
 
 ---The plastic hinges: every section that has ever been fully plastic, also in the runs before (`from`). They come by
 ---storey, member and place in the member. Where two elements of a member meet there is one hinge: the rotation is that
@@ -4200,9 +4203,9 @@ function hinge.scenario(options) end
 
 -- Pictures, plots and frames without a job ----------------------------------------------------------------------------
 
----hinge.frame, hinge.picture, hinge.strip, hinge.plot and hinge.note do the same as job:frame, job:picture, job:strip,
----job:plot and job:note. They are for scripts of plain statements and for any Lua 5.4. The output folder is that of
----`hinge run`, else the folder where Lua was started.
+---hinge.frame, hinge.animate, hinge.picture, hinge.strip, hinge.plot and hinge.note do the same as job:frame,
+---job:animate, job:picture, job:strip, job:plot and job:note. They are for scripts of plain statements and for any Lua
+---5.4. The output folder is that of `hinge run`, else the folder where Lua was started.
 ---```lua
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }
 ---for step in swing:steps() do
@@ -4211,6 +4214,11 @@ function hinge.scenario(options) end
 ---```
 ---@param run hinge.run
 function hinge.frame(run) end
+
+---See job:animate.
+---@param mode hinge.mode
+---@param options? { frames?: integer, amplitude?: number }
+function hinge.animate(mode, options) end
 
 ---```lua
 ---hinge.picture(run, { title = "under 1 kN", width = 800, height = 600 }, "cantilever.png")

@@ -22,6 +22,7 @@ return check.lazy({
   model = core.model,
   resume = core.resume,
   frame = free.frame,
+  animate = free.animate,
   picture = free.picture,
   strip = free.strip,
   plot = free.plot,

@@ -62,6 +62,28 @@ function Job:frame(run, ...)
   self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
 
+local animation_rules = {
+  frames = { "number", whole = true, at_least = 4, at_most = 1000, default = 24 },
+  amplitude = { "number", unit = "m", optional = true },
+}
+
+--- Adds one vibration of a mode to frames.pvd, for ParaView and hinge render.
+function Job:animate(mode, options, ...)
+  local where = named(self, "animate")
+  check.no_more(where, ...)
+  local good = type(mode) == "userdata" and pcall(function() return mode.participation end)
+  if not good then
+    check.fail("%s: the mode is %s; give one of run:modes or run:buckling", where, check.show(mode))
+  end
+  local o = check.options(where, options, animation_rules)
+  local period = mode.period or 1
+  if period == math.huge then period = 1 end
+  for k = 0, o.frames - 1 do
+    if self.frames_failed then return end
+    self.frames_failed = not try(self, "frames", core.write_frame, mode:snapshot(o.amplitude, period * k / o.frames))
+  end
+end
+
 --- Draws the structure as it is now into a PNG picture in the output folder; without a name picture.png, picture-2.png.
 function Job:picture(run, view, filename, ...)
   check.no_more(named(self, "picture"), ...)
@@ -148,7 +170,7 @@ end
 
 --- hinge.picture(run, view, filename) and the like, for scripts that get no job: plain statements, any Lua.
 local free = {}
-for _, name in ipairs { "frame", "picture", "strip", "plot", "note" } do
+for _, name in ipairs { "frame", "animate", "picture", "strip", "plot", "note" } do
   free[name] = function(...)
     if not current then current = new(core.out_dir() == "." and "" or core.out_dir()) end
     local job = current

@@ -20,6 +20,16 @@ local job = {}
 ---@param run hinge.run
 function job:frame(run) end
 
+---Adds one vibration of a mode to frames.pvd in the output folder: the state of its run with the shape on top, sin(2 pi
+---t / period). `hinge render FOLDER --gif` makes a film of it, which goes on without a jump. A buckling mode has a
+---period of 1 s. Nothing else should write frames into that folder.
+---```lua
+---job:animate(run:modes { n = 1 }[1], { frames = 24, amplitude = 0.2 })
+---```
+---@param mode hinge.mode
+---@param options? { frames?: integer, amplitude?: number } default 24; m, default a twentieth of the structure's size
+function job:animate(mode, options) end
+
 ---Draws the structure as it is now into a PNG in the output folder. Members have their true sections. Six colours along
 ---each element tell f_y, the yield function of its section's law: five for its fifths, and red where the section is
 ---fully plastic. Readers who are colour-blind can tell them apart. Broken elements are black, as in figure 17. A

@@ -1,7 +1,7 @@
 -- run:modes and run:buckling: frequencies, shapes, effective masses and buckling loads by closed forms, of loaded
 -- states, with joints and rigid floors; pictures of a shape; wrong input is refused.
 --
--- Run: lua5.4 tests/script/modes_test.lua, with the module on LUA_CPATH
+-- Run: lua5.4 tests/script/modes_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
@@ -226,6 +226,48 @@ case("pictures of a shape", function()
   equal(tostring(mode:snapshot(0.2)):match "^[%w.]*", "hinge.snapshot", "a snapshot")
   expect(tostring(run:buckling()[1]):find "buckling mode at factor", "text")
   equal(#tostring(tip) > 0, true, "node")
+end)
+
+local frames_script = [[
+local hinge = require "hinge"
+return hinge.scenario { run = function(_, job)
+  local model = hinge.model {}
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall, "all")
+  model:fix(tip, "y")
+  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+    material = hinge.material { E = 206e9, density = 7850 }, elements = 8 }
+  local mode = model:static():finish():modes { n = 1 }[1]
+  job:animate(mode, { frames = 8, amplitude = 0.2 })
+  print("period " .. mode.period)
+end }
+]]
+
+case("an animation: one period in frames of equal steps, the largest displacement as given", function()
+  local build = arg[1]
+  if not support.is_there(build .. "/libhinge_output.so") then return print "without pictures: not looked at" end
+  local folder = support.temporary_folder()
+  support.write(folder .. "/animate.lua", frames_script)
+  local status, printed, complaint = support.run(("cd %s && %s run -q animate.lua --out out && %s render out --gif")
+    :format(support.quote(folder), support.quote(build .. "/hinge"), support.quote(build .. "/hinge")))
+  equal(status, 0, complaint)
+  local period = tonumber(printed:match "period (%S+)")
+  local listed, k = support.read(folder .. "/out/frames.pvd") or "", 0
+  for time in listed:gmatch 'timestep="([^"]*)"' do
+    near(tonumber(time), k * period / 8, 1e-12, "time of frame " .. k + 1)
+    k = k + 1
+  end
+  equal(k, 8, "frames")
+  expect((support.read(folder .. "/out/film.gif") or ""):find "^GIF89a", "the film")
+  for i, wanted in ipairs { 0, math.sqrt(0.5), 1, math.sqrt(0.5), 0, math.sqrt(0.5), 1, math.sqrt(0.5) } do
+    local box = "return table.concat(require('hinge.core').frame_box('%s/out/frames/frame_%05d.vtp', {}).box, ' ')"
+    local numbers = {}
+    for number in support.output(("%s do %s"):format(support.quote(build .. "/hinge"),
+      support.quote(box:format(folder, i)))):gmatch "%S+" do numbers[#numbers + 1] = tonumber(number) end
+    equal(#numbers, 6, "x, y and z of the box of frame " .. i)
+    local up = support.largest_of(math.abs(numbers[5] or 0 / 0), math.abs(numbers[6] or 0 / 0))
+    near(up, 0.2 * wanted, 1e-6, "largest displacement in frame " .. i)
+  end
 end)
 
 case("wrong input is refused", function()

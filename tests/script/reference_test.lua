@@ -313,6 +313,8 @@ local calls = {
   ["job:picture"] = function(x) job:picture(s.run, x, "x.png") end,
   ["hinge.picture"] = function(x) hinge.picture(s.run, x, "x.png") end,
   ["hinge.plot"] = function(x) hinge.plot(s.run, x, "x.png") end,
+  ["job:animate"] = function(x) job:animate(s.run:modes({ n = 1 })[1], with({ frames = 4 }, x)) end,
+  ["hinge.animate"] = function(x) hinge.animate(s.run:modes({ n = 1 })[1], with({ frames = 4 }, x)) end,
   ["job:strip"] = function(x) job:strip({ { s.run, x } }, 1, "x.png") end,
   ["job:plot"] = function(x) job:plot(s.run, x, "x.png") end,
   ["ten_storey.add"] = function(x) building.add(hinge.model(), x) end,

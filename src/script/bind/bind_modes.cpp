@@ -73,7 +73,13 @@ int displacement(lua_State* L) {
     return 6;
 }
 
-/// mode:snapshot(amplitude?): the state with the shape on top, its largest displacement `amplitude`, m.
+/// s; of a buckling mode, and of one whose state does not vibrate, 1.
+double period_of(const ModeBox& mode) {
+    return mode.factor || !(mode.omega_squared > 0) ? 1 : 2 * std::numbers::pi / std::sqrt(mode.omega_squared);
+}
+
+/// mode:snapshot(amplitude?, time?): the state with the shape on top, its largest displacement `amplitude`, m; at a
+/// time of a vibration.
 int snapshot(lua_State* L) {
     const auto& mode = self<ModeBox>(L, "mode:snapshot");
     output::Snapshot s = make_snapshot(*mode.record->run);
@@ -87,7 +93,13 @@ int snapshot(lua_State* L) {
         if (!std::isfinite(amplitude))
             throw InputError("mode:snapshot: amplitude is " + show(L, 2) + "; must be a number, m");
     }
-    const double by = largest > 0 ? amplitude / largest : 0;
+    double by = largest > 0 ? amplitude / largest : 0;
+    if (!lua_isnoneornil(L, 3)) {
+        const double time = lua_type(L, 3) == LUA_TNUMBER ? lua_tonumber(L, 3) : std::nan("");
+        if (!std::isfinite(time)) throw InputError("mode:snapshot: time is " + show(L, 3) + "; must be a number, s");
+        by *= std::sin(2 * std::numbers::pi * time / period_of(mode));
+        s.time = time, s.factor.reset();
+    }
     for (std::size_t n = 0; n < mode.shape.size() && n < s.points.size(); ++n)
         for (std::size_t c = 0; c < 3; ++c) {
             const double moved = by * mode.shape[n][Eigen::Index(c)];
@@ -134,7 +146,7 @@ int mode_text(lua_State* L) {
 
 void open_modes(lua_State* L) {
     static const luaL_Reg of_mode[] = {{"displacement", guarded<takes<"mode:displacement", 2, displacement>>},
-                                       {"snapshot", guarded<takes<"mode:snapshot", 2, snapshot>>},
+                                       {"snapshot", guarded<takes<"mode:snapshot", 3, snapshot>>},
                                        {nullptr, nullptr}};
     make_metatable(L, ModeBox::lua_name, of_mode, guarded<mode_fields>, collect<ModeBox>, guarded<mode_text>, nullptr);
     name_fields(L, ModeBox::lua_name,
