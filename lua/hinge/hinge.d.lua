@@ -4216,6 +4216,9 @@ function hinge.scenario(options) end
 function hinge.frame(run) end
 
 ---See job:animate.
+---```lua
+---hinge.animate(model:static():finish():modes { n = 1 }[1], { frames = 8 })
+---```
 ---@param mode hinge.mode
 ---@param options? { frames?: integer, amplitude?: number }
 function hinge.animate(mode, options) end
