@@ -2515,15 +2515,15 @@ function model:diaphragm(options) end
 ---@param options hinge.move_options
 function model:move(options) end
 
----Makes the structure crooked, without stress: it changes the declared places of nodes, and calls add up. It belongs
----before the runs: no run goes on from one that was made before it. Give one of three. sway: the frame is out of
----plumb, each node by sway times its height above `base`, along `direction`. bow: members are bowed by half a sine
----wave, `bow` times their length in the middle, along the section's axis x or y. They need eight elements or more; the
----growth of the moment under compression is then 5 % too small, with sixteen 1.3 %: (pi / n)^2 / 3 with n elements,
----since the two elements of a pair are in line. mode: the shape of a mode of run:modes or run:buckling of this model,
----its largest displacement `largest`; members that bend in it need eight elements. sway and bow take numbers, or those
----of EN 1993-1-1:2005 5.3.2: phi of (5.5) for the height from `base` to the highest node and for `columns` in a row;
----e0 / L of table 5.1 for a buckling curve.
+---Makes the structure crooked, without stress: it changes the declared places of nodes, and calls add up. Declare
+---nodes and members first: it does not see later ones. No run goes on from one that was made before it. Give one of
+---three. sway: the frame is out of plumb, each node by sway times its height above `base`, along `direction`. bow:
+---members are bowed by half a sine wave, `bow` times their length in the middle, along the section's axis x or y. They
+---need eight elements or more; the growth of the moment under compression is then 5 % too small, with sixteen 1.3 %:
+---(pi / n)^2 / 3 with n elements, since the two elements of a pair are in line. mode: the shape of a mode of run:modes
+---or run:buckling of this model, its largest displacement `largest`; members that bend in it need eight elements. sway
+---and bow take numbers, or those of EN 1993-1-1:2005 5.3.2: phi of (5.5) for the height from `base` to the highest
+---node and for `columns` in a row; e0 / L of table 5.1 for a buckling curve.
 ---```lua
 ---local tower = hinge.model {}
 ---local foot, head = tower:node { 0, 0, 0 }, tower:node { 0, 0, 6 }

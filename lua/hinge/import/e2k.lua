@@ -120,9 +120,7 @@ end
 function Reader:note_keys(line, given, taken, without_meaning)
   local left = {}
   for _, key in ipairs(check.keys(given)) do
-    local known = taken[key]
-    for _, beginning in ipairs(without_meaning or {}) do known = known or key:sub(1, #beginning) == beginning end
-    if not known then left[#left + 1] = key end
+    if not (taken[key] or notes.begins_with(key, without_meaning or {})) then left[#left + 1] = key end
   end
   if #left > 0 then self:remark(line, "not read of it: " .. table.concat(left, ", ")) end
 end
@@ -259,7 +257,7 @@ function Reader:read_sections()
     local given = s.given
     must_be_numbers(s.line, given, "D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22")
     for key in pairs(modifiers) do must_be_numbers(s.line, given, key) end
-    local shape = (given.SHAPE or "General")
+    local shape = given.SHAPE or "General"
     local plain = shape:gsub("^Steel ", ""):gsub("^Concrete ", "")
     local known = shapes[plain:upper()]
     local row = { SectionName = s.name, Material = given.MATERIAL, Shape = known or shape, t3 = given.D, t2 = given.B,
@@ -449,13 +447,6 @@ local beside = { "PROGRAM INFORMATION", "CONTROLS", "GRIDS", "DIAPHRAGM NAMES", 
   "SECTION CUTS", "GENERALIZED DISPLACEMENTS", "TOWERS", "DEFAULT", "DESIGN", "OPTIONS", "PREFERENCES", "SLAB DESIGN",
   "ACCEPTANCE CRITERIA", "STORIES" }
 
-local function is_beside(name)
-  for _, beginning in ipairs(beside) do
-    if name:sub(1, #beginning) == beginning then return true end
-  end
-  return false
-end
-
 -- Sections without a reader, and lines of the others that begin with a word that has none.
 function Reader:note_the_rest()
   for _, s in ipairs(self.sections) do
@@ -465,7 +456,7 @@ function Reader:note_the_rest()
     end
     if #left > 0 then
       table.insert(self.tables, { name = s.name, title = s.title, place = left[1].place, rows = left,
-        beside = is_beside(s.name) })
+        beside = notes.begins_with(s.name, beside) })
     end
   end
   table.insert(self.tables, { name = "", rows = {}, remarks = self.remarks })

@@ -82,6 +82,14 @@ function notes.sort(all)
   end
 end
 
+--- Whether a name begins with one of these.
+function notes.begins_with(name, beginnings)
+  for _, beginning in ipairs(beginnings) do
+    if name:sub(1, #beginning) == beginning then return true end
+  end
+  return false
+end
+
 --- An error in a file: "hinge.import.s2k: frame.s2k:12: ...".
 function notes.fail(where, place, format, ...)
   local what = select("#", ...) > 0 and format:format(...) or format

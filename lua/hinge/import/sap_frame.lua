@@ -467,13 +467,6 @@ local beside = { "ANALYSIS OPTIONS", "AUTO WAVE", "BRIDGE RESPONSE", "CASE - ", 
   "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "NAMED SETS", "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
   "PREFERENCES", "PROJECT INFORMATION", "REBAR SIZES", "TABLES AUTOMATICALLY" }
 
-local function is_beside(name)
-  for _, beginning in ipairs(beside) do
-    if name:sub(1, #beginning) == beginning then return true end
-  end
-  return false
-end
-
 -- The fields of a table's rows that nothing here is made of.
 local function unused(found)
   local keys = {}
@@ -498,7 +491,7 @@ function Reader:note_the_rest(others)
         notes.add(self.notes.skipped, found.place, title, "fields " .. table.concat(keys, ", "))
       end
     elseif #found.rows > 0 then
-      local list = (found.beside or is_beside(found.name)) and self.notes.skipped or self.notes
+      local list = (found.beside or notes.begins_with(found.name, beside)) and self.notes.skipped or self.notes
       notes.add(list, found.place, ("%s, %s"):format(title, check.count(#found.rows, "row")),
         list == self.notes and "the table is not read" or nil)
     end

@@ -16,7 +16,7 @@ constexpr int fewest = 8;
 /// Part of the largest displacement of a mode that may be lost because the nodes of a member are too few for its shape.
 constexpr double may_be_lost = 0.1;
 
-/// Which of the tables of EN 1993-1-1:2005 5.3.2 a field names.
+/// The table on top of the stack, which is the value of a field.
 Options standard_of(lua_State* L, const char* field, const char* fields) {
     return Options(L, -1, std::string(call) + ": field '" + field + "', which takes " + fields);
 }
@@ -37,6 +37,7 @@ double sway_of_standard(Options& o, double height) {
 
 void add_sway(Options& o, Model& m) {
     lua_State* L = o.L();
+    if (m.nodes().empty()) throw InputError(std::string(call) + ": the model has no nodes yet; declare them first");
     const auto [low, high] = heights(m);
     const double base = o.number("base", "m", Range::any, low);
     double sway = 0;
@@ -44,6 +45,8 @@ void add_sway(Options& o, Model& m) {
         Options of = standard_of(L, "sway", "standard and columns");
         of.expect({"standard", "columns"});
         of.word("standard", {"EN 1993-1-1"}, "EN 1993-1-1");
+        if (!(high > base))
+            o.complain("base", show(base) + " m", "must be below the highest node, at " + show(high) + " m");
         sway = sway_of_standard(of, high - base);
     } else {
         sway = o.number("sway", "", Range::any);
@@ -68,7 +71,7 @@ double bow_of_standard(Options& o) {
     return 1 / (o.word("analysis", {"plastic", "elastic"}, "plastic") == "plastic" ? plastic : elastic)[row];
 }
 
-void add_bow(Options& o, Model& m, const ScriptModel& script_model) {
+void add_bow(Options& o, ScriptModel& m) {
     lua_State* L = o.L();
     double bow = 0;
     if (o.push_field("bow") == LUA_TTABLE) {
@@ -83,12 +86,13 @@ void add_bow(Options& o, Model& m, const ScriptModel& script_model) {
         o.complain("bow", show(bow), "is a part of the member's length, and must be between -0.1 and 0.1");
     const int axis = o.word("axis", {"x", "y"}, "x") == "y" ? 1 : 0;
     int one = -1, group = -1;
-    read_members(o, script_model, one, group);
+    read_members(o, m, one, group);
     std::vector<int> chosen;
     for (int i = 0; i < int(m.members().size()); ++i) {
         const auto& in = m.members()[i].groups;
         if (one >= 0 ? i == one : group < 0 || std::find(in.begin(), in.end(), group) != in.end()) chosen.push_back(i);
     }
+    if (chosen.empty()) throw InputError(std::string(call) + ": there is no such member yet; declare members first");
     for (const int i : chosen)
         if (const MemberData& member = m.members()[i];
             member.elements < fewest || member.elements_by == ElementsBy::undecided)
@@ -170,7 +174,7 @@ int add_imperfection(lua_State* L) {
         if (o.has(field) && std::string_view(kind) != belongs_to)
             o.complain(field, std::string("given beside ") + kind, std::string("belongs to '") + belongs_to + "'");
     if (o.has("sway")) add_sway(o, *m);
-    else if (o.has("bow")) add_bow(o, *m, *m);
+    else if (o.has("bow")) add_bow(o, *m);
     else add_mode(o, *m);
     return 0;
 }
