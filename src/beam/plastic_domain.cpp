@@ -1,16 +1,18 @@
 #include "beam/plastic_domain.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
+#include "core/lanes.h"
+#include "core/positive.h"
+
 namespace hinge::beam {
 namespace {
 
-constexpr int levels = 24, rays = 64;  ///< of the polyhedron: axial forces from 0 to 1, directions of the moment
+constexpr int levels = 24, rays = 96;  ///< of the polyhedron: axial forces from 0 to 1, directions of the moment
 constexpr double coarse = 0.04;        ///< largest side of a contour from which a level is made
 constexpr double pressed_axis = 0.6;   ///< half axis N of the ellipsoid; its other axes follow
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -58,21 +60,30 @@ void Outline::move(const Eigen::Vector2d& by) {
 
 /// Sums over the area: of z = (y, -x, 1) on the positive side of the neutral axis, and of z z^T along the axis.
 struct PlasticDomain::Sums {
-    explicit Sums(const Vec3& v) : strain(v), gradient(-v[1], v[0]), slope(gradient.norm()) {
+    [[gnu::always_inline]] explicit Sums(const Vec3& v)
+        : strain(v), gradient(-v[1], v[0]), slope(std::sqrt(v[0] * v[0] + v[1] * v[1])) {
         if (slope == 0) return;
-        origin = -v[2] / (slope * slope) * gradient;
-        axis = Eigen::Vector2d(gradient.y(), -gradient.x()) / slope;
+        const double inverse = 1 / slope;
+        axis = {v[0] * inverse, v[1] * inverse};
+        const double away = -v[2] * inverse;
+        origin = {-away * axis.y(), away * axis.x()};
     }
     double at(const Eigen::Vector2d& p) const { return strain[2] + gradient.dot(p); }
-    void add_positive(double area, const Eigen::Vector2d& moment) { positive += Vec3(moment.y(), -moment.x(), area); }
+    void add_positive(double area, const Eigen::Vector2d& moment) {
+        positive[0] += moment.y(), positive[1] -= moment.x(), positive[2] += area;
+    }
     void add_crossing(double sign, double t) {
         line[0] += sign * t, line[1] += sign * t * t / 2, line[2] += sign * t * t * t / 3;
     }
-    Mat3 of_axis() const {
-        const Vec3 z0(origin.y(), -origin.x(), 1), z1(axis.y(), -axis.x(), 0);
-        const Mat3 mixed = z0 * z1.transpose();
-        return 2 / slope *
-               (line[0] * z0 * z0.transpose() + line[1] * (mixed + mixed.transpose()) + line[2] * z1 * z1.transpose());
+    /// 2 / slope times the integral of z z^T along the axis, with both z times `scale`.
+    [[gnu::always_inline]] void of_axis(const Vec3& scale, double times, Mat3& out) const {
+        const double z0[3] = {origin.y() * scale[0], -origin.x() * scale[1], scale[2]},
+                     z1[3] = {axis.y() * scale[0], -axis.x() * scale[1], 0}, all = 2 * times / slope;
+        for (int i = 0; i < 3; ++i) {
+            const double by_0 = all * (line[0] * z0[i] + line[1] * z1[i]),
+                         by_1 = all * (line[1] * z0[i] + line[2] * z1[i]);
+            for (int j = 0; j < 3; ++j) out(j, i) = by_0 * z0[j] + by_1 * z1[j];
+        }
     }
 
     Vec3 strain;
@@ -88,11 +99,12 @@ double Reinforcement::Bar::radius() const { return std::sqrt(area / std::numbers
 
 PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concrete) {
     for (const Outline::Polygon& p : outline.polygons) {
-        Polygon part{p.corners, 0, Eigen::Vector2d::Zero()};
-        if ((signed_area(part.corners) > 0) == p.hole) std::reverse(part.corners.begin(), part.corners.end());
-        part.area = signed_area(part.corners), part.moment = signed_moments(part.corners);
-        polygons_.push_back(part);
+        Polygon corners = p.corners;
+        if ((signed_area(corners) > 0) == p.hole) std::reverse(corners.begin(), corners.end());
+        add_polygon(corners);
     }
+    while (edges_.x.size() % lane_count != 1)  // blocks of eight edges; these have no length
+        for (std::vector<double>* list : {&edges_.x, &edges_.y, &edges_.weight}) list->push_back(0);
     for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
     area_ = outline.area();
     total_ = weighted_ = Vec3(0, 0, area_);
@@ -130,41 +142,56 @@ void PlasticDomain::set_scale() {
     end_ = weighted_.cwiseProduct(scale_).head<2>() / area_;
 }
 
+void PlasticDomain::add_polygon(const Polygon& corners) {
+    Edges& to = edges_;
+    to.area += signed_area(corners), to.moment += signed_moments(corners);
+    for (std::size_t i = 0; i <= corners.size(); ++i) {
+        const Eigen::Vector2d& at = corners[i % corners.size()];
+        to.x.push_back(at.x()), to.y.push_back(at.y()), to.weight.push_back(i < corners.size() ? 1 : 0);
+        to.farthest = std::max(to.farthest, at.norm());
+    }
+}
+
 void PlasticDomain::add_parts(Sums& sums) const {
-    for (const Polygon& p : polygons_) add(p, sums);
+    if (edges_.area > 0) add(edges_, sums);
     for (const Circle& c : circles_) add(c, sums);
 }
 
 /// The triangles between a point of the neutral axis and the outline's edges on the positive side: those of the axis
-/// itself have no area, so that it need not be known in which order it crosses the outline.
-void PlasticDomain::add(const Polygon& part, Sums& sums) {
-    const std::size_t n = part.corners.size();
-    double last = sums.at(part.corners[n - 1]);
-    bool any = false, all = true;
-    for (const Eigen::Vector2d& c : part.corners) {
-        const bool beyond = sums.at(c) > 0;
-        any |= beyond, all &= beyond;
+/// itself have no area, so that it need not be known in which order it crosses the outline. Eight edges at once.
+void PlasticDomain::add(const Edges& edges, Sums& sums) {
+    if (std::abs(sums.strain[2]) >= sums.slope * edges.farthest) {
+        if (sums.strain[2] > 0) sums.add_positive(edges.area, edges.moment);
+        return;
     }
-    if (!any) return;
-    if (all) return sums.add_positive(part.area, part.moment);
-    double area = 0;
-    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < n; ++i) {
-        Eigen::Vector2d p = part.corners[i == 0 ? n - 1 : i - 1], q = part.corners[i];
-        const double now = sums.at(q);
-        if (last > 0 || now > 0) {
-            if (!(last > 0 && now > 0)) {
-                const Eigen::Vector2d c = p + last / (last - now) * (q - p);
-                sums.add_crossing(now > 0 ? 1 : -1, (c - sums.origin).dot(sums.axis));
-                (now > 0 ? p : q) = c;
-            }
-            const double twice = cross(p - sums.origin, q - sums.origin);
-            area += twice / 2;
-            moment += twice / 6 * (p + q + sums.origin);
-        }
-        last = now;
+    const auto c = [](double v) { return spread(v, Lanes{}); };
+    const auto load = [](const double* from) -> Lanes { return *reinterpret_cast<const LanesAnywhere*>(from); };
+    const Lanes none = c(0), one = c(1), ox = c(sums.origin.x()), oy = c(sums.origin.y()), ax = c(sums.axis.x()),
+                ay = c(sums.axis.y()), gx = c(sums.gradient.x()), gy = c(sums.gradient.y());
+    const auto strain = [&](const Lanes& x, const Lanes& y) { return gx * x + gy * y; };  // of places from the origin
+    Lanes area = none, moment_x = none, moment_y = none, line[3] = {none, none, none};
+    const int blocks = int(edges.x.size()) / lane_count;
+    for (int i = 0; i < blocks * lane_count; i += lane_count) {
+        const Lanes px = load(&edges.x[i]) - ox, py = load(&edges.y[i]) - oy, qx = load(&edges.x[i + 1]) - ox,
+                    qy = load(&edges.y[i + 1]) - oy, weight = load(&edges.weight[i]);
+        const Lanes from = strain(px, py), to = strain(qx, qy), part = from / (from - to);
+        const Lanes cx = px + part * (qx - px), cy = py + part * (qy - py);
+        const auto from_in = from > none, to_in = to > none;
+        const Lanes x1 = from_in ? px : cx, y1 = from_in ? py : cy, x2 = to_in ? qx : cx, y2 = to_in ? qy : cy;
+        const Lanes twice = (from_in | to_in) ? weight * (x1 * y2 - y1 * x2) : none;
+        area += twice;
+        moment_x += (from_in | to_in) ? twice * (x1 + x2) : none;
+        moment_y += (from_in | to_in) ? twice * (y1 + y2) : none;
+        const Lanes sign = from_in ? (to_in ? none : -one) : (to_in ? one : none);
+        const Lanes t = sign != none ? cx * ax + cy * ay : none, signed_t = weight * sign * t;
+        line[0] += signed_t, line[1] += signed_t * t, line[2] += signed_t * t * t;
     }
-    sums.add_positive(area, moment);
+    const auto sum = [](const Lanes& of) {
+        return ((of[0] + of[1]) + (of[2] + of[3])) + ((of[4] + of[5]) + (of[6] + of[7]));
+    };
+    const double whole = sum(area) / 2;
+    sums.add_positive(whole, Eigen::Vector2d(sum(moment_x), sum(moment_y)) / 6 + whole * sums.origin);
+    sums.line[0] += sum(line[0]), sums.line[1] += sum(line[1]) / 2, sums.line[2] += sum(line[2]) / 3;
 }
 
 void PlasticDomain::add(const Circle& part, Sums& sums) {
@@ -188,24 +215,24 @@ double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature) const
     const Vec3 z = (2 * sums.positive - total_) / area_;
     point = z.cwiseProduct(scale_);
     if (curvature) {
-        if (sums.slope > 0) *curvature = scale_.asDiagonal() * (sums.of_axis() / area_) * scale_.asDiagonal();
+        if (sums.slope > 0) sums.of_axis(scale_, 1 / area_, *curvature);
         else curvature->setZero();
     }
     return point.dot(v);
 }
 
-double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error) const {
+double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double limit) const {
     const double size = q.norm();
     if (error) *error = 0;
     if (!(size > 0)) {
         if (normal) normal->setZero();
         return size;
     }
-    Vec3 v;
-    surely_inside(q, &v);
+    Vec3 v = about_normal(q);
     double missed = 0;
-    double h = find_gauge(q / size, v, missed);
-    if (missed > 1e-9) h = find_gauge(q / size, v = q / size, missed);
+    double h = find_gauge(q / size, v, missed, limit / size);
+    if (missed > 1e-9 && !(h * size > limit || (h + missed) * size <= limit))
+        h = find_gauge(q / size, v = q / size, missed, limit / size);
     if (error) *error = size * missed;
     if (normal) *normal = v / h;
     return size * h;
@@ -213,7 +240,9 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error) const {
 
 /// The gauge of the unit vector `to` is h(v) where h^2 / 2 - to . v is least; `v`: where the search starts, and ends.
 /// `missed`: the gauge of what is left of `to`, 0 where nearly nothing is.
-double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed) const {
+/// It ends where it is known on which side of `limit` the gauge is: no h is above it, and none below it by more than
+/// the gauge of what is left.
+double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit) const {
     Vec3 point;
     v.normalize();
     if (!(v.dot(to) > 0.01)) v = to;
@@ -224,27 +253,32 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed) const 
     missed = 0;
     for (int i = 0; i < 200; ++i) {
         const Vec3 off = to - h * point;
-        if (off.norm() <= 1e-12 * h) return h;
+        if (off.norm() <= 1e-12 * h) return missed = 0, h;
+        if (limit < std::numeric_limits<double>::infinity()) {
+            missed = off.cwiseQuotient(ellipsoid_).norm();
+            if (h > limit || h + missed <= limit) return h;
+        }
         const Mat3 H = point * point.transpose() + h * curvature;
         bool fell = false;
         for (int tries = 0; tries < 60 && !fell; ++tries) {
             Mat3 damped = H;
             damped.diagonal().array() += std::max(damping, 1e-13) * H.trace();
-            Vec3 next = v + damped.ldlt().solve(off), there;
+            Vec3 way = off, there;
+            const bool solved = solve_positive(damped, way);
+            Vec3 next = v + way;
             Mat3 bent;
-            double h_next = support(next, there, &bent);
+            double h_next = solved ? support(next, there, &bent) : 0;
             if (h_next > 0) {  // along a ray the least is known
                 const double times = to.dot(next) / (h_next * h_next);
                 if (times > 0) next *= times, h_next *= times, bent /= times;
             }
-            const double F_next = h_next * h_next / 2 - to.dot(next);
+            const double F_next = solved ? h_next * h_next / 2 - to.dot(next) : F;
             // near the least value F no longer tells
-            if (F_next < F || (off.norm() < 1e-4 && (to - h_next * there).norm() < 0.5 * off.norm())) {
+            if (F_next < F || (solved && off.norm() < 1e-4 && (to - h_next * there).norm() < 0.5 * off.norm())) {
                 fell = true, v = next, h = h_next, point = there, curvature = bent, F = F_next;
-                damping *= 0.1;
-                if (damping < 1e-12) damping = 0;
+                damping = damping < 1e-10 ? 0 : 0.1 * damping;
             } else {
-                damping = damping == 0 ? 1e-6 : 8 * damping;
+                damping = damping == 0 ? 1e-4 : 8 * damping;
             }
         }
         if (!fell) break;
@@ -254,9 +288,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed) const 
 }
 
 double PlasticDomain::farthest() const {
-    double most = 0;
-    for (const Polygon& p : polygons_)
-        for (const Eigen::Vector2d& c : p.corners) most = std::max(most, c.norm());
+    double most = edges_.farthest;
     for (const Circle& c : circles_) most = std::max(most, c.centre.norm() + c.radius);
     return most;
 }
@@ -302,9 +334,38 @@ void add_points(const Slice& slice, double n, double from, double to, const Eige
     }
 }
 
-double angle_of(const Eigen::Vector2d& m) {
-    const double angle = std::atan2(m.y(), m.x());
-    return angle < 0 ? angle + full_turn : angle;
+/// Directions of the moment, and two vectors by which m = (by_alpha . m) this one + (by_beta . m) the next.
+struct Ray {
+    Eigen::Vector2d to, by_alpha, by_beta;
+};
+
+/// They divide the sides of the square |x| + |y| = 1 evenly, so that it takes no angle to find those beside m.
+std::array<Ray, rays> make_rays() {
+    const auto direction = [](int i) {
+        const double at = 4.0 * (i % rays) / rays, past = at - int(at);
+        const Eigen::Vector2d on_first(1 - past, past);
+        Eigen::Vector2d on = on_first.normalized();
+        for (int quarter = 0; quarter < int(at); ++quarter) on = Eigen::Vector2d(-on.y(), on.x());
+        return on;
+    };
+    std::array<Ray, rays> all;
+    for (int i = 0; i < rays; ++i) {
+        const Eigen::Vector2d a = direction(i), b = direction(i + 1);
+        const double across = cross(a, b);
+        all[i] = {a, Eigen::Vector2d(b.y(), -b.x()) / across, Eigen::Vector2d(-a.y(), a.x()) / across};
+    }
+    return all;
+}
+const std::array<Ray, rays>& all_rays() {
+    static const std::array<Ray, rays> all = make_rays();
+    return all;
+}
+
+/// The ray at or before the direction of m, not zero.
+int ray_before(const Eigen::Vector2d& m) {
+    const double x = std::abs(m.x()), y = std::abs(m.y()), past = (m.x() >= 0) == (m.y() >= 0) ? y : x;
+    const int quarter = m.y() >= 0 ? (m.x() >= 0 ? 0 : 1) : (m.x() >= 0 ? 3 : 2), each = rays / 4;
+    return quarter * each + std::min(each - 1, int(each * past / (x + y)));
 }
 
 }  // namespace
@@ -323,7 +384,7 @@ void PlasticDomain::make_polyhedron() {
             add_points([this](double at, double angle) { return slice(at, angle); }, n, full_turn * k / first,
                        full_turn * (k + 1) / first, start[k], start[k + 1], 12, points);
         for (int ray = 0; ray < rays; ++ray) {
-            const Eigen::Vector2d to(std::cos(full_turn * ray / rays), std::sin(full_turn * ray / rays));
+            const Eigen::Vector2d to = all_rays()[ray].to;
             double radius = 0;
             for (std::size_t i = 0; i < points.size(); ++i) {
                 const Eigen::Vector2d &p = points[i], side = points[(i + 1) % points.size()] - p;
@@ -338,43 +399,77 @@ void PlasticDomain::make_polyhedron() {
     }
 }
 
-/// At axial force n and in the direction of m the radius is a mean of those of two levels, each on the side between two
-/// rays.
-bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal) const {
-    Vec3 q = forces;
-    if (concrete()) q -= centre_, q.head<2>() -= q[2] * end_;
-    const double side = q[2] < 0 ? -1 : 1, n = levels * std::abs(q[2]);
-    const Eigen::Vector2d m = side * q.head<2>();
-    if (normal) *normal = q;
-    if (!(n < levels && m.allFinite())) return false;
-    if (m.isZero(0)) return true;
-    constexpr double step = full_turn / rays;
-    static const auto directions = [] {
-        std::array<Eigen::Vector2d, rays + 1> all;
-        for (int i = 0; i <= rays; ++i) all[i] = {std::cos(step * i), std::sin(step * i)};
-        return all;
-    }();
-    const int level = int(n), ray = std::min(rays - 1, int(angle_of(m) / step)), next = (ray + 1) % rays;
-    const double part = n - level, across = std::sin(step);
-    // m = alpha (one ray) + beta (the next)
-    const Eigen::Vector2d &a = directions[ray], &b = directions[ray + 1];
-    const Eigen::Vector2d by_alpha = Eigen::Vector2d(b.y(), -b.x()) / across,
-                          by_beta = Eigen::Vector2d(-a.y(), a.x()) / across;
-    double inverse[2] = {1, std::numeric_limits<double>::infinity()};  // |m| over the radius of the level
+/// The face of the polyhedron in the direction of a moment at an axial force: at axial force n (0 to 1) and in the
+/// direction of m the radius is a mean of those of two levels, each on the side between two rays.
+struct PlasticDomain::Face {
+    double times = 0;  ///< of m: the radius; at least 1 inside
+    double radius[2] = {1, 0};
     Eigen::Vector2d slope[2];
+    double part = 0;
+};
+
+PlasticDomain::Face PlasticDomain::face_at(double n, const Eigen::Vector2d& m) const {
+    Face f;
+    const double at = levels * n;
+    const int level = int(at), ray = ray_before(m), next = (ray + 1) % rays;
+    f.part = at - level;
+    const auto& [to, by_alpha, by_beta] = all_rays()[ray];
     for (int i = 0; i < (level + 1 < levels ? 2 : 1); ++i) {
         const double* row = &inverse_[std::size_t(level + i) * rays];
-        slope[i] = row[ray] * by_alpha + row[next] * by_beta;
-        inverse[i] = slope[i].dot(m);
+        f.slope[i] = row[ray] * by_alpha + row[next] * by_beta;
+        f.radius[i] = 1 / f.slope[i].dot(m);
     }
-    const double radius[2] = {1 / inverse[0], 1 / inverse[1]};
+    f.times = (1 - f.part) * f.radius[0] + f.part * f.radius[1];
+    return f;
+}
+
+/// About the centre, N with a positive sign; `side`: its sign.
+Vec3 PlasticDomain::about_centre(const Vec3& forces, double& side) const {
+    Vec3 q = forces;
+    if (concrete()) q -= centre_, q.head<2>() -= q[2] * end_;
+    side = q[2] < 0 ? -1 : 1;
+    return side * q;
+}
+
+bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal) const {
+    double side;
+    const Vec3 q = about_centre(forces, side);
+    const Eigen::Vector2d m = q.head<2>();
+    if (normal) *normal = side * q;
+    if (!(q[2] < 1 && m.allFinite())) return false;
+    if (m.isZero(0)) return true;
+    const Face f = face_at(q[2], m);
     if (normal) {
-        Eigen::Vector2d of_m = (1 - part) * radius[0] * radius[0] * slope[0];
-        if (radius[1] > 0) of_m += part * radius[1] * radius[1] * slope[1];
-        *normal << side * of_m, side * levels * (radius[0] - radius[1]);
+        Eigen::Vector2d of_m = (1 - f.part) * f.radius[0] * f.radius[0] * f.slope[0];
+        if (f.radius[1] > 0) of_m += f.part * f.radius[1] * f.radius[1] * f.slope[1];
+        *normal << side * of_m, side * levels * (f.radius[0] - f.radius[1]);
         if (concrete()) (*normal)[2] -= end_.dot(normal->head<2>());
     }
-    return (1 - part) * radius[0] + part * radius[1] >= 1;
+    return f.times >= 1;
+}
+
+/// About the strain whose point is in the direction of the forces: that of the polyhedron's face there. What is left
+/// of the radius beyond t m falls with t, faster and faster.
+Vec3 PlasticDomain::about_normal(const Vec3& forces) const {
+    constexpr int most = 4;
+    double side, t = 0;
+    const Vec3 q = about_centre(forces, side);
+    const Eigen::Vector2d m = q.head<2>();
+    Vec3 normal = forces;
+    if (concrete() || m.isZero(0) || !q.allFinite()) return surely_inside(forces, &normal), normal;
+    const double most_t = q[2] > 0 ? 1 / q[2] : std::numeric_limits<double>::infinity();
+    double low = 0, left = face_at(0, m).times, high = std::min(most_t, left), over = -high;
+    if (high < most_t) over = face_at(high * q[2], m).times - high;
+    for (int i = 0; i < most; ++i) {
+        t = low + (high - low) * left / (left - over);
+        if (!(t > low && t < high)) break;
+        const double off = face_at(t * q[2], m).times - t;
+        if (std::abs(off) < 0.01 * t) break;
+        if (off > 0) low = t, left = off, over *= 0.5;
+        else high = t, over = off, left *= 0.5;
+    }
+    surely_inside(side * t * q, &normal);
+    return normal;
 }
 
 /// The largest within the surface, of equal half axes of both moments: sqrt(a^2 k^2 + b^2 e^2) <= h for all strains.

@@ -26,6 +26,7 @@
 // the moments beyond those of the centre at its N.
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -79,7 +80,10 @@ public:
     /// whose point is q / gauge, with h = 1. `error`, unless null: what the gauge is at most above the number returned,
     /// which it is never below, but for rounding; 0 where the point was found to 1e-12. Beside the corner at N alone
     /// the direction of a force may have too few digits for that.
-    double gauge(const Vec3& q, Vec3* normal = nullptr, double* error = nullptr) const;
+    /// `limit`: the search ends earlier, with an error that may be larger, where the gauge is known to be above it or
+    /// not.
+    double gauge(const Vec3& q, Vec3* normal = nullptr, double* error = nullptr,
+                 double limit = std::numeric_limits<double>::infinity()) const;
 
     /// The point of the contour at axial force n = N/N0, between the least and the largest, for a curvature in the
     /// direction `angle` (0: about x; pi/2: about y).
@@ -89,6 +93,9 @@ public:
     /// 1 % of the surface for 99 % of all directions, and to within 6 % for each. `normal`, unless null: about the
     /// strain whose point is near q.
     bool surely_inside(const Vec3& q, Vec3* normal = nullptr) const;
+
+    /// About the strain whose point is in the direction of the forces; quick.
+    Vec3 about_normal(const Vec3& forces) const;
 
     /// An ellipsoid about zero within the surface: its half axes (Mx, My, N).
     const Vec3& ellipsoid() const { return ellipsoid_; }
@@ -105,27 +112,33 @@ public:
 
 private:
     struct Sums;
-    struct Polygon {
-        std::vector<Eigen::Vector2d> corners;  ///< counterclockwise; clockwise: a hole
-        double area;                           ///< negative: a hole
-        Eigen::Vector2d moment;
-    };
+    using Polygon = std::vector<Eigen::Vector2d>;  ///< counterclockwise; clockwise: a hole
     struct Circle {
         Eigen::Vector2d centre;
         double radius, weight;  ///< -1: a hole
     };
-    static void add(const Polygon& part, Sums& sums);
+    /// All polygons as one list of corners; each ends with its first corner. An edge goes from one corner to the next.
+    struct Edges {
+        std::vector<double> x, y, weight;  ///< weight: 0 from one polygon to the next, else 1
+        double area = 0, farthest = 0;     ///< farthest: largest distance of a corner from the origin, m
+        Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    };
+    void add_polygon(const Polygon& corners);
+    static void add(const Edges& edges, Sums& sums);
     static void add(const Circle& part, Sums& sums);
     void add_parts(Sums& sums) const;
-    double find_gauge(const Vec3& to, Vec3& v, double& missed) const;
+    double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit) const;
     void set_scale();
+    struct Face;
+    Face face_at(double n, const Eigen::Vector2d& m) const;
+    Vec3 about_centre(const Vec3& forces, double& side) const;
     Eigen::Vector2d slice(double n, double angle) const;
     void make_polyhedron();
     void make_ellipsoid();
     void make_ellipsoid_of_concrete();
     double farthest() const;  ///< of the outline from the centroid, m
 
-    std::vector<Polygon> polygons_;
+    Edges edges_;
     std::vector<Circle> circles_;
     double area_ = 0;
     Vec3 total_ = Vec3::Zero();     ///< twice the sums that are left on the positive side at pure compression

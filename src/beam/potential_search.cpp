@@ -1,9 +1,9 @@
 // The search for the flow of a section, or of both sections of an element: down the convex function G of
 // potential_law.h, by Newton's method.
-#include <Eigen/Cholesky>
 #include <cmath>
 
 #include "beam/potential_parts.h"
+#include "core/positive.h"
 
 namespace hinge::beam {
 namespace {
@@ -18,25 +18,6 @@ constexpr double least_damping = 1e-13;           ///< of the elastic stiffness:
 
 using Mat8 = Eigen::Matrix<double, 8, 8>;
 using Vec8 = Eigen::Matrix<double, 8, 1>;
-
-/// x of A x = b, by A = L D L^T without a choice of pivots, in place. False: A is not positive definite.
-bool solve_positive(Mat8& A, Vec8& b) {
-    for (int j = 0; j < 8; ++j) {
-        if (!(A(j, j) > 0)) return false;
-        const double inverse = 1 / A(j, j);
-        for (int i = j + 1; i < 8; ++i) {
-            const double l = A(i, j) * inverse;
-            for (int k = i; k < 8; ++k) A(k, i) -= l * A(k, j);
-            b[i] -= l * b[j];
-        }
-    }
-    for (int j = 7; j >= 0; --j) {
-        double sum = b[j];
-        for (int i = j + 1; i < 8; ++i) sum -= A(i, j) * b[i];
-        b[j] = sum / A(j, j);
-    }
-    return true;
-}
 
 }  // namespace
 
@@ -103,7 +84,9 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
         for (int tries = 0; tries < 40 && !fell; ++tries) {
             Mat4 H = at.curvature;
             H.diagonal() += (1 + damping) * k;
-            Vec4 next = e + H.llt().solve(off);
+            Vec4 way = off;
+            if (!solve_positive(H, way)) break;
+            Vec4 next = e + way;
             if (!next.allFinite() || next.isZero(0)) break;
             Work there = work_at(next);
             along_ray(end, trial, next, there);

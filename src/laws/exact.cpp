@@ -60,8 +60,7 @@ protected:
     }
 
     Vec4 direction(const Vec4& q) const override {
-        Vec3 normal;
-        domain_->surely_inside(q.head<3>(), &normal);
+        const Vec3 normal = domain_->about_normal(q.head<3>());
         Vec4 e;
         e << normal, q[3] * normal.norm();
         return e;
@@ -71,9 +70,11 @@ protected:
         if (surely_inside(q)) return false;
         Vec3 normal;
         double error = 0;
-        const double untwisted = domain_->gauge(q.head<3>(), &normal, &error), g = std::hypot(untwisted, q[3]);
+        const double limit = std::sqrt(std::max(0.0, (1 + rounding) * (1 + rounding) - q[3] * q[3]));
+        const double untwisted = domain_->gauge(q.head<3>(), &normal, &error, limit), g = std::hypot(untwisted, q[3]);
         direction << untwisted * normal, q[3];
         if (g > 1 + rounding) return true;
+        if (untwisted + error <= limit) return false;
         if (g + error > 1 + gauge_tolerance) direction.setConstant(std::nan(""));
         return g + error > 1 + gauge_tolerance;
     }

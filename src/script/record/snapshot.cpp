@@ -43,22 +43,30 @@ std::string law_text(const beam::SectionLaw& law, const MemberData& member) {
     return text;
 }
 
-/// f_y of a law that is not eq 14 at the ends and in the middle; there with the history of the end where it is larger.
-void add_yield_along(output::Bar& bar, const Run& run, int element) {
+/// f_y of a bar, the larger of its sections that can yield. Of a law that is not eq 14 also along the bar: at the ends
+/// and in the middle; there with the history of the end where it is larger.
+void add_yields(output::Bar& bar, const Run& run, int element) {
     const Element& e = run.structure().elements()[element];
-    if (!e.law || (e.law->ignores_shape() && e.law->keeps_strength())) return;
-    for (const int end : {0, 1}) bar.yield_along[2 * end] = run.yield_value(element, end == 0 ? -1 : 1);
+    const bool along = e.law && !(e.law->ignores_shape() && e.law->keeps_strength());
     if (run.structure().conventional()) {
+        bar.yield = run.yield_value(element, 0);
+        if (!along) return;
+        for (const int end : {0, 2}) bar.yield_along[end] = std::min(run.yield_value(element, end - 1), bar.yield);
         bar.yield_along[1] = bar.yield;
-        for (const int end : {0, 2}) bar.yield_along[end] = std::min(bar.yield_along[end], bar.yield);
         return;
     }
+    const double ends[2] = {run.yield_value(element, -1), run.yield_value(element, 1)};
+    bar.yield = std::max(ends[0], ends[1]);
+    if (!along) return;
+    bar.yield_along[0] = ends[0], bar.yield_along[2] = ends[1];
     // The cubic with the moments and shear forces at the ends, as distributed loads make it: dMx/dz = Qy, dMy/dz = -Qx.
     const double Mx = (bar.Mx[0] + bar.Mx[1]) / 2 + e.length * (bar.Qy[0] - bar.Qy[1]) / 8;
     const double My = (bar.My[0] + bar.My[1]) / 2 - e.length * (bar.Qx[0] - bar.Qx[1]) / 8;
-    for (const int end : {-1, 1})
+    for (const int end : {-1, 1}) {
+        if (end == 1 && e.law->keeps_strength()) break;  // there is no history
         bar.yield_along[1] = std::max(
             bar.yield_along[1], yield_function_at(run.structure(), run.state(), element, end, {Mx, My, bar.N, bar.Mz}));
+    }
 }
 
 std::array<double, 3> numbers(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
@@ -130,7 +138,6 @@ output::Snapshot make_snapshot(const Run& run) {
         bar.point[0] = e.node[0];
         bar.point[1] = e.node[1];
         bar.node[0] = e.node[0], bar.node[1] = e.node[1];
-        bar.yield = run.yield_value(int(i));
         bar.state = state.broken[i]    ? output::BarState::broken
                     : state.yielded[i] ? output::BarState::yielded
                                        : output::BarState::elastic;
@@ -141,7 +148,7 @@ output::Snapshot make_snapshot(const Run& run) {
         bar.shape = shape->second;
         bar.up = numbers(direction_up(run, int(i)));
         add_forces(bar, run, int(i));
-        add_yield_along(bar, run, int(i));
+        add_yields(bar, run, int(i));
         if (e.law) laws.insert(law_text(*e.law, structure.model().members()[e.member]));
         if (state.broken[i]) {
             const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
