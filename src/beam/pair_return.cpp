@@ -24,7 +24,7 @@ constexpr int flat_rounds = 30;
 double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0], k.c[1]); }
 
 /// A pair whose return is looked for.
-class PairReturn {
+class PairReturn : public PairElastic {
 public:
     PairReturn(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
                const SectionConditions* conditions, double tolerance)
@@ -57,6 +57,16 @@ public:
         const int flows = flow[0].flows() ? 0 : 1;
         if (flow[flows].flows()) flow[flows].dissipation += snapped;
         return converged;
+    }
+
+    void at(const Vec6 (&plastic)[2], Vec6 (&p)[2], Mat12& K) const override {
+        const Vec6 elastic[2] = {d_[0] - plastic[0], d_[1] - plastic[1]};
+        const Vec12 beyond = pair_forces(k_, elastic[0], elastic[1]);
+        K = pair_stiffness(k_, elastic[0], elastic[1]);
+        for (int i : {0, 1}) {
+            p[i] = of_[i].times(elastic[i]) + beyond.segment<6>(6 * i);
+            K.block<6, 6>(6 * i, 6 * i) += of_[i].matrix();
+        }
     }
 
 private:
@@ -140,6 +150,8 @@ private:
             now = next;
             if (!now.of[0].converged || !now.of[1].converged) return false;
             if (change <= tolerance_) return true;
+            if (i == 0 && law_.return_together(*this, conditions_, tolerance_, now.of))
+                return now = at(now.of[0], now.of[1]), true;
             if (i > 0 && !(change < slow * last)) return false;
             last = change;
         }

@@ -54,6 +54,8 @@ public:
                                       const SectionConditions& at) const override;
     ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                              const ElementFlow& before) const override;
+    bool return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
+                         ElementFlow (&flow)[2]) const override;
     double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
                    const SectionConditions& at) const override;
     Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
@@ -95,6 +97,9 @@ private:
     Search descend(const End& end, const Vec4& trial, Vec4& e) const;
     bool one_end(const End& end, const Vec4& trial, Vec4& e) const;
     class Together;
+    struct PairEnd;
+    template <int count>
+    bool solve_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance, Vec6 (&p)[2]) const;
     bool alone(const Vec6& trial, const Stiffness& k, End (&ends)[2], int i) const;
     bool on_ray(End& end, const Vec4& q) const;
     bool starts(End& end, const Vec4& q) const;

@@ -24,6 +24,16 @@ struct SectionConditions {
 };
 inline const SectionConditions no_conditions[2];
 
+/// The elastic side of a pair whose return to the yield surface is looked for (pair_return.h).
+class PairElastic {
+public:
+    /// Forces p of both elements where these parts of their deformation are plastic, and the pair's stiffness K there.
+    virtual void at(const Vec6 (&plastic)[2], Vec6 (&p)[2], Mat12& K) const = 0;
+
+protected:
+    ~PairElastic() = default;
+};
+
 /// Law of the sections of an element, or of both elements of a pair. It is const: elements of the same section and
 /// material share it.
 class SectionLaw {
@@ -87,6 +97,15 @@ public:
     /// `before` is the round before, from which the search may start.
     virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                                      const ElementFlow& before) const = 0;
+
+    /// The flow of all four ends of a pair together, from `flow`, that of a round; a law need not know it.
+    ///   at         of both elements
+    ///   tolerance  that of the pair's return
+    /// False: it is not found so, and `flow` is as it was; rounds go on from there.
+    virtual bool return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
+                                 ElementFlow (&flow)[2]) const {
+        return (void)pair, (void)at, (void)tolerance, (void)flow, false;
+    }
 
     /// Work of fixed-end forces on the plastic flow, J; `part`: those of `at` or a part of them.
     virtual double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,

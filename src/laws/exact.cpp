@@ -48,7 +48,7 @@ protected:
             return h;
         }
         const double h = e.head<3>().isZero(0) ? 0 : domain_->support(e.head<3>(), point, &bend),
-                     D = std::hypot(h, e[3]);
+                     D = std::sqrt(h * h + e[3] * e[3]);
         if (h == 0) point.setZero(), bend.setZero();
         q << h / D * point, e[3] / D;
         curvature.topLeftCorner<3, 3>() = (point * point.transpose() + h * bend) / D;
@@ -71,7 +71,7 @@ protected:
         Vec3 normal;
         double error = 0;
         const double limit = std::sqrt(std::max(0.0, (1 + rounding) * (1 + rounding) - q[3] * q[3]));
-        const double untwisted = domain_->gauge(q.head<3>(), &normal, &error, limit), g = std::hypot(untwisted, q[3]);
+        const double untwisted = domain_->gauge(q.head<3>(), &normal, &error, limit), g = std::sqrt(untwisted * untwisted + q[3] * q[3]);
         direction << untwisted * normal, q[3];
         if (g > 1 + rounding) return true;
         if (untwisted + error <= limit) return false;
