@@ -72,8 +72,9 @@ function hinge.model(options) end
 ---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
 ---interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). paper (default): eq 14.
----exact: that of the section's shape; sections whose shape is not known keep eq 14
----@field interaction? "paper"|"exact"
+---exact: that of the section's shape; sections whose shape is not known keep eq 14. exact with shear: the same, and
+---shear forces take strength from it
+---@field interaction? "paper"|"exact"|"exact with shear"
 ---how the weight of members acts. members (default): along them. It acts at the nodes of their elements, and a member's
 ---two end nodes get what that misses of the end moments of a load along it; `member:forces` has the part between the
 ---nodes, too. End forces and displacements of joints are then those of a load `q` of the same size: exact in elastic
@@ -1822,7 +1823,7 @@ function section.box(options) end
 ---inner radius of the corners, m; default: r less the thicker wall, at least 0. Hot finished sections of EN 10210 have
 ---r = 1.5 and r_inner = 1.0 times the thickness
 ---@field r_inner? number
----@field interaction? "paper"|"exact" as for hinge.section.general, here and below
+---@field interaction? "paper"|"exact"|"exact with shear" as for hinge.section.general, here and below
 
 ---An H section (I, wide flange) with its web along y, so Ix is of the strong axis. J = sum b t^3 / 3; with fillets it
 ---is that of El Darwish and Johnston (1965), which published tables have. Mz0 is from the sand-heap analogy for each
@@ -1989,8 +1990,14 @@ function section.general(options) end
 ---how N, Mx and My interact where the section yields; default: as the model's option says, "paper". paper: eq 14, the
 ---sum of the squares of the resultants over their fully plastic values. exact: that of the outline, from its stress
 ---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
----takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count
----@field interaction? "paper"|"exact"
+---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count.
+---exact with shear: shear forces count by EN 1993-1-1 6.2.8. What carries a shear force V has the yield stress
+---(1 - rho) fy, rho = (2 V / V0 - 1)^2 beyond V0 / 2 and at most 0.98: of an H the web between the flanges or the
+---flanges, of a box its walls without the corners, of pipes and solid sections all. V0 is the shear area times
+---fy / sqrt(3), of a pipe 2 A / pi, of a solid section its whole area. Torsion takes from V0 by 6.2.7(9). V is that
+---at the end of the step before: shorter steps follow it more closely. Other shapes are as with "exact". A run
+---warns where V is beyond V0
+---@field interaction? "paper"|"exact"|"exact with shear"
 ---of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y}
 ---in the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete
 ---carries nothing in tension, nor where bars displace it. N0, Mx0 and My0 follow. hinge.section.concrete makes this
@@ -2019,7 +2026,7 @@ function section.general(options) end
 ---@field depth number m, along y
 ---@field web number m, thickness of the web of an H; 0: other sections; the same holds for flange
 ---@field flange number m
----@field interaction? "paper"|"exact" nil: as the model's option says
+---@field interaction? "paper"|"exact"|"exact with shear" nil: as the model's option says
 local any_section = {}
 
 ---The exact plastic moments beside an axial force, as parts of those without it: about x over Mx0, and about y over

@@ -174,7 +174,7 @@ local function not_found(name, family, sizes)
     table.concat(family_names(), ", "))
 end
 
-local option_rules = { interaction = { "string", one_of = { "paper", "exact" }, optional = true } }
+local option_rules = { interaction = { "string", one_of = { "paper", "exact", "exact with shear" }, optional = true } }
 
 --- The properties of a section by its name, as hinge.shapes gives them; `kind` is the name.
 function named.properties(name, options)

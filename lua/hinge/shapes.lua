@@ -16,7 +16,7 @@ local pi = math.pi
 local length = { "number", unit = "m", above = 0 }
 local optional_length = { "number", unit = "m", above = 0, optional = true }
 
-local interaction = { "string", one_of = { "paper", "exact" }, optional = true }
+local interaction = { "string", one_of = { "paper", "exact", "exact with shear" }, optional = true }
 
 local radius = { "number", unit = "m", at_least = 0, optional = true }
 

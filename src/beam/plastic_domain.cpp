@@ -19,6 +19,9 @@ constexpr double full_turn = 2 * std::numbers::pi;
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
+/// A section is at least as strong as if all of it had lost what its weakest walls have.
+double left_of(const PlasticDomain::Lost* lost) { return lost ? 1 - std::max(lost->part[0], lost->part[1]) : 1; }
+
 double signed_area(const std::vector<Eigen::Vector2d>& corners) {
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
@@ -98,13 +101,8 @@ struct PlasticDomain::Sums {
 double Reinforcement::Bar::radius() const { return std::sqrt(area / std::numbers::pi); }
 
 PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concrete) {
-    for (const Outline::Polygon& p : outline.polygons) {
-        Polygon corners = p.corners;
-        if ((signed_area(corners) > 0) == p.hole) std::reverse(corners.begin(), corners.end());
-        add_polygon(corners);
-    }
-    while (edges_.x.size() % lane_count != 1)  // blocks of eight edges; these have no length
-        for (std::vector<double>* list : {&edges_.x, &edges_.y, &edges_.weight}) list->push_back(0);
+    for (const Outline::Polygon& p : outline.polygons) add_polygon(p.corners, p.hole, edges_);
+    pad(edges_);
     for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
     area_ = outline.area();
     total_ = weighted_ = Vec3(0, 0, area_);
@@ -142,13 +140,26 @@ void PlasticDomain::set_scale() {
     end_ = weighted_.cwiseProduct(scale_).head<2>() / area_;
 }
 
-void PlasticDomain::add_polygon(const Polygon& corners) {
-    Edges& to = edges_;
+void PlasticDomain::add_polygon(Polygon corners, bool hole, Edges& to) {
+    if ((signed_area(corners) > 0) == hole) std::reverse(corners.begin(), corners.end());
     to.area += signed_area(corners), to.moment += signed_moments(corners);
     for (std::size_t i = 0; i <= corners.size(); ++i) {
         const Eigen::Vector2d& at = corners[i % corners.size()];
         to.x.push_back(at.x()), to.y.push_back(at.y()), to.weight.push_back(i < corners.size() ? 1 : 0);
         to.farthest = std::max(to.farthest, at.norm());
+    }
+}
+
+/// To whole blocks of eight edges; those that are added have no length.
+void PlasticDomain::pad(Edges& edges) {
+    while (edges.x.size() % lane_count != 1)
+        for (std::vector<double>* list : {&edges.x, &edges.y, &edges.weight}) list->push_back(0);
+}
+
+PlasticDomain::Walls::Walls(const Polygons& walls) {
+    for (const int axis : {0, 1}) {
+        for (const Outline::Polygon& p : walls[axis]) add_polygon(p.corners, p.hole, edges_[axis]);
+        pad(edges_[axis]);
     }
 }
 
@@ -209,10 +220,21 @@ void PlasticDomain::add(const Circle& part, Sums& sums) {
     sums.add_crossing(-part.weight, t - half);
 }
 
-double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature) const {
+double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature, const Lost* lost) const {
     Sums sums(v.cwiseProduct(scale_));
     add_parts(sums);
-    const Vec3 z = (2 * sums.positive - total_) / area_;
+    Vec3 total = total_;
+    for (int axis = 0; lost && axis < 2; ++axis) {
+        const double part = lost->part[axis];
+        const Edges& walls = lost->walls->edges_[axis];
+        if (!(part > 0 && walls.area > 0)) continue;
+        Sums of_walls(sums.strain);
+        add(walls, of_walls);
+        sums.positive -= part * of_walls.positive;
+        for (int i = 0; i < 3; ++i) sums.line[i] -= part * of_walls.line[i];
+        total[2] -= part * walls.area;
+    }
+    const Vec3 z = (2 * sums.positive - total) / area_;
     point = z.cwiseProduct(scale_);
     if (curvature) {
         if (sums.slope > 0) sums.of_axis(scale_, 1 / area_, *curvature);
@@ -221,7 +243,7 @@ double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature) const
     return point.dot(v);
 }
 
-double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double limit) const {
+double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double limit, const Lost* lost) const {
     const double size = q.norm();
     if (error) *error = 0;
     if (!(size > 0)) {
@@ -230,9 +252,9 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double l
     }
     Vec3 v = about_normal(q);
     double missed = 0;
-    double h = find_gauge(q / size, v, missed, limit / size);
+    double h = find_gauge(q / size, v, missed, limit / size, lost);
     if (missed > 1e-9 && !(h * size > limit || (h + missed) * size <= limit))
-        h = find_gauge(q / size, v = q / size, missed, limit / size);
+        h = find_gauge(q / size, v = q / size, missed, limit / size, lost);
     if (error) *error = size * missed;
     if (normal) *normal = v / h;
     return size * h;
@@ -242,12 +264,13 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double l
 /// `missed`: the gauge of what is left of `to`, 0 where nearly nothing is.
 /// It ends where it is known on which side of `limit` the gauge is: no h is above it, and none below it by more than
 /// the gauge of what is left.
-double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit) const {
+double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost) const {
     Vec3 point;
     v.normalize();
     if (!(v.dot(to) > 0.01)) v = to;
     Mat3 curvature;
-    double h = support(v, point, &curvature);
+    double h = support(v, point, &curvature, lost);
+    const Vec3 within = left_of(lost) * ellipsoid_;
     v *= to.dot(v) / (h * h), h = point.dot(v), curvature /= v.norm();
     double F = h * h / 2 - to.dot(v), damping = 0;
     missed = 0;
@@ -255,7 +278,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
         const Vec3 off = to - h * point;
         if (off.norm() <= 1e-12 * h) return missed = 0, h;
         if (limit < std::numeric_limits<double>::infinity()) {
-            missed = off.cwiseQuotient(ellipsoid_).norm();
+            missed = off.cwiseQuotient(within).norm();
             if (h > limit || h + missed <= limit) return h;
         }
         const Mat3 H = point * point.transpose() + h * curvature;
@@ -267,7 +290,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
             const bool solved = solve_positive(damped, way);
             Vec3 next = v + way;
             Mat3 bent;
-            double h_next = solved ? support(next, there, &bent) : 0;
+            double h_next = solved ? support(next, there, &bent, lost) : 0;
             if (h_next > 0) {  // along a ray the least is known
                 const double times = to.dot(next) / (h_next * h_next);
                 if (times > 0) next *= times, h_next *= times, bent /= times;
@@ -283,7 +306,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
         }
         if (!fell) break;
     }
-    missed = (to - h * point).cwiseQuotient(ellipsoid_).norm();
+    missed = (to - h * point).cwiseQuotient(within).norm();
     return h;
 }
 
@@ -431,9 +454,9 @@ Vec3 PlasticDomain::about_centre(const Vec3& forces, double& side) const {
     return side * q;
 }
 
-bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal) const {
+bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal, const Lost* lost) const {
     double side;
-    const Vec3 q = about_centre(forces, side);
+    const Vec3 q = about_centre(forces, side) / left_of(lost);
     const Eigen::Vector2d m = q.head<2>();
     if (normal) *normal = side * q;
     if (!(q[2] < 1 && m.allFinite())) return false;

@@ -26,6 +26,7 @@
 // the moments beyond those of the centre at its N.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -69,12 +70,21 @@ struct Reinforcement {
 
 class PlasticDomain {
 public:
+    class Walls;
+    /// Walls of a doubly symmetric section that have lost a part of their strength, as shear forces make them: those
+    /// along x and those along y, 0 to less than 1.
+    struct Lost {
+        const Walls* walls;
+        double part[2];
+    };
+
     /// `outline`: its centroid is the origin. `concrete`: null for a material of one yield stress.
     explicit PlasticDomain(const Outline& outline, const Reinforcement* concrete = nullptr);
 
     /// h of the strain v = (kx, ky, e); `point`: its gradient (Mx, My, N); `curvature`, unless null: its second
     /// derivatives, positive semidefinite, zero along v.
-    double support(const Vec3& v, Vec3& point, Mat3* curvature = nullptr) const;
+    /// `lost`: of walls, null for none; so in what follows. Forces are normalised by the whole section's.
+    double support(const Vec3& v, Vec3& point, Mat3* curvature = nullptr, const Lost* lost = nullptr) const;
 
     /// The gauge of the forces q = (Mx, My, N): 1 on the surface, proportional to q. `normal`, unless null: the strain
     /// whose point is q / gauge, with h = 1. `error`, unless null: what the gauge is at most above the number returned,
@@ -83,7 +93,7 @@ public:
     /// `limit`: the search ends earlier, with an error that may be larger, where the gauge is known to be above it or
     /// not.
     double gauge(const Vec3& q, Vec3* normal = nullptr, double* error = nullptr,
-                 double limit = std::numeric_limits<double>::infinity()) const;
+                 double limit = std::numeric_limits<double>::infinity(), const Lost* lost = nullptr) const;
 
     /// The point of the contour at axial force n = N/N0, between the least and the largest, for a curvature in the
     /// direction `angle` (0: about x; pi/2: about y).
@@ -92,7 +102,7 @@ public:
     /// True only if q is inside: a polyhedron within the surface, quick to ask. For n up to 0.95 it reaches to within
     /// 1 % of the surface for 99 % of all directions, and to within 6 % for each. `normal`, unless null: about the
     /// strain whose point is near q.
-    bool surely_inside(const Vec3& q, Vec3* normal = nullptr) const;
+    bool surely_inside(const Vec3& q, Vec3* normal = nullptr, const Lost* lost = nullptr) const;
 
     /// About the strain whose point is in the direction of the forces; quick.
     Vec3 about_normal(const Vec3& forces) const;
@@ -123,11 +133,12 @@ private:
         double area = 0, farthest = 0;     ///< farthest: largest distance of a corner from the origin, m
         Eigen::Vector2d moment = Eigen::Vector2d::Zero();
     };
-    void add_polygon(const Polygon& corners);
+    static void add_polygon(Polygon corners, bool hole, Edges& to);
+    static void pad(Edges& edges);
     static void add(const Edges& edges, Sums& sums);
     static void add(const Circle& part, Sums& sums);
     void add_parts(Sums& sums) const;
-    double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit) const;
+    double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost) const;
     void set_scale();
     struct Face;
     Face face_at(double n, const Eigen::Vector2d& m) const;
@@ -150,6 +161,17 @@ private:
     Vec3 ellipsoid_ = Vec3::Zero();
     Vec3 centre_ = Vec3::Zero();
     Eigen::Vector2d end_ = Eigen::Vector2d::Zero();  ///< moments beyond the centre's at pure tension
+};
+
+/// Walls that carry shear forces, within the outline of their section: those along x, those along y.
+class PlasticDomain::Walls {
+public:
+    using Polygons = std::array<std::vector<Outline::Polygon>, 2>;
+    explicit Walls(const Polygons& walls);
+
+private:
+    friend class PlasticDomain;
+    Edges edges_[2];
 };
 
 /// An outline whose domain is computed when it is first asked for, and once.

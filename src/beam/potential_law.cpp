@@ -47,7 +47,7 @@ private:
 };
 
 PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material,
-                           bool remembers_flow)
+                           bool remembers_flow, int own_variables)
     : SectionLaw(screen_with(screen, material)),
       per_strength_(strength.cwiseInverse()),
       material_(std::move(material)) {
@@ -60,6 +60,8 @@ PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, Sec
     }
     flow_at_ = remembers_flow ? history_size_ : -1;
     if (remembers_flow) history_size_ += 4;
+    own_at_ = own_variables > 0 ? history_size_ : -1;
+    history_size_ += own_variables;
 }
 
 std::string PotentialLaw::words() const {
@@ -101,9 +103,9 @@ MaterialLaw::Turned PotentialLaw::turned(const double* history, const Vec4& e, d
 }
 
 /// D(e): all the work, without hardening.
-PotentialLaw::Work PotentialLaw::work_at(const Vec4& e) const {
+PotentialLaw::Work PotentialLaw::work_at(const Vec4& e, const double* own) const {
     Work w;
-    w.value = w.initial = potential(e, w.q, w.curvature);
+    w.value = w.initial = potential(e, own, w.q, w.curvature);
     return w;
 }
 
@@ -147,17 +149,17 @@ Vec4 PotentialLaw::normalised_flow(const ElementFlow& flow, int section) const {
 }
 
 /// What a section has flowed in the step, where its material needs that.
-PotentialLaw::SoFar PotentialLaw::so_far(const ElementFlow& flow, int section) const {
+PotentialLaw::SoFar PotentialLaw::so_far(const ElementFlow& flow, int section, const double* history) const {
     if (material_.laws.empty() || !(flow.lambda[section] > 0)) return {};
-    return {mean_strain(flow, section), normalised_flow(flow, section)};
+    return {mean_strain(flow, section, history), normalised_flow(flow, section)};
 }
 
 /// Growth of the mean plastic strain of a section in the step.
-double PotentialLaw::mean_strain(const ElementFlow& flow, int section) const {
+double PotentialLaw::mean_strain(const ElementFlow& flow, int section, const double* history) const {
     if (material_.laws.empty() || !(flow.lambda[section] > 0)) return 0;
     Vec4 q;
     Mat4 curvature;
-    return potential(normalised_flow(flow, section), q, curvature) / material_.zone.energy;
+    return potential(normalised_flow(flow, section), own(history), q, curvature) / material_.zone.energy;
 }
 
 /// Where back resultants follow the mean plastic strain, or the strength follows the rotation, those of the round
@@ -203,11 +205,12 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
 /// Adds what an end has flowed to the flow of its element.
 PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, double dt, ElementFlow& out) const {
     if (!end.flows()) return {};
-    Work w = work_at(end.e);
+    Work w = work_at(end.e, end.own);
     harden(end, end.e, w);
     out.plastic += end.plastic();
     out.lambda[section] = 0.5 * w.initial;
     out.section[section] = per_strength_.cwiseProduct(end.e);
+    if (end.own) out.path_work += more_on_the_way(end.e, end.own, w.initial);
     if (material_.laws.empty()) return {0, end.e};
     const double D = w.initial, strain = D / material_.zone.energy, beyond = w.value - w.q.dot(end.e);
     out.potential += beyond;
@@ -244,7 +247,7 @@ void PotentialLaw::commit(const ElementFlow& flow, int section, double dt, doubl
         return;
     }
     const Vec4 e = normalised_flow(flow, section);
-    const double strain = mean_strain(flow, section);
+    const double strain = mean_strain(flow, section, history);
     for (const auto& m : material_.laws) {
         m->commit(material_.zone, e, strain, dt, history);
         history += m->history_size();
@@ -275,13 +278,14 @@ Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) con
 }
 
 double PotentialLaw::yield_function(const Vec4& q, const double* history) const {
-    return shape_function(relative(q, history, 0));
+    return shape_function(relative(q, history, 0), own(history));
 }
 
 bool PotentialLaw::surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const {
     for (int i = 0; i < n; ++i) {
         const Vec4 q = resultants(p + at.fixed_end->at(sections[i]), sections[i]);
-        if (!surely_inside(relative(q, at.history_of(i, history_size_), at.dt))) return false;
+        const double* history = at.history_of(i, history_size_);
+        if (!surely_inside(relative(q, history, at.dt), own(history))) return false;
     }
     return true;
 }

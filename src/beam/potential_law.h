@@ -68,27 +68,37 @@ protected:
     /// follows is normalised by it: q over the strength, e times the strength, J.
     /// `remembers_flow`: four history variables keep the last e of each section, from which the next search starts.
     PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material,
-                 bool remembers_flow = false);
+                 bool remembers_flow = false, int own_variables = 0);
+    /// What the work of e on the way of a step is more than that of its last forces, J, where the law's own variables
+    /// have changed since the step before. `work`: D(e).
+    virtual double more_on_the_way(const Vec4& e, const double* own, double work) const {
+        return (void)e, (void)own, (void)work, 0;
+    }
+    /// Where the law's own variables are in the history of a section; null where it has none.
+    const double* own(const double* history) const { return history && own_at_ >= 0 ? history + own_at_ : nullptr; }
+    int own_at() const { return own_at_; }
+
+    // `own` of these: the law's own history variables, of which there are `own_variables`; null: they are 0.
 
     /// D(e), J; `q`: its gradient; `curvature`: its second derivatives, 1/J. e is not zero.
-    virtual double potential(const Vec4& e, Vec4& q, Mat4& curvature) const = 0;
+    virtual double potential(const Vec4& e, const double* own, Vec4& q, Mat4& curvature) const = 0;
     /// About the direction in which a section flows under q, not zero: where the search may start.
     virtual Vec4 direction(const Vec4& q) const = 0;
     /// Where q is outside of the yield surface: a direction e with q . e > D(e), and true. Else false. Where that is
     /// not found out: a direction that is not a number, and true.
-    virtual bool outside(const Vec4& q, Vec4& direction) const = 0;
+    virtual bool outside(const Vec4& q, const double* own, Vec4& direction) const = 0;
 
     /// Yield function of normalised resultants.
-    virtual double shape_function(const Vec4& q) const = 0;
+    virtual double shape_function(const Vec4& q, const double* own) const = 0;
     /// True only if q is within the yield surface; cheap, and false says nothing.
-    virtual bool surely_inside(const Vec4& q) const = 0;
+    virtual bool surely_inside(const Vec4& q, const double* own) const = 0;
 
 private:
     struct End;
     struct Work;
     struct SoFar;
     class FactorSearch;
-    SoFar so_far(const ElementFlow& flow, int section) const;
+    SoFar so_far(const ElementFlow& flow, int section, const double* history) const;
     SoFar add_flow(const End& end, int section, double dt, ElementFlow& out) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
@@ -105,12 +115,12 @@ private:
     bool starts(End& end, const Vec4& q) const;
     bool both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const;
     bool beyond(const End& end, const Vec4& q, Vec4& direction) const;
-    Work work_at(const Vec4& e) const;
+    Work work_at(const Vec4& e, const double* own) const;
     bool along_ray(const End& end, const Vec4& trial, Vec4& e, Work& work) const;
     void harden(const End& end, const Vec4& e, Work& work) const;
     MaterialLaw::Factor factor_at(const double* history, double strain, double dt) const;
     double mean_factor(const double* history, double strain, double dt, bool of_work) const;
-    double mean_strain(const ElementFlow& flow, int section) const;
+    double mean_strain(const ElementFlow& flow, int section, const double* history) const;
     MaterialLaw::Turned turned(const double* history, const Vec4& e, double work) const;
     bool curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const;
     Vec4 normalised_flow(const ElementFlow& flow, int section) const;
@@ -118,7 +128,8 @@ private:
 
     Vec4 per_strength_;
     SectionMaterial material_;
-    int history_size_ = 0, flow_at_ = -1;  // flow_at_: where in the history the last e is, -1: nowhere
+    // where in the history the last e is, and the law's own variables; -1: nowhere
+    int history_size_ = 0, flow_at_ = -1, own_at_ = -1;
     bool moves_surface_ = false, back_follows_strain_ = false, follows_rotation_ = false;
 };
 

@@ -51,7 +51,7 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
         double size = 1;
         for (int i = 0; i < count; ++i) {
             const End& end = flowing[i]->end;
-            Work w = work_at(end.e);
+            Work w = work_at(end.e, end.own);
             harden(end, end.e, w);
             const Vec4 carries = end.carries(p[flowing[i]->element]);
             off.template segment<4>(4 * i) = carries - w.q;

@@ -25,7 +25,7 @@ struct PotentialLaw::End {
     Vec4 k;                       ///< stiffness against its own flow
     Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
     MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
-    const double* history = nullptr;
+    const double *history = nullptr, *own = nullptr;  ///< own: the variables of the law itself
     double dt = 0;
     Vec4 e = Vec4::Zero();
 
@@ -46,14 +46,14 @@ struct PotentialLaw::End {
         set_history(at, section, law, so_far);
     }
     void set_history(const SectionConditions& at, int section, const PotentialLaw& law, const SoFar& so_far) {
-        dt = at.dt, history = at.history_of(section, law.history_size_);
+        dt = at.dt, history = at.history_of(section, law.history_size_), own = law.own(history);
         const double strain = so_far.strain;
         turned = law.turned(history, so_far.e, strain * law.material_.zone.energy);
         Vec4 back = Vec4::Zero();
-        const double* own = history;
+        const double* of = history;
         for (const auto& m : law.material_.laws) {
-            m->add_back(law.material_.zone, own, strain, back, hardens);
-            if (own) own += m->history_size();
+            m->add_back(law.material_.zone, of, strain, back, hardens);
+            if (of) of += m->history_size();
         }
         fixed -= back;
     }

@@ -50,8 +50,8 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
 
 /// Whether q, less the back resultants, is outside of the yield surface at the start of the step (outside).
 bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const {
-    if (material_.laws.empty()) return outside(q, direction);
-    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.dt).value), direction);
+    if (material_.laws.empty()) return outside(q, end.own, direction);
+    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.dt).value), end.own, direction);
 }
 
 /// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
@@ -71,7 +71,7 @@ bool PotentialLaw::one_end(const End& end, const Vec4& trial, Vec4& e) const {
 /// Down from e. not_below: no flow along e has less than none.
 PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Vec4& e) const {
     const Vec4& k = end.k;
-    Work at = work_at(e);
+    Work at = work_at(e, end.own);
     if (!along_ray(end, trial, e, at)) return Search::not_below;
     harden(end, e, at);
     const double size = 1 + trial.norm();
@@ -88,7 +88,7 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
             if (!solve_positive(H, way)) break;
             Vec4 next = e + way;
             if (!next.allFinite() || next.isZero(0)) break;
-            Work there = work_at(next);
+            Work there = work_at(next, end.own);
             along_ray(end, trial, next, there);
             harden(end, next, there);
             const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.value,
@@ -169,7 +169,7 @@ private:
                    p = trial_ - relieved;
         G_ = 0.5 * plastic.dot(relieved) - trial_.dot(plastic);
         for (int i : {0, 1}) {
-            Work w = law_.work_at(ends_[i].e);
+            Work w = law_.work_at(ends_[i].e, ends_[i].own);
             law_.harden(ends_[i], ends_[i].e, w);
             bend_[i] = w.curvature;
             G_ += w.value - ends_[i].fixed.dot(ends_[i].e);
@@ -216,7 +216,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
         if (!ends[0].flows() && !ends[1].flows()) return true;
         const int i = ends[0].flows() ? 0 : 1;
         const Vec6 p = trial - k.times(ends[i].plastic());
-        Work w = work_at(ends[i].e);
+        Work w = work_at(ends[i].e, ends[i].own);
         harden(ends[i], ends[i].e, w);
         Vec4 direction;
         if ((ends[i].carries(p) - w.q).norm() <= flow_tolerance * both.size() &&
@@ -244,7 +244,7 @@ bool PotentialLaw::starts(End& end, const Vec4& q) const {
 
 /// Moves e along its ray to where an end that carries q comes to. False: there is no flow along it.
 bool PotentialLaw::on_ray(End& end, const Vec4& q) const {
-    Work w = work_at(end.e);
+    Work w = work_at(end.e, end.own);
     return along_ray(end, q, end.e, w);
 }
 

@@ -16,7 +16,7 @@ constexpr double stiff = 1e6;  ///< over the elastic stiffness: the second deriv
 bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const {
     if (!(flow.lambda[section] > 0)) return false;
     const Vec4 e = normalised_flow(flow, section);
-    Work w = work_at(e);
+    Work w = work_at(e, end.own);
     const double largest = w.curvature.cwiseAbs().maxCoeff();
     if (flow.lambda[section] < at_the_start * 0.5 * w.initial && largest > 0)
         w.curvature *= std::max(1.0, stiff * end.k.maxCoeff() / largest);
@@ -82,7 +82,7 @@ Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const do
     int count = 0;
     for (int i = 0; i < n; ++i) {
         End end(sections[i], per_strength_, k);
-        end.set_history(at, i, *this, so_far(flow, i));
+        end.set_history(at, i, *this, so_far(flow, i, at.history_of(i, history_size_)));
         if (!curvature_of(flow, i, end, bend[count])) continue;
         B.middleRows<4>(4 * count++) = end.rows();
     }
@@ -100,7 +100,7 @@ Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const 
             const SectionRows own = end.rows();
             const Mat6 K = elastic.block<6, 6>(6 * i, 6 * i);
             end.k = (own * K * own.transpose()).diagonal();
-            end.set_history(at[i], s, *this, so_far(*flow[i], s));
+            end.set_history(at[i], s, *this, so_far(*flow[i], s, at[i].history_of(s, history_size_)));
             if (!curvature_of(*flow[i], s, end, bend[count])) continue;
             B.middleRows<4>(4 * count).setZero();
             B.block<4, 6>(4 * count++, 6 * i) = own;

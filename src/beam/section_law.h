@@ -63,6 +63,14 @@ public:
     /// True if the yield surface of a section that has flowed may lie inside of the screen in part: it is then asked in
     /// each step.
     virtual bool moves_surface() const { return false; }
+    /// True if shear forces weaken its sections. The parts of their strength that walls along x and along y have lost
+    /// by them are history variables of a section, set at the end of a step.
+    virtual bool takes_shear() const { return false; }
+    virtual void set_shear(double along_x, double along_y, double* history) const {
+        (void)along_x, (void)along_y, (void)history;
+    }
+    virtual double lost_by_shear(bool along_y, const double* history) const { return (void)along_y, (void)history, 0; }
+
     /// Adds the flow of a step to the history variables of section `section` of n.
     virtual void commit(const ElementFlow& flow, int section, double dt, double* history) const {
         (void)flow, (void)section, (void)dt, (void)history;

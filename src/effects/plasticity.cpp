@@ -38,6 +38,7 @@ public:
         }
         strength_.look(w_, step);
         shear_.look(w_, step);
+        shear_.weaken(w_, step, w_.state);
     }
     void check_run(std::vector<RunWarning>& list) const override {
         strength_.check_run(w_, list);

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "beam/plastic_domain.h"
 #include "core/text.h"
 #include "effects/axial_strength.h"
 #include "model/member_text.h"
@@ -12,48 +10,29 @@
 namespace hinge {
 namespace {
 
+constexpr double most_lost = 0.98;   ///< of the strength of what carries the shear force, so that a section keeps some
+constexpr double most_shear = 1e3;   ///< of V0: more is not told apart
 constexpr long every = 10;           ///< steps of dynamics between looks at sections that do not flow
 constexpr double small_shear = 0.5;  ///< of V0: up to that it takes nothing from the moment, EN 1993-1-1 6.2.8(2)
 
 }  // namespace
 
-ShearProperties shear_properties(const Section& s) {
-    ShearProperties out{{s.shear_area_x, s.shear_area_y}};
-    const double A = s.plastic_area, b = s.width, d = s.depth;
-    const auto all_in_it = [&](double area) {
-        for (int i : {0, 1}) out.area[i] = area, out.share[i] = 1;
-    };
-    if (s.kind == "solid" || s.kind == "round") all_in_it(A);
-    if (s.kind == "pipe") all_in_it(2 * A / std::numbers::pi);
-    if (s.kind == "h" && s.Zx > 0) {
-        const double clear = d - 2 * s.flange;
-        out.share[1] = s.web * clear * clear / 4 / s.Zx;
-        out.share[0] = 1;  // the flanges carry the bending about y and the shear along x
-    }
-    if (s.kind == "box" && s.Zx > 0 && s.Zy > 0) {  // its hollow: plastic_shape.cpp
-        const double hollow = b * d - A, clear = (b * d * d - 4 * s.Zx) / hollow, between = hollow / clear;
-        out.share[1] = (b - between) * d * d / 4 / s.Zx;
-        out.share[0] = (d - clear) * b * b / 4 / s.Zy;
-    }
-    return out;
-}
-
-double moment_left_by_shear(double v, double share) {
-    if (!(v > small_shear)) return 1;
-    const double rho = std::min(1.0, (2 * v - 1) * (2 * v - 1));
-    return 1 - rho * share;
-}
+double moment_left_by_shear(double v, double share) { return 1 - lost_by_shear(v) * share; }
 
 ShearStrength::ShearStrength(const Structure& structure) {
-    for (const Element& e : structure.elements()) {
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
         const MemberData& member = structure.model().members()[e.member];
         const Section& s = *member.section;
         Scales scales;
+        scales.section = &s;
         const bool steel = !(s.outline && s.outline->concrete());
         if (steel && e.law && !e.yield.elastic() && std::isfinite(member.material->yield_stress)) {
             const ShearProperties shear = shear_properties(s);
             const double tau = member.material->yield_stress / std::sqrt(3.0);
             const double M[2] = {e.yield.x, e.yield.y};
+            scales.wave = e.length * std::sqrt(member.material->density / member.material->G);
+            scales.torsion = std::sqrt(e.yield.z);
             for (int axis : {0, 1}) {
                 const double V0 = tau * shear.area[1 - axis];
                 if (V0 > 0 && std::isfinite(V0) && M[axis] > 0)
@@ -62,6 +41,7 @@ ShearStrength::ShearStrength(const Structure& structure) {
             }
         }
         scales_.push_back(scales);
+        if (e.law && e.law->takes_shear()) weakened_.push_back(int(i));
     }
 }
 
@@ -73,22 +53,68 @@ void ShearStrength::look(const Workspace& w, const Step& step) {
 }
 
 /// The mean shear force of the element: what its bending moment changes by, over its length.
-void ShearStrength::look_at(const Workspace& w, const Step& step, int index) {
+ShearStrength::Shear ShearStrength::shear_of(const Workspace& w, int index, int axis) const {
     const Scales& of = scales_[index];
     const Vec6& p = w.state.force[index];
-    for (int axis : {0, 1}) {
-        const double* f = w.assembly.fixed_end(index).moment + 2 * axis;
-        const double a = p[2 * axis] + f[0], b = p[2 * axis + 1] + f[1];
-        if (!(of.v[axis] * std::abs(a + b) > small_shear)) continue;
-        const double strength = heat_of(w.state.heat, index).strength;
-        compare(w, step, index, axis, of.v[axis] / strength * std::abs(a + b),
-                of.m[axis] / strength * std::max(std::abs(a), std::abs(b)));
+    const double* f = w.assembly.fixed_end(index).moment + 2 * axis;
+    const double a = p[2 * axis] + f[0], b = p[2 * axis + 1] + f[1], strength = heat_of(w.state.heat, index).strength;
+    return {of.v[axis] / strength * std::abs(a + b), of.m[axis] / strength * std::max(std::abs(a), std::abs(b))};
+}
+
+void ShearStrength::look_at(const Workspace& w, const Step& step, int index) {
+    for (int axis : {0, 1})
+        if (const Shear at = shear_of(w, index, axis); at.v > small_shear) compare(w, step, index, axis, at.v, at.m);
+}
+
+namespace {
+
+/// rho of a section that flows. Its shear force follows its moment, 1 - rho share of M0: the rho at which both agree.
+/// `v`: V / V0 beside `rho`.
+double settled(double v, double share, double rho) {
+    const auto v_at = [&](double other) { return v * (1 - other * share) / (1 - rho * share); };
+    double low = 0, high = most_lost;
+    for (int i = 0; i < 40; ++i) {
+        const double middle = 0.5 * (low + high);
+        (lost_by_shear(v_at(middle)) > middle ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+void ShearStrength::weaken(const Workspace& w, const Step& step, State& state) const {
+    auto flows = w.yielding.begin();
+    for (const int index : weakened_) {
+        const beam::SectionLaw& law = *w.structure.elements()[index].law;
+        while (flows != w.yielding.end() && flows->element < index) ++flows;
+        const bool flowing = flows != w.yielding.end() && flows->element == index;
+        const int sections = w.structure.conventional() ? 1 : 2;
+        const double follows = w.goes_by_load_factor() ? 1 : -std::expm1(-step.dt / scales_[index].wave);
+        double* history = &state.history[w.structure.history_at(index)];
+        const double t = std::abs(w.state.force[index][5]) * scales_[index].torsion,
+                     left = shear_left_by_torsion(*scales_[index].section, t);
+        for (int s = 0; s < sections; ++s, history += law.history_size()) {
+            double rho[2];
+            for (int axis : {0, 1}) {
+                const double v = std::min(most_shear, shear_of(w, index, axis).v / std::max(left, 1e-3)),
+                             share = scales_[index].share[axis], before = law.lost_by_shear(axis == 0, history);
+                if (share < 0 || !(v > 0)) rho[axis] = 0;
+                else if (flowing && flows->flow.lambda[s] > 0) rho[axis] = settled(v, share, before);
+                else rho[axis] = std::min(most_lost, lost_by_shear(v));
+            }
+            for (int axis : {0, 1}) {
+                const double before = law.lost_by_shear(axis == 0, history);
+                rho[axis] = before + follows * (rho[axis] - before);
+            }
+            law.set_shear(rho[1], rho[0], history);
+        }
     }
 }
 
 void ShearStrength::compare(const Workspace& w, const Step& step, int index, int axis, double v, double m) {
     if (w.state.broken[index]) return;
-    const double share = scales_[index].share[axis], left = share < 0 ? 1 : moment_left_by_shear(v, share);
+    const bool taken = w.structure.elements()[index].law->takes_shear();  // then the moment cannot be too large
+    const double share = scales_[index].share[axis], left = taken || share < 0 ? 1 : moment_left_by_shear(v, share);
     double excess = 0;
     const double within = std::min(m, 1.0);  // hardening, or an end beyond the hinge of an element, is not for shear
     if (is_unsafe(within, left)) excess = within - left;
@@ -116,10 +142,17 @@ void ShearStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
                       "0 beside that shear force"
                 : ": more than its plastic shear strength";
     if (others > 0) text += ", and so do " + count_text(others, "more member") + " beyond what they can carry";
-    list.push_back({text,
-                    "no law of sections takes strength for shear forces: this run finds too high a strength; give such "
-                    "members a section with a smaller strength, or a fracture rule on their shear",
-                    member});
+    const Element& e = w.structure.elements()[worst_.element];
+    const char* advice = e.law->takes_shear()
+                             ? "sections keep their strength in shear beyond that: this run finds too high a strength; "
+                               "give such members a section that carries it, or a fracture rule on their shear"
+                         : shear_carried(*model.members()[member].section)
+                             ? "its law of sections takes no strength for shear forces: this run finds too high a "
+                               "strength; give hinge.model, or the section, interaction = \"exact with shear\""
+                             : "its law of sections takes no strength for shear forces: this run finds too high a "
+                               "strength; give such members a section with a smaller strength, or a fracture rule on "
+                               "their shear";
+    list.push_back({text, advice, member});
 }
 
 bool ShearStrength::fits(const Structure& structure) const {

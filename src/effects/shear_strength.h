@@ -7,19 +7,9 @@
 
 #include "effects/reports.h"
 #include "effects/workspace.h"
+#include "model/shear.h"
 
 namespace hinge {
-
-/// Plastic shear strength of a section, and how much of its bending strength depends on what carries the shear force.
-struct ShearProperties {
-    /// m^2 along x and along y: the shear area of the section; of a solid one the whole area, of a pipe 2 A / pi
-    /// (EN 1993-1-1 6.2.6(3)).
-    double area[2] = {0, 0};
-    /// Part of the plastic modulus about y and about x that lies in that area: 1, or that of the webs of an H or a box
-    /// whose sizes are known. Negative where it is not known.
-    double share[2] = {-1, -1};
-};
-ShearProperties shear_properties(const Section& section);
 
 /// The bending strength that is left beside a shear force v = V / V0, in parts of that without it: EN 1993-1-1 6.2.8
 /// (3). `share`: of the plastic modulus in what carries the shear force.
@@ -31,6 +21,10 @@ class ShearStrength {
 public:
     explicit ShearStrength(const Structure& structure);
 
+    /// At the end of a step: what shear forces take from sections whose law takes it (SectionLaw::takes_shear), for the
+    /// step that follows. In dynamics it follows the shear force within the time of a shear wave through the element:
+    /// what such a wave does is not for a rule of statics.
+    void weaken(const Workspace& w, const Step& step, State& state) const;
     /// At the end of a step: all elements; in dynamics at every tenth step, else those that flowed.
     void look(const Workspace& w, const Step& step);
     void check_run(const Workspace& w, std::vector<RunWarning>& list) const;
@@ -57,11 +51,19 @@ private:
     struct Scales {
         double v[2] = {0, 0}, m[2] = {0, 0};  ///< 1 / (V0 L) and 1 / M0, 1/(N m); v = 0: nothing to look at
         double share[2] = {-1, -1};
+        const Section* section = nullptr;
+        double torsion = 0;  ///< 1 / Mz0, 1/(N m)
+        double wave = 0;     ///< time of a shear wave through the element, s
     };
+    struct Shear {
+        double v = 0, m = 0;  ///< shear force over V0, moment over M0
+    };
+    Shear shear_of(const Workspace& w, int element, int axis) const;
     void look_at(const Workspace& w, const Step& step, int element);
     void compare(const Workspace& w, const Step& step, int element, int axis, double v, double m);
 
     std::vector<Scales> scales_;  ///< of each element
+    std::vector<int> weakened_;   ///< elements whose law takes shear
     Found worst_;
     std::vector<char> unsafe_;  ///< members; empty while there is none
 };

@@ -13,9 +13,15 @@ namespace hinge::beam {
 /// Eq 14. `strength`: fully plastic resultants of the section.
 std::unique_ptr<const SectionLaw> paper_law(const YieldSurface& strength, SectionMaterial material = {});
 
-/// The exact interaction of N, Mx and My. `strength`: Mx0, My0 (N m), N0 (N), Mz0 (N m); Mz0 may be infinite.
+/// What of a section carries shear forces, and is weakened by them.
+struct ShearCarried {
+    bool whole = false;                    ///< all of it: solid sections and pipes
+    PlasticDomain::Walls::Polygons walls;  ///< else: its walls along x and along y
+};
+/// The exact interaction of N, Mx and My. `strength`: Mx0, My0 (N m), N0 (N), Mz0 (N m); Mz0 may be infinite. `shear`:
+/// with what shear forces take off (EN 1993-1-1 6.2.8); null: without.
 std::unique_ptr<const SectionLaw> exact_law(std::shared_ptr<const PlasticDomain> domain, const Vec4& strength,
-                                            SectionMaterial material = {});
+                                            SectionMaterial material = {}, const ShearCarried* shear = nullptr);
 
 /// A section that carries axial force of one sign (laws/one_way.cpp). `sign`: 1 tension only, -1 compression only;
 /// `N0`: axial force at which it yields, N, infinite for none. Its bending and torsion are elastic.

@@ -131,16 +131,18 @@ public:
     bool ignores_shape() const override { return true; }
 
 protected:
-    double potential(const Vec4& e, Vec4& q, Mat4& curvature) const override {
+    double potential(const Vec4& e, const double*, Vec4& q, Mat4& curvature) const override {
         const double D = e.norm();
         q = e / D;
         curvature = (Mat4::Identity() - q * q.transpose()) / D;
         return D;
     }
     Vec4 direction(const Vec4& q) const override { return q.isZero(0) ? yields_ : q; }
-    bool outside(const Vec4& q, Vec4& direction) const override { return direction = q, q.norm() > 1 + 1e-12; }
-    double shape_function(const Vec4& q) const override { return q.squaredNorm(); }
-    bool surely_inside(const Vec4& q) const override { return q.squaredNorm() <= 1; }
+    bool outside(const Vec4& q, const double*, Vec4& direction) const override {
+        return direction = q, q.norm() > 1 + 1e-12;
+    }
+    double shape_function(const Vec4& q, const double*) const override { return q.squaredNorm(); }
+    bool surely_inside(const Vec4& q, const double*) const override { return q.squaredNorm() <= 1; }
 
 private:
     Vec4 yields_;  ///< 1 for the resultants that yield the section

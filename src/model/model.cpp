@@ -30,6 +30,18 @@ int Model::add_node(const Vec3& position) {
 
 void Model::fix(int node, std::uint8_t mask) { check_open(), nodes_[node].fixed |= mask; }
 
+Interaction interaction_of(const std::string& word) {
+    return word == "exact"              ? Interaction::exact
+           : word == "exact with shear" ? Interaction::exact_with_shear
+                                        : Interaction::paper;
+}
+
+const char* word_of(Interaction interaction) {
+    return interaction == Interaction::exact              ? "exact"
+           : interaction == Interaction::exact_with_shear ? "exact with shear"
+                                                          : "paper";
+}
+
 const char* carries_word(Carries carries) {
     return carries == Carries::both ? "both" : carries == Carries::tension ? "tension" : "compression";
 }
@@ -70,11 +82,10 @@ int Model::add_member(MemberData m) {
         backbone && !backbone->interaction.empty()) {
         const Interaction has =
             m.section->interaction == Interaction::by_model ? options_.interaction : m.section->interaction;
-        if (backbone->interaction != (has == Interaction::exact ? "exact" : "paper"))
+        if (backbone->interaction != (is_exact(has) ? "exact" : "paper"))
             throw InputError(
                 "backbone is made for interaction '" + backbone->interaction + "' of N and M, and the " +
-                (m.section->interaction == Interaction::by_model ? "model" : "section") + " has '" +
-                (has == Interaction::exact ? "exact" : "paper") +
+                (m.section->interaction == Interaction::by_model ? "model" : "section") + " has '" + word_of(has) +
                 "'; its strengths beside an axial force would be wrong: give the same interaction to both");
     }
     if (m.carries != Carries::both && m.backbone)

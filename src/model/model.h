@@ -34,9 +34,12 @@ struct Material {
         {};  ///< hardening, effect of the strain rate (src/laws)
 };
 
-/// Interaction of N, Mx and My where a section yields (src/laws): eq 14, or that of its outline. by_model: as the
-/// model's option says.
-enum class Interaction : std::uint8_t { by_model, paper, exact };
+/// Interaction of N, Mx and My where a section yields (src/laws): eq 14, or that of its outline, without or with what
+/// shear forces take off. by_model: as the model's option says.
+enum class Interaction : std::uint8_t { by_model, paper, exact, exact_with_shear };
+inline bool is_exact(Interaction i) { return i == Interaction::exact || i == Interaction::exact_with_shear; }
+Interaction interaction_of(const std::string& word);  ///< "paper", "exact", "exact with shear"
+const char* word_of(Interaction interaction);         ///< the same, not of by_model
 
 /// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
 struct Section {

@@ -18,7 +18,7 @@ std::vector<std::string> optional_laws(const Structure& structure) {
     for (const Element& e : structure.elements()) {
         if (!e.law) continue;
         const MemberData& member = structure.model().members()[e.member];
-        if (std::string(e.law->name()) == "exact") names.insert("exact");
+        if (std::string(e.law->name()).starts_with("exact")) names.insert("exact");
         else if (e.law->ignores_shape() && has_exact_law(*member.section, e.yield)) names.insert("eq 14");
         if (!e.law->keeps_strength())
             for (const auto& law : member.material->laws) names.insert(law->name());

@@ -72,11 +72,11 @@ std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const b
         return beam::exact_law(domain, of, std::move(adds));
     }
     const Interaction asked = section.interaction == Interaction::by_model ? options.interaction : section.interaction;
-    const bool exact =
-        (asked == Interaction::exact) != is_omitted(omitted, asked == Interaction::exact ? "exact" : "eq 14");
+    const bool exact = is_exact(asked) != is_omitted(omitted, is_exact(asked) ? "exact" : "eq 14");
     if (!exact || !has_exact_law(section, w)) return beam::paper_law(w, std::move(adds));
+    const auto shear = asked == Interaction::exact_with_shear ? shear_carried(section) : std::nullopt;
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
-                           std::move(adds));
+                           std::move(adds), shear ? &*shear : nullptr);
 }
 
 /// Local axes of a member: z along it, y in the plane of z and `up`.

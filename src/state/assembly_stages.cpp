@@ -87,6 +87,22 @@ unsigned that_yielded(const State& state, int element) {
     return bits;
 }
 
+/// Which of the eight elements from `element` on are weakened by shear forces, a bit each.
+[[gnu::noinline]] unsigned that_are_sheared(const Structure& structure, const State& state, int element) {
+    unsigned bits = 0;
+    for (int i = 0; i < lane_count && element + i < int(structure.elements().size()); ++i) {
+        const beam::SectionLaw* law = structure.elements()[element + i].law;
+        for (const double end : {-1, 1}) {
+            const double* history =
+                law && law->takes_shear() ? section_history(structure, state, element + i, end) : nullptr;
+            if (history && (law->lost_by_shear(false, history) > 0 || law->lost_by_shear(true, history) > 0))
+                bits |= 1u << i;
+            if (structure.conventional()) break;
+        }
+    }
+    return bits;
+}
+
 /// Whether one of the eight elements from `element` on has a twist to be remembered.
 bool any_remembered(const std::vector<double>& twist, int element) {
     const auto from = twist.begin() + std::min(std::size_t(element), twist.size());
@@ -255,7 +271,8 @@ template <bool p_delta>
     }
     if (!fixed_ends_.empty()) add_fixed_ends(element, kind, p, f);
     if (!heat.empty()) weaken(element, heat, f);
-    const unsigned asked = kind.moves_surface ? that_yielded(state, element) : 0;
+    unsigned asked = kind.moves_surface ? that_yielded(state, element) : 0;
+    if (kind.takes_shear) asked |= that_are_sheared(structure_, state, element);
     if (asked || any_above(f[0], 1) || (section_count == 2 && any_above(f[1], 1)))
         return_lanes<p_delta>(b, element, asked, state, heat, f, d, p, found);
 }

@@ -137,10 +137,10 @@ int section(lua_State* L) {
     if (s.outline && s.outline->concrete()) add_strengths(o, s);
     else if (!s.outline && o.has("reinforcement"))
         o.complain("reinforcement", "given", "needs the section's shape: give 'outline' as well");
-    if (const std::string asked = o.word("interaction", {"", "paper", "exact"}, ""); !asked.empty())
-        s.interaction = asked == "exact" ? Interaction::exact : Interaction::paper;
-    if (s.interaction == Interaction::exact && !s.outline)
-        o.complain("interaction", "'exact'",
+    if (const std::string asked = o.word("interaction", {"", "paper", "exact", "exact with shear"}, ""); !asked.empty())
+        s.interaction = interaction_of(asked);
+    if (is_exact(s.interaction) && !s.outline)
+        o.complain("interaction", std::string("'") + word_of(s.interaction) + "'",
                    "needs the section's shape: give 'outline', or take hinge.section.h, box, pipe, solid or round");
     o.finish();
     s.asked_at = where(L);
@@ -203,7 +203,7 @@ int section_fields(lua_State* L) {
         if (key == name) return lua_pushnumber(L, value), 1;
     if (key == "interaction") {
         if (s.interaction == Interaction::by_model) return lua_pushnil(L), 1;
-        return lua_pushstring(L, s.interaction == Interaction::exact ? "exact" : "paper"), 1;
+        return lua_pushstring(L, word_of(s.interaction)), 1;
     }
     const std::pair<const char*, std::optional<double>> given[] = {
         {"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};

@@ -1,0 +1,78 @@
+#include "model/shear.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace hinge {
+namespace {
+
+constexpr double small_shear = 0.5;  ///< of V0: up to that it takes nothing from the moment, EN 1993-1-1 6.2.8(2)
+
+/// The hollow of a box from its area and moduli: size across x and along y, m.
+struct Hollow {
+    double between, clear;
+};
+Hollow hollow_of(const Section& s) {
+    const double b = s.width, d = s.depth, hollow = b * d - s.plastic_area, clear = (b * d * d - 4 * s.Zx) / hollow;
+    return {hollow / clear, clear};
+}
+
+beam::Outline::Polygon rectangle(double x0, double x1, double y0, double y1) {
+    return {.corners = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
+}
+
+}  // namespace
+
+ShearProperties shear_properties(const Section& s) {
+    ShearProperties out{{s.shear_area_x, s.shear_area_y}};
+    const double A = s.plastic_area, b = s.width, d = s.depth;
+    const auto all_in_it = [&](double area) {
+        for (int i : {0, 1}) out.area[i] = area, out.share[i] = 1;
+    };
+    if (s.kind == "solid" || s.kind == "round") all_in_it(A);
+    if (s.kind == "pipe") all_in_it(2 * A / std::numbers::pi);
+    if (s.kind == "h" && s.Zx > 0) {
+        const double clear = d - 2 * s.flange;
+        out.share[1] = s.web * clear * clear / 4 / s.Zx;
+        out.share[0] = 1;  // the flanges carry the bending about y and the shear along x
+    }
+    if (s.kind == "box" && s.Zx > 0 && s.Zy > 0) {  // its hollow: plastic_shape.cpp
+        const auto [between, clear] = hollow_of(s);
+        out.share[1] = (b - between) * d * d / 4 / s.Zx;
+        out.share[0] = (d - clear) * b * b / 4 / s.Zy;
+    }
+    return out;
+}
+
+std::optional<beam::ShearCarried> shear_carried(const Section& s) {
+    if (!s.outline || s.outline->concrete()) return {};
+    beam::ShearCarried out;
+    const double b = s.width, d = s.depth;
+    const auto both_sides = [&](int axis, double x0, double x1, double y0, double y1) {
+        out.walls[axis].push_back(rectangle(x0, x1, y0, y1));
+        out.walls[axis].push_back(rectangle(-x1, -x0, -y1, -y0));
+    };
+    if (s.kind == "solid" || s.kind == "round" || s.kind == "pipe") return out.whole = true, out;
+    if (s.kind == "h" && s.web > 0 && s.flange > 0) {
+        const double inner = d / 2 - s.flange;
+        out.walls[1].push_back(rectangle(-s.web / 2, s.web / 2, -inner, inner));
+        both_sides(0, -b / 2, b / 2, inner, d / 2);
+        return out;
+    }
+    if (s.kind == "box" && s.Zx > 0 && s.Zy > 0) {
+        const Hollow h = hollow_of(s);
+        both_sides(1, h.between / 2, b / 2, -h.clear / 2, h.clear / 2);
+        both_sides(0, -h.between / 2, h.between / 2, h.clear / 2, d / 2);
+        return out;
+    }
+    return {};
+}
+
+double lost_by_shear(double v) { return v > small_shear ? std::min(1.0, (2 * v - 1) * (2 * v - 1)) : 0; }
+
+double shear_left_by_torsion(const Section& s, double t) {
+    return s.kind == "h" ? std::sqrt(std::max(0.0, 1 - t / 1.25)) : std::max(0.0, 1 - t);
+}
+
+}  // namespace hinge
