@@ -2362,6 +2362,10 @@ function model:member(options) end
 ---0.01 or more. It is called often, in every step in which the end flows, and must depend on these four alone. A run
 ---with such a function has one thread
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---what the flow of its sections does to their strength, as a function of yours. It is asked for each end of an element
+---that flows, about ten times a step, and must depend on its arguments alone. Hardening and rate of the material, and a
+---backbone, act beside it. A run with such a function has one thread. A function alone has no history variables
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---which axial forces it carries. both (default). tension: a cable or slender brace. It shortens without force, and
 ---carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No
 ---energy is dissipated by that. With a yield stress the member yields at N0 in the sense that it carries; its bending
@@ -2373,6 +2377,23 @@ function model:member(options) end
 ---moments that an end does not pass on: "Mx", "My" (bending about the section's axes) or "Mz" (torsion), or a list of
 ---them. A short form of ends with hinge.joint { Mx = "free" }. Mz can be free at one end alone
 ---@field release? { a?: string|string[], b?: string|string[] }
+
+---@class hinge.section_law
+---@field variables? integer history variables of each section that can yield, 0 (default) to 32; they are 0 at first
+---returns the strength at the end of the step over the fully plastic one, 0.01 or more, which counts for N, Mx, My and
+---Mz alike; then the middle of the yield surface, Mx, My (N m), N (N), Mz (N m), nil: 0; then the history variables at
+---the end of the step, nil: as they were. `history`: those at its start
+---@field step fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
+
+---plastic flow of a section in a step
+---@class hinge.section_flow
+---@field x number plastic rotation about the section's x axis, rad; the sign is that of Mx
+---@field y number about y, rad
+---@field N number plastic elongation, m
+---@field z number plastic twist, rad
+---growth of the mean plastic strain of the part of the element that yields with the section (half of its length; with
+---the conventional formulation all of it): plastic work at the full strength over N0 times that length
+---@field strain number
 
 ---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two
 ---arguments: the time at the end of the step (s), and the run as it is at the beginning of the step (dynamics only). It

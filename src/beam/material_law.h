@@ -73,11 +73,13 @@ public:
 
     /// Adds the back resultants at the end of a step: back + modulus times e. `strain`: growth of the mean plastic
     /// strain, of those that ask for it (back_follows_strain).
-    virtual void add_back(const PlasticZone& zone, const double* history, double strain, Vec4& back,
+    /// `e`: plastic deformation of the step, of those that ask for it (back_follows_flow).
+    virtual void add_back(const PlasticZone& zone, const double* history, double strain, const Vec4& e, Vec4& back,
                           Vec4& modulus) const {
-        (void)zone, (void)history, (void)strain, (void)back, (void)modulus;
+        (void)zone, (void)history, (void)strain, (void)e, (void)back, (void)modulus;
     }
     virtual bool back_follows_strain() const { return false; }
+    virtual bool back_follows_flow() const { return false; }
     /// Adds a step's plastic deformation e to the history variables.
     virtual void commit(const PlasticZone& zone, const Vec4& e, double strain, double dt, double* history) const {
         (void)zone, (void)e, (void)strain, (void)dt, (void)history;

@@ -56,6 +56,7 @@ PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, Sec
         history_size_ += m->history_size();
         moves_surface_ |= m->moves_surface();
         back_follows_strain_ |= m->back_follows_strain();
+        back_follows_flow_ |= m->back_follows_flow();
         follows_rotation_ |= m->follows_rotation();
     }
     flow_at_ = remembers_flow ? history_size_ : -1;
@@ -162,11 +163,23 @@ double PotentialLaw::mean_strain(const ElementFlow& flow, int section, const dou
     return potential(normalised_flow(flow, section), own(history), q, curvature) / material_.zone.energy;
 }
 
+/// Whether the back resultants that a round went by are those of the flow that it found.
+bool PotentialLaw::back_is_found(const End& end, const SectionConditions& at, int section, const SoFar& now,
+                                 const Vec6& trial) const {
+    End again = end;
+    again.fixed = Vec4::Zero(), again.hardens = Vec4::Zero();
+    again.set_history(at, section, *this, now);
+    const Vec4 moved = again.hardens.cwiseProduct(now.e) - again.fixed;
+    const Vec4 by_loads = end.per.cwiseProduct(resultants(at.fixed_end->at(end.at()), end.at())),
+               went_by = end.hardens.cwiseProduct(now.e) - (end.fixed - by_loads);
+    return (moved - went_by).norm() <= 10 * flow_tolerance * (1 + end.carries(trial).norm());
+}
+
 /// Where back resultants follow the mean plastic strain, or the strength follows the rotation, those of the round
 /// before are taken, until they change no more: a round leaves about H / E of the change before.
 ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                const SectionConditions& at, const ElementFlow* before) const {
-    const bool rounds = back_follows_strain_ || follows_rotation_;
+    const bool rounds = back_follows_strain_ || back_follows_flow_ || follows_rotation_;
     SoFar so_far[2];
     FactorSearch search[2];
     double factor[2] = {0, 0};  // of the rounds after the first
@@ -190,6 +203,7 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
             same =
                 same &&
                 (!back_follows_strain_ || std::abs(now.strain - so_far[i].strain) <= 10 * flow_tolerance * elastic) &&
+                (!back_follows_flow_ || back_is_found(ends[i], at, i, now, trial)) &&
                 std::abs(found - taken) <= 10 * flow_tolerance;
             factor[i] = search[i].next(taken, found);
             so_far[i] = now;
@@ -271,7 +285,7 @@ Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) con
     Vec4 back = Vec4::Zero(), hardens = Vec4::Zero();
     const double* own = history;
     for (const auto& m : material_.laws) {
-        m->add_back(material_.zone, own, 0, back, hardens);
+        m->add_back(material_.zone, own, 0, Vec4::Zero(), back, hardens);
         if (own) own += m->history_size();
     }
     return (of - back) / (factor_at(history, 0, dt).value * turned(history, Vec4::Zero(), 0).factor);

@@ -99,6 +99,8 @@ private:
     struct SoFar;
     class FactorSearch;
     SoFar so_far(const ElementFlow& flow, int section, const double* history) const;
+    bool back_is_found(const End& end, const SectionConditions& at, int section, const SoFar& now,
+                       const Vec6& trial) const;
     SoFar add_flow(const End& end, int section, double dt, ElementFlow& out) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
@@ -130,7 +132,7 @@ private:
     SectionMaterial material_;
     // where in the history the last e is, and the law's own variables; -1: nowhere
     int history_size_ = 0, flow_at_ = -1, own_at_ = -1;
-    bool moves_surface_ = false, back_follows_strain_ = false, follows_rotation_ = false;
+    bool moves_surface_ = false, back_follows_strain_ = false, back_follows_flow_ = false, follows_rotation_ = false;
 };
 
 }  // namespace hinge::beam

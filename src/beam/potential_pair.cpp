@@ -94,7 +94,7 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
 
 bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
                                    ElementFlow (&flow)[2]) const {
-    if (back_follows_strain_ || follows_rotation_) return false;
+    if (back_follows_strain_ || back_follows_flow_ || follows_rotation_) return false;
     PairEnd all[4];
     PairEnd* flowing[4];
     int count = 0;

@@ -52,12 +52,13 @@ struct PotentialLaw::End {
         Vec4 back = Vec4::Zero();
         const double* of = history;
         for (const auto& m : law.material_.laws) {
-            m->add_back(law.material_.zone, of, strain, back, hardens);
+            m->add_back(law.material_.zone, of, strain, so_far.e, back, hardens);
             if (of) of += m->history_size();
         }
         fixed -= back;
     }
     bool flows() const { return !e.isZero(0); }
+    double at() const { return n1 + n2; }  ///< its position in the element, -1 to 1
     /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
     Vec4 carries(const Vec6& p) const {
         return per.cwiseProduct(Vec4(n1 * p[0] + n2 * p[1], n1 * p[2] + n2 * p[3], p[4], p[5])) + fixed;

@@ -41,7 +41,7 @@ public:
         const double slope = of_.isotropic / yield_stress_;
         return {1 + slope * ((history ? history[4] : 0) + strain), slope};
     }
-    void add_back(const PlasticZone& zone, const double* history, double strain, Vec4& back,
+    void add_back(const PlasticZone& zone, const double* history, double strain, const Vec4&, Vec4& back,
                   Vec4& modulus) const override {
         const double kept = kept_after(strain);
         if (history) back += kept * Vec4(history[0], history[1], history[2], history[3]);

@@ -58,6 +58,21 @@ struct HingePast {
 using BackboneRule = std::function<double(const HingePast& past)>;
 /// It is called by one thread, in every round of the return of an element that flows.
 std::shared_ptr<const MaterialLaw> backbone_law(BackboneRule rule);
+/// Plastic flow of a section in a step, and what it makes of the section (laws/own_law.cpp).
+struct SectionFlow {
+    double x = 0, y = 0, N = 0, z = 0;  ///< rotations about x and y (rad), elongation (m), twist (rad)
+    double strain = 0;                  ///< growth of the mean plastic strain of the part that yields, >= 0
+};
+struct SectionAnswer {
+    double strength = 1;               ///< factor on all fully plastic resultants, above 0
+    Vec4 back = Vec4::Zero();          ///< Mx, My (N m), N (N), Mz (N m): the middle of the yield surface
+    std::vector<double> history = {};  ///< at the end of the step; empty: as at its start
+};
+/// `history`: at the start of the step. It may be asked any number of times in a step, and must answer alike.
+using SectionRule = std::function<SectionAnswer(const SectionFlow& flow, const double* history)>;
+/// It is called by one thread, in every round of the return of an element that flows. `variables`: number of history
+/// variables of the function, 0 at first.
+std::shared_ptr<const MaterialLaw> own_law(SectionRule rule, int variables);
 /// That of such a law; null of another.
 const Backbone* backbone_of(const MaterialLaw& law);
 

@@ -88,10 +88,10 @@ int Model::add_member(MemberData m) {
                 (m.section->interaction == Interaction::by_model ? "model" : "section") + " has '" + word_of(has) +
                 "'; its strengths beside an axial force would be wrong: give the same interaction to both");
     }
-    if (m.carries != Carries::both && m.backbone)
-        throw InputError(
-            std::string("carries is '") + carries_word(m.carries) +
-            "', and a backbone is given; such a member has no hinges at its ends: leave one of the two out");
+    if (m.carries != Carries::both && (m.backbone || m.law))
+        throw InputError(std::string("carries is '") + carries_word(m.carries) + "', and a " +
+                         (m.law ? "law" : "backbone") +
+                         " is given; such a member has no hinges at its ends: leave one of the two out");
     members_.push_back(std::move(m));
     return int(members_.size()) - 1;
 }

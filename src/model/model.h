@@ -100,6 +100,7 @@ struct MemberData {
     std::vector<int> groups;  ///< the first one colours it
     /// Strength of its ends over their plastic rotation (laws/backbone.cpp); null: constant.
     std::shared_ptr<const beam::MaterialLaw> backbone = nullptr;
+    std::shared_ptr<const beam::MaterialLaw> law = nullptr;  ///< of the script, for all its sections (laws/own_law.cpp)
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed

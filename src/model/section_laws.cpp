@@ -23,6 +23,7 @@ std::vector<std::string> optional_laws(const Structure& structure) {
         if (!e.law->keeps_strength())
             for (const auto& law : member.material->laws) names.insert(law->name());
         if (member.backbone && !e.law->keeps_strength()) names.insert(member.backbone->name());
+        if (member.law && !e.law->keeps_strength()) names.insert(member.law->name());
     }
     for (const OmittedLaw& law : structure.model().declared<OmittedLaw>(omitted_laws)) names.erase(law.name);
     return {names.begin(), names.end()};
@@ -32,7 +33,7 @@ void leave_out_law(const std::string& name, Model& model) {
     const auto& members = model.members();
     const bool known =
         name == "exact" || name == "eq 14" || std::ranges::any_of(members, [&](const MemberData& m) {
-            return (m.backbone && name == m.backbone->name()) ||
+            return (m.backbone && name == m.backbone->name()) || (m.law && name == m.law->name()) ||
                    std::ranges::any_of(m.material->laws, [&](const auto& l) { return name == l->name(); });
         });
     if (known) model.declare<OmittedLaw>(omitted_laws, {name});

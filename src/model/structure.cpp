@@ -44,6 +44,7 @@ beam::SectionMaterial material_of(const MemberData& member, const beam::YieldSur
     const Material& m = *member.material;
     beam::MaterialLaws laws = m.laws;
     if (member.backbone) laws.push_back(member.backbone);
+    if (member.law) laws.push_back(member.law);
     std::erase_if(laws, [&](const auto& law) { return is_omitted(omitted, law->name()); });
     if (laws.empty()) return {};
     beam::PlasticZone zone;
@@ -118,6 +119,7 @@ struct Structure::KindKey {
     const Section* section;
     const Material* material;
     const beam::MaterialLaw* backbone;
+    const beam::MaterialLaw* law;
     double length, s;  ///< m; normal position of the integration point
     int middle;        ///< the end (0, 1) at the middle of the pair
     Carries carries;
@@ -236,9 +238,9 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                                           int middle, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {
-        &section, &material, member.backbone.get(), length,
-        s,        middle,    member.carries,        {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const KindKey key = {&section,         &material,      member.backbone.get(),
+                         member.law.get(), length,         s,
+                         middle,           member.carries, {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
     const beam::Rigidity rigidity = rigidity_of(section, material);

@@ -58,6 +58,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         };
         for (const auto& law : m.material->laws) add(*law);
         if (m.backbone) add(*m.backbone);
+        if (m.law) add(*m.law);
     }));
     parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
         const Section& section = *m.section;

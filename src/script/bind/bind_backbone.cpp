@@ -1,5 +1,7 @@
 // hinge.backbone: strength of a member's ends over their plastic rotation.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/text.h"
 #include "laws/laws.h"
@@ -155,6 +157,93 @@ std::shared_ptr<const beam::MaterialLaw> own_backbone(const LuaFunction& f) {
                             "fully plastic one");
         return strength;
     });
+}
+
+namespace {
+
+constexpr int most_variables = 32;  ///< of the history of a law
+
+/// Numbers of the list at the top of the stack, which is taken off; `names`: in the place of 1, 2, ...
+std::vector<double> numbers_of(lua_State* L, int count, const LuaFunction& f, const std::string& what) {
+    std::vector<double> out;
+    const bool list = lua_type(L, -1) == LUA_TTABLE;
+    for (int i = 1; list && i <= count; ++i) {
+        lua_rawgeti(L, -1, i);
+        out.push_back(lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan(""));
+        lua_pop(L, 1);
+    }
+    const bool good = list && std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
+    if (!good)
+        throw HookError(f.place() + ": " + what + " is " + show(L, -1) + "; it must be a list of " +
+                        std::to_string(count) + " finite numbers");
+    lua_pop(L, 1);
+    return out;
+}
+
+/// One call of the function for a section.
+beam::SectionAnswer ask_law(const LuaFunction& f, int variables, const beam::SectionFlow& flow, const double* history) {
+    lua_State* L = f.running();
+    const std::string who = "model:member: the function in field 'law'";
+    f.push(L);
+    lua_createtable(L, 0, 5);
+    for (const auto& [name, x] : {std::pair("x", flow.x), std::pair("y", flow.y), std::pair("N", flow.N),
+                                  std::pair("z", flow.z), std::pair("strain", flow.strain)})
+        lua_pushnumber(L, x), lua_setfield(L, -2, name);
+    lua_createtable(L, variables, 0);
+    for (int i = 0; i < variables; ++i) lua_pushnumber(L, history[i]), lua_rawseti(L, -2, i + 1);
+    call_hook(L, f, 2, 3, who);
+    beam::SectionAnswer answer;
+    if (lua_isnil(L, -1)) lua_pop(L, 1);
+    else answer.history = numbers_of(L, variables, f, who + ": the history that it returned");
+    if (lua_isnil(L, -1)) {
+        lua_pop(L, 1);
+    } else {
+        const std::vector<double> back = numbers_of(L, 4, f, who + ": the back resultants that it returned");
+        answer.back << back[0], back[1], back[2], back[3];
+    }
+    answer.strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
+    const std::string shown = show(L, -1);
+    lua_pop(L, 1);
+    if (!(std::isfinite(answer.strength) && answer.strength >= least))
+        throw HookError(f.place() + ": " + who + " returned " + shown + " at a growth of the mean plastic strain of " +
+                        show(flow.strain) +
+                        "; it must return a number of 0.01 or more, the strength over the fully plastic one");
+    return answer;
+}
+
+}  // namespace
+
+std::shared_ptr<const beam::MaterialLaw> read_own_law(Options& member, const std::shared_ptr<Model>& model) {
+    lua_State* L = member.L();
+    const int type = member.push_field("law");
+    if (type == LUA_TNIL) return lua_pop(L, 1), nullptr;
+    const auto law_of = [](LuaFunction f, int variables) {
+        return beam::own_law(
+            [f = std::move(f), variables](const beam::SectionFlow& flow, const double* history) {
+                return ask_law(f, variables, flow, history);
+            },
+            variables);
+    };
+    std::shared_ptr<const beam::MaterialLaw> law;
+    if (type == LUA_TFUNCTION) {
+        law = law_of(LuaFunction(L, -1, *model), 0);
+    } else if (type == LUA_TTABLE) {
+        Options o(L, lua_gettop(L), member.function() + ": field 'law'");
+        o.expect({"variables", "step"});
+        const int variables = o.integer("variables", 0, 0);
+        if (variables > most_variables)
+            o.complain("variables", std::to_string(variables), "must be from 0 to " + std::to_string(most_variables));
+        if (o.push_field("step") != LUA_TFUNCTION)
+            o.complain("step", show(L, -1), "must be a function(flow, history) that returns a strength");
+        law = law_of(LuaFunction(L, -1, *model), variables);
+        lua_pop(L, 1);
+        o.finish();
+    } else {
+        member.complain("law", show(L, -1),
+                        "must be a function(flow, history), or { variables =, step = function(flow, history) }");
+    }
+    lua_pop(L, 1);
+    return law;
 }
 
 void open_backbone(lua_State* L, int module) {

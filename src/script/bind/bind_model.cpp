@@ -171,7 +171,7 @@ int accept(lua_State* L, Model& m, MemberData data) {
 int add_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:member").value;
     Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements", "backbone", "carries", "ends", "release"}, 2);
+    o.expect({"section", "material", "up", "group", "elements", "backbone", "law", "carries", "ends", "release"}, 2);
     MemberData data;
     for (int i = 0; i < 2; ++i) {
         o.push_item(i + 1);
@@ -201,6 +201,10 @@ int add_member(lua_State* L) {
         data.backbone = b ? b->value : own_backbone(LuaFunction(L, -1, *m));
     }
     lua_pop(L, 3);
+    data.law = read_own_law(o, m);
+    if (data.law && !std::isfinite(data.material->yield_stress) &&
+        !(data.section->outline && data.section->outline->concrete()))
+        o.complain("law", "given", "needs a material with yield_stress (Pa), or a section of concrete");
     const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
     // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
     data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));

@@ -12,5 +12,7 @@ std::vector<std::shared_ptr<const beam::MaterialLaw>> read_material_laws(Options
 
 /// A backbone that the script gives as a function (largest, x, y in rad, work in J), which returns the strength.
 std::shared_ptr<const beam::MaterialLaw> own_backbone(const LuaFunction& f);
+/// The field `law` of a member: { variables =, step = function(flow, history) } or that function; null where nil.
+std::shared_ptr<const beam::MaterialLaw> read_own_law(Options& member, const std::shared_ptr<Model>& model);
 
 }  // namespace hinge::script

@@ -1,0 +1,89 @@
+// What a section's flow does to its strength, as a function of the script's own: a factor on the yield surface, and
+// back resultants by which it moves. The function is asked in every round of the return of a section that flows, with
+// what the round before found. Back resultants that grow in proportion to the flow are found in the first round.
+#include <cmath>
+
+#include "laws/laws.h"
+
+namespace hinge::beam {
+namespace {
+
+constexpr double difference = 1e-6;  ///< part of a step by which the slope is found
+
+class OwnLaw : public MaterialLaw {
+public:
+    OwnLaw(SectionRule rule, int variables) : rule_(std::move(rule)), variables_(variables) {
+        std::vector<double> none(variables_, 0.0);
+        initial_ = rule_({}, none.data()).strength;
+    }
+
+    const char* name() const override { return "law"; }
+    std::string words() const override { return "a law of the script"; }
+    void save(Writer& to) const override { to(initial_, variables_); }
+    bool calls_script() const override { return true; }
+
+    int history_size() const override { return first + variables_; }
+    void start(bool, double* history) const override { keep(rule_({}, history + first), history); }
+    bool moves_surface() const override { return true; }
+    double initial() const override { return initial_; }
+
+    bool follows_rotation() const override { return true; }
+    /// The mean is that of Simpson's rule over the step.
+    Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
+        const double now = history ? history[strength] : initial_;
+        if (!(work > 0)) return {now, 0, now};
+        const auto factor = [&](double part) { return ask(zone, history, part * e, part * work).strength; };
+        Turned out;
+        out.factor = factor(1);
+        out.mean = (now + 4 * factor(0.5) + out.factor) / 6;
+        out.slope = (factor(1 + difference) - out.factor) / (difference * work);
+        return out;
+    }
+
+    bool back_follows_flow() const override { return true; }
+    void add_back(const PlasticZone& zone, const double* history, double strain, const Vec4& e, Vec4& back,
+                  Vec4& modulus) const override {
+        const Vec4 start = history ? Vec4(history[moved], history[moved + 1], history[moved + 2], history[moved + 3])
+                                   : Vec4(Vec4::Zero());
+        back += start.cwiseProduct(zone.per_strength);
+        if (e.isZero(0)) return;
+        const Vec4 change = (ask(zone, history, e, strain * zone.energy).back - start).cwiseProduct(zone.per_strength);
+        for (int c = 0; c < 4; ++c) {
+            const double slope = change[c] / e[c];
+            if (slope >= 0 && std::abs(e[c]) > 1e-9 * e.norm()) modulus[c] += slope;
+            else back[c] += change[c];
+        }
+    }
+
+    void commit(const PlasticZone& zone, const Vec4& e, double strain, double, double* history) const override {
+        keep(ask(zone, history, e, strain * zone.energy), history);
+    }
+
+private:
+    /// History variables: the strength and the back resultants (N m, N) at the end of the step before, then those of
+    /// the function.
+    enum { strength, moved, first = moved + 4 };
+
+    SectionAnswer ask(const PlasticZone& zone, const double* history, const Vec4& e, double work) const {
+        const Vec4 d = e.cwiseProduct(zone.per_strength);
+        const std::vector<double> none(history ? 0 : variables_, 0.0);
+        return rule_({d[0], d[1], d[2], d[3], work / zone.energy}, history ? history + first : none.data());
+    }
+    void keep(const SectionAnswer& answer, double* history) const {
+        history[strength] = answer.strength;
+        for (int c = 0; c < 4; ++c) history[moved + c] = answer.back[c];
+        for (std::size_t i = 0; i < answer.history.size(); ++i) history[first + i] = answer.history[i];
+    }
+
+    SectionRule rule_;
+    int variables_;
+    double initial_ = 1;
+};
+
+}  // namespace
+
+std::shared_ptr<const MaterialLaw> own_law(SectionRule rule, int variables) {
+    return std::make_shared<OwnLaw>(std::move(rule), variables);
+}
+
+}  // namespace hinge::beam
