@@ -2363,8 +2363,8 @@ function model:member(options) end
 ---with such a function has one thread
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
 ---what the flow of its sections does to their strength, as a function of yours. It is asked for each end of an element
----that flows, about ten times a step, and must depend on its arguments alone. Hardening and rate of the material, and a
----backbone, act beside it. A run with such a function has one thread. A function alone has no history variables
+---that flows, some hundred times a step, and must depend on its arguments alone. Hardening and rate of the material,
+---and a backbone, act beside it. A run with such a function has one thread. A function alone has no history variables
 ---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---which axial forces it carries. both (default). tension: a cable or slender brace. It shortens without force, and
 ---carries again at the length where it lost its force. compression: a prop or a bearing, the same the other way. No
