@@ -623,6 +623,66 @@ function joint.fin_plate(options) end
 ---@field buckling_stress number? Pa, of a long plate: lever_arm beyond thickness / 0.15
 ---@field bolt table as of hinge.end_plate_numbers
 
+---Two angles, bolted to the web of a beam with its full section and to a column: nearly a pin. Each row has one bolt in
+---each leg at the column, at the height of its bolts in the beam's web. Shear is the least of the bolts at the web (in
+---double shear) and at the column (in single shear, less a fifth since they are pulled too), bearing, the angles' gross
+---and net shear, their bending and blocks, and the beam's web. Tension is the least of those in tying, with ultimate
+---stresses; the legs at the column bend like T-stubs (table 6.2). As in Steel buildings in Europe, part 5 (2009). The
+---end breaks, unless `capacity` says otherwise, at the rotation at which a flange of the beam meets the column. My is
+---free. The column is not checked. Compared with example 4.4 of that publication: 1 %.
+---```lua
+---local ipe = hinge.section.named "IPE 360"
+---local pin, numbers = hinge.joint.web_cleats {
+---  beam = { section = ipe, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.04, top = 0.11 },
+---  cleats = { depth = 0.22, thickness = 0.01, r = 0.011, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.04,
+---    column_edge = 0.04, column_gauge = 0.11 },
+---  bolts = { diameter = 0.02, grade = "8.8", rows = 3, pitch = 0.07 }, gap = 0.01,
+---}
+---print(pin, numbers.shear, numbers.governs_shear, numbers.tension, numbers.contact) -- N, N, rad
+---```
+---@param options hinge.web_cleats_options
+---@return hinge.joint joint
+---@return hinge.web_cleats_numbers numbers
+function joint.web_cleats(options) end
+
+---@class hinge.web_cleats_options
+---edge: from the nearest line of bolts to the end of the beam, m; top: from the first bolt to the beam's top, m
+---@field beam { section: hinge.section, yield_stress: number, ultimate_stress: number, edge: number, top: number }
+---@field cleats hinge.web_cleats_angles
+---@field bolts hinge.web_cleats_bolts
+---@field gap number m, from the end of the beam to the column
+---@field stiffness? number N m/rad about the strong axis; default 1000
+---@field capacity? number rad; default: the rotation at which a flange meets the column
+---@field gamma_M0? number default 1
+---@field gamma_M2? number default 1
+---@field gamma_Mu? number of tying; default 1
+
+---@class hinge.web_cleats_angles
+---@field depth number m, along the beam's depth. The bolts are in its middle
+---@field thickness number m
+---@field r number m, root radius
+---@field yield_stress number Pa
+---@field ultimate_stress number Pa
+---@field edge number m, from the farthest line of bolts in the beam's web to the free side of that leg
+---@field column_edge number m, from the bolts at the column to the free side of that leg
+---@field column_gauge number m, between the bolts at the column, across the web
+
+---@class hinge.web_cleats_bolts: hinge.fin_plate_bolts
+---@field head? number m: width of head or washer; then mode 1 of the legs is by the alternative of table 6.2
+
+---@class hinge.web_cleats_numbers
+---@field shear number N
+---@field governs_shear string
+---@field shear_of table<string, number> N, by what could fail
+---@field tension number N
+---@field governs_tension string
+---@field tension_of table<string, number> N
+---@field legs table those at the column, as T-stubs: m, n (m), lengths, modes (N), mode, resistance (N)
+---@field contact number? rad: a flange of the beam meets the column
+---@field capacity number rad
+---@field lever_arm number m, from the column to the middle of the bolts in the beam's web
+---@field bolt table as of hinge.end_plate_numbers
+
 ---The base of an H column with a row of two anchor bolts outside of each flange, bent about its strong axis under a
 ---given compression: 6.2.5, 6.2.8 and 6.3.4. The concrete bears under the flanges; the plate and the bolts pull as
 ---T-stubs, with prying or without it by table 6.2. Moment and stiffness are those at `axial`, and stay where the axial

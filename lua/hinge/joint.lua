@@ -5,6 +5,7 @@ local check = require "hinge.check"
 local joint = {
   end_plate = require "hinge.joints.end_plate",
   fin_plate = require "hinge.joints.fin_plate",
+  web_cleats = require "hinge.joints.web_cleats",
   base_plate = require "hinge.joints.base_plate",
 }
 

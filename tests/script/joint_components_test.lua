@@ -1,5 +1,5 @@
--- hinge.joint.end_plate, fin_plate and base_plate: published examples, hand calculations of EN 1993-1-8, the joint in a
--- run; wrong input is refused.
+-- hinge.joint.end_plate, fin_plate, web_cleats and base_plate: published examples, hand calculations of EN 1993-1-8,
+-- the joint in a run; wrong input is refused.
 --
 -- Run: lua5.4 tests/script/joint_components_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -216,6 +216,43 @@ case("fin plate of the JRC's workshop on Eurocodes, Brussels 2014 (Wald)", funct
   near(n.tension_of["block of the beam's web"], 298 * kN, rounded * 298 * kN, "block in tying")
 end)
 
+-- The same publication, example 4.4: the same beam, two angles 430 mm long and 10 mm thick, six M20 8.8 in its web and
+-- twice six at the column, 109 mm apart; washers 37 mm wide.
+local cleats = {
+  beam = fin.beam, gap = 0.01, gamma_M2 = 1.25, gamma_Mu = 1.1,
+  cleats = { depth = 0.43, thickness = 0.01, r = 0.011, yield_stress = 275e6, ultimate_stress = 430e6, edge = 0.04,
+    column_edge = 0.04, column_gauge = 0.109 },
+  bolts = { diameter = 0.02, grade = "8.8", rows = 6, pitch = 0.07, head = 0.037 },
+}
+
+case("web cleats of Steel buildings in Europe, part 5, example 4.4", function()
+  local _, n = hinge.joint.web_cleats(cleats)
+  local function published(value, wanted, what) near(value, wanted * kN, 0.01 * wanted * kN, what) end
+  published(n.shear_of["bolts in shear"], 962, "bolts in the web")
+  published(n.shear_of["bolts at the column"], 902, "bolts at the column")
+  published(n.shear_of["cleats in shear"], 1076, "cleats in shear")
+  near(n.legs.m, 31.2 * mm, 1e-9, "m, which it rounds to 31")
+  published(n.legs.modes[1], 696, "tying, mode 1")
+  published(n.legs.modes[2], 1190, "mode 2")
+  published(n.legs.modes[3], 1920, "mode 3")
+  published(n.tension_of["bolts in shear"], 1284, "bolts in shear, tying")
+  -- by hand, from the formulas of the publication
+  near(n.shear_of["cleats in shear, net"], 2 * 10 * (430 - 6 * 22) * 430 / (math.sqrt(3) * 1.25), 1, "net section")
+  near(n.shear_of["block of the cleats"], 2 * (0.5 * 430 * 10 * (40 - 11) / 1.25
+    + 275 * 10 * (430 - 40 - 5.5 * 22) / math.sqrt(3)), 1, "block")
+  local down, across = 2.5 * 40 / 66 * 430 * 200 / 1.25, 2.5 * 40 / 66 * 430 * 200 / 1.25 -- 2.8 40 / 22 - 1.7 > 2.5
+  local beta = 6 * 50 / (6 * 7 * 70)
+  near(n.shear_of["bearing on the cleats"], 2 * 6 / math.sqrt((1 / down) ^ 2 + (6 * beta / across) ^ 2), 1, "bearing")
+  near(n.tension_of["bearing on the cleats"], 12 * 2.5 * 40 / 66 * 430 * 200 / 1.1, 1, "bearing, tying")
+  equal(n.governs_shear, "block of the beam's web", "what governs shear")
+  equal(n.governs_tension, "bearing on the beam's web", "what governs tying")
+  -- weaker bolts than holes, and stronger ones: 3.7 (1)
+  local _, stronger = hinge.joint.web_cleats(with(cleats, { cleats = { thickness = 0.004, column_gauge = 0.1 } }))
+  local outer, inner = 2.5 * 40 / 66 * 430 * 80 / 1.25, 2.5 * (70 / 66 - 0.25) * 430 * 80 / 1.25
+  near(stronger.shear_of["bolts at the column"], 2 * (outer + 5 * inner), 1,
+    "each hole bears as much as it can, the one towards an end less")
+end)
+
 case("the gap closes", function()
   local _, n = hinge.joint.fin_plate(fin)
   -- the lower flange's corner, 70 mm from the middle of the bolts and 317 mm below it, has turned to the column's face
@@ -309,6 +346,11 @@ case("wrong input is refused", function()
   refused(pin, fin, { bolts = { lines = 3 } }, "field 'lines' is 3; must be a whole number")
   refused(pin, fin, { plate = { edge = 0.02 } }, "must be 0.0264 m or more: 1.2 hole diameters")
   refused(pin, fin, { beam = { top = 0.06 } }, "the plate would be in a flange or a fillet")
+  local angles = hinge.joint.web_cleats
+  refused(angles, cleats, { cleats = { column_edge = 0.02 } }, "'column_edge' is 0.02 m; must be 0.0264 m or more")
+  refused(angles, cleats, { cleats = { column_gauge = 0.06 } }, "'column_gauge' is 0.06 m; must be 0.071 m or more")
+  refused(angles, cleats, { cleats = { depth = 0.47 } }, "must be 0.47 m or more: the depth of field 'cleats'")
+  refused(angles, cleats, { gamma_M1 = 1 }, "unknown field 'gamma_M1'")
   refused(pin, fin, { gap = 0 }, "field 'gap' is 0 m; must be a number above 0 m")
   local good, failure = pcall(function() return hinge.joint.cleats end)
   expect(not good and support.has(failure, "hinge.joint: unknown field 'cleats'"), "%s", failure)

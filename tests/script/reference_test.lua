@@ -207,6 +207,7 @@ local calls = {
   ["hinge.moving_load.influence"] = function(x) hinge.moving_load.influence(x) end,
   ["hinge.joint.end_plate"] = function(x) hinge.joint.end_plate(x) end,
   ["hinge.joint.fin_plate"] = function(x) hinge.joint.fin_plate(x) end,
+  ["hinge.joint.web_cleats"] = function(x) hinge.joint.web_cleats(x) end,
   ["hinge.joint.base_plate"] = function(x) hinge.joint.base_plate(x) end,
   ["hinge.benchmark"] = function(x) hinge.benchmark(x) end,
   ["benchmark:row"] = function(x) s.benchmark:row(with({ "sag" }, x)) end,
