@@ -11,7 +11,6 @@
 #include <cmath>
 #include <unordered_map>
 
-#include "core/errors.h"
 #include "core/text.h"
 #include "effects/constrainer.h"
 #include "effects/kinds.h"
@@ -81,7 +80,6 @@ class Joints : public Effect,
 public:
     Joints(Workspace& w, Host& host) : Effect(joints_effect, w, host) {
         for (const Joint& j : declared()) made_.push_back(make(j));
-        for (const Made& m : made_) refuse(m);
         if (!w.state.data.find<JointsNow>(joints_effect)) w.state.data.set(joints_effect, JointsNow{});
         list().resize(declared().size());
         now_.resize(declared().size());
@@ -269,17 +267,6 @@ private:
         for (int k = 0; k < 3; ++k)
             if (!std::isfinite(declared()[i].is.axis[k].stiffness))
                 list()[i].offset[k] = list()[i].rotation[k] - list()[i].moment[k] / made_[i].stiffness[k];
-    }
-
-    /// Joints at nodes that a support moves along a path.
-    void refuse(const Made& m) const {
-        const Structure& s = w_.structure;
-        for (const DeclaredLoad& load : declared_loads(s.model()))
-            if (load.motion && load.node == m.node && w_.kind.dynamic)
-                throw InputError("model:member: " + s.node_name(m.node) + ", to which a joint joins member " +
-                                 std::to_string(m.member + 1) +
-                                 ", is moved by model:move; that does not go together yet: join a short rigid member "
-                                 "to the support, and the joint to its other end");
     }
 
     template <class F>

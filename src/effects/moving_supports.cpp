@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "effects/joints.h"
 #include "effects/kinds.h"
 
 namespace hinge {
@@ -20,8 +21,9 @@ public:
             Moved moved{m.node, m.component, [path = m.displacement, begin, speed](double t) {
                             return t < begin ? path(begin) + speed * (t - begin) : path(t);
                         }};
+            moved.joined = joined_to(m.node);
             moved_.push_back(std::move(moved));
-            for (int e : w.structure.elements_at(m.node)) matrices_[e] = {Mat12::Zero(), Mat6::Zero()};
+            for_each_element(moved_.back(), true, [&](int e, int) { matrices_[e] = {Mat12::Zero(), Mat6::Zero()}; });
         }
     }
 
@@ -29,7 +31,7 @@ public:
     void begin(const Step& step) override {
         const double dt = step.dt;
         for (Moved& m : moved_) {
-            if (w_.state.gone[m.node]) continue;
+            if (is_gone(m)) continue;
             if (!m.begun) {
                 m.now = w_.state.displacement[m.node][m.component];
                 m.from = m.path(w_.state.time) - m.now;
@@ -49,7 +51,7 @@ public:
     /// What is tried has the supports where they are at the end of the step; their rows of the solution stay zero.
     void predicted(const Step&) override {
         for (const Moved& m : moved_) {
-            if (w_.state.gone[m.node]) continue;
+            if (is_gone(m)) continue;
             w_.trial.displacement[m.node][m.component] = m.next;
             w_.trial.velocity[m.node][m.component] = m.speed;
             w_.trial.acceleration[m.node][m.component] =
@@ -64,20 +66,18 @@ public:
         for (Moved& m : moved_) {
             double& force = w_.reaction[m.node][m.component];
             if (!w_.kind.explicit_steps)
-                for (int e : w_.structure.elements_at(m.node)) {
+                for_each_element(m, false, [&](int e, int end) {
                     const Element& element = w_.structure.elements()[e];
-                    if (w_.state.broken[e]) continue;
                     Vec12 of_element;
                     of_element << change[element.node[0]], change[element.node[1]];
                     const ElementPart& part = matrices_.at(e);
-                    const int end = element.node[0] == m.node ? 0 : 1;
                     force += part.A.row(6 * end + m.component).dot(of_element);
                     if (element.partner < 0 || (e < element.partner) != (end == 0))
-                        continue;  // not the pair's outer node
+                        return;  // not the pair's outer node
                     const int far = w_.structure.elements()[element.partner].node[1 - end];
                     force += part.bridge.row(m.component).dot(change[far]);
-                }
-            else force += momentum_at(m, w_.trial.acceleration, false);
+                });
+            else if (!is_tied(m)) force += momentum_at(m, w_.trial.acceleration, false);
             m.next_force = force;
         }
     }
@@ -95,7 +95,7 @@ public:
         const State& s = w_.state;
         double work = 0;
         for (const Moved& m : moved_) {
-            if (s.gone[m.node]) continue;
+            if (is_gone(m)) continue;
             work += 0.5 * (m.force + m.next_force) * (m.next - m.now);
             const double v = s.velocity[m.node][m.component], a = s.acceleration[m.node][m.component],
                          next_a = w_.trial.acceleration[m.node][m.component];
@@ -113,7 +113,7 @@ public:
 
     void before_commit(const Step&) override {
         for (Moved& m : moved_) {
-            if (w_.state.gone[m.node]) continue;
+            if (is_gone(m)) continue;
             m.force = m.next_force;
             m.long_before = m.before, m.before = m.now, m.now = m.next;
         }
@@ -122,7 +122,7 @@ public:
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const override {
         double work = 0;
         for (const Moved& m : moved_)
-            if (!w_.state.gone[m.node]) work += supports[m.node][m.component] * momentum_at(m, velocity);
+            if (!is_gone(m)) work += supports[m.node][m.component] * momentum_at(m, velocity);
         return work;
     }
 
@@ -134,10 +134,14 @@ public:
         for (const Moved& m : moved_) acceleration[m.node][m.component] = m.given;
     }
     void acceleration_found() override {
-        if (w_.kind.explicit_steps) prescribe(w_.state.acceleration);  // else the support's own mass is in its reaction
-        for (Moved& m : moved_)
-            m.force = w_.reaction[m.node][m.component] + momentum_at(m, w_.state.acceleration, false);
-        prescribe(w_.state.acceleration);
+        std::vector<Vec6>& acceleration = w_.state.acceleration;
+        for (Moved& m : moved_) {
+            m.force = w_.reaction[m.node][m.component];
+            // in implicit steps the support's own mass is in its reaction
+            acceleration[m.node][m.component] = w_.kind.explicit_steps ? m.given : 0;
+            if (!w_.kind.explicit_steps || !is_tied(m)) m.force += momentum_at(m, acceleration, false);
+        }
+        prescribe(acceleration);
     }
 
     bool allows_long_step() const override { return false; }
@@ -150,11 +154,17 @@ public:
     void restore(Reader& from) override { fields(*this, from); }
 
 private:
+    /// A member's end that a joint joins to the support.
+    struct JoinedEnd {
+        std::size_t joint;
+        int node;
+    };
     /// A degree of freedom of a support that moves: where it is now and was one and two steps ago, m, and how long a
     /// step is, s; where the step takes it, m, m/s, m/s^2; the force that moves it, N.
     struct Moved {
         int node, component;
         History path;
+        std::vector<JoinedEnd> joined = {};
         double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0,
                force = 0, next_force = 0;
         bool begun = false;
@@ -165,8 +175,40 @@ private:
         for (auto& m : s.moved_) {
             a(m.from, m.now, m.before, m.long_before, m.apart, m.next, m.speed, m.acceleration, m.force, m.next_force,
               m.begun);
-            for (int e : s.w_.structure.elements_at(m.node)) a(s.matrices_.at(e).A, s.matrices_.at(e).bridge);
+            s.for_each_element(m, true, [&](int e, int) { a(s.matrices_.at(e).A, s.matrices_.at(e).bridge); });
         }
+    }
+
+    std::vector<JoinedEnd> joined_to(int node) const {
+        const Model& model = w_.structure.model();
+        const auto& joints = model.declared<Joint>(joints_effect);
+        std::vector<JoinedEnd> list;
+        for (std::size_t i = 0; i < joints.size(); ++i)
+            if (model.members()[joints[i].member].node[joints[i].end] == node)
+                list.push_back({i, w_.structure.end_node(joints[i].member, joints[i].end)});
+        return list;
+    }
+    bool is_whole(const JoinedEnd& end) const {
+        return !w_.state.data.find<JointsNow>(joints_effect)->list[end.joint].broken;
+    }
+    /// Whether the support has lost all of its members, and does not move any more. One to which nothing but joints
+    /// joins members moves on.
+    bool is_gone(const Moved& m) const { return w_.state.gone[m.node] && !w_.structure.elements_at(m.node).empty(); }
+    /// Whether joints tie ends to the support: in explicit steps their reactions have the inertia of both.
+    bool is_tied(const Moved& m) const {
+        return std::any_of(m.joined.begin(), m.joined.end(), [&](const JoinedEnd& end) { return is_whole(end); });
+    }
+    /// Calls f(element, its end at the support), for elements that are whole and at the support or joined to it; or for
+    /// `all` of them.
+    template <class F>
+    void for_each_element(const Moved& m, bool all, F f) const {
+        const auto at = [&](int node) {
+            for (const int e : w_.structure.elements_at(node))
+                if (all || !w_.state.broken[e]) f(e, w_.structure.elements()[e].node[0] == node ? 0 : 1);
+        };
+        at(m.node);
+        for (const JoinedEnd& end : m.joined)
+            if (all || is_whole(end)) at(end.node);
     }
 
     /// The row of M of a support's degree of freedom, times such a value of each node; with or without the masses that
@@ -174,14 +216,16 @@ private:
     double momentum_at(const Moved& m, const std::vector<Vec6>& of, bool offsets = true) const {
         const int c = m.component;
         const State& s = w_.state;
-        double sum = offsets && !s.offset_mass.empty() ? s.offset_mass[m.node].mass * of[m.node][c] : 0;
-        for (int e : w_.structure.elements_at(m.node)) {
-            if (s.broken[e]) continue;
-            const Element& element = w_.structure.elements()[e];
-            const int end = element.node[0] == m.node ? 0 : 1;
-            const beam::Inertia& inertia = w_.structure.inertia(e);
-            sum += inertia.own[end] * of[m.node][c] + inertia.across * of[element.node[1 - end]][c];
+        double sum = 0;
+        if (offsets && !s.offset_mass.empty()) {
+            sum = s.offset_mass[m.node].mass * of[m.node][c];
+            for (const JoinedEnd& end : m.joined)
+                if (is_whole(end)) sum += s.offset_mass[end.node].mass * of[m.node][c];
         }
+        for_each_element(m, false, [&](int e, int end) {
+            const beam::Inertia& inertia = w_.structure.inertia(e);
+            sum += inertia.own[end] * of[m.node][c] + inertia.across * of[w_.structure.elements()[e].node[1 - end]][c];
+        });
         return sum;
     }
 

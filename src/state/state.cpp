@@ -63,7 +63,11 @@ bool makes_sense(const State& s, const Structure& structure) {
         none_or(elements, s.heat);
     if (!whole) return false;
     for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
-        if (s.gone[i] && !(s.held[i] == 63 && s.velocity[i].isZero(0) && s.acceleration[i].isZero(0))) return false;
+        if (s.gone[i]) {
+            const bool moves = !s.velocity[i].isZero(0) || !s.acceleration[i].isZero(0),
+                       may_move = structure.elements_at(int(i)).empty();  // a support with joints alone
+            if (s.held[i] != 63 || (moves && !may_move)) return false;
+        }
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });
     return std::all_of(s.broken.begin(), s.broken.end(), [](int b) { return b >= 0 && b <= 2; }) &&
            std::all_of(s.held.begin(), s.held.end(), [](int bits) { return bits < 64; }) &&
