@@ -441,8 +441,8 @@ function backbone.ufc(options) end
 ---axis beside a free one is a spring of 1000 times 4 E I / L (bending) or G J / L (torsion) of the member, in explicit
 ---steps 100 times. One member at least must be joined to each node without a joint, unless model:fix holds the node in
 ---all directions: else nothing holds the rotation of the node. A joint needs no further element; two elements a member
----are as exact as without it. It does not go with the energy-momentum method, nor with model:move of its node. The
----energy is in run.energy.joint_stored and joint_dissipated.
+---are as exact as without it. It does not go with the energy-momentum method. The energy is in run.energy.joint_stored
+---and joint_dissipated.
 ---```lua
 ---local end_plate = hinge.joint { Mx = { points = { { 0.004, 80e3 }, { 0.02, 110e3 } }, capacity = 0.04 }, -- rad, N m
 ---  My = "free", tension = 250e3, shear = 180e3 } -- N
@@ -462,6 +462,10 @@ function hinge.joint(options) end
 ---explicit steps is without the inertia of half an element
 ---@field tension? number
 ---@field shear? number N: it breaks at this force across the member; default: never
+---linear: a tension T leaves the part 1 - T / tension of the strengths of Mx and My (EN 1993-1-8, 6.2.7.1 (3)). It is
+---the T at the end of the step before; compression takes nothing. It needs `tension`, and a strength of Mx or My.
+---Default none
+---@field interaction? "none"|"linear"
 
 ---Moment over the rotation of the member's end relative to the node: `stiffness`, with `strength` or without, or
 ---`points`.
@@ -480,8 +484,9 @@ function hinge.joint(options) end
 ---Joints of steel members by EN 1993-1-8:2005, from their sizes. The sections are H; a root radius follows from the
 ---area. Each function returns the joint and a table of the numbers behind it. Partial factors are 1 unless they are
 ---given, so that strengths are characteristic ones, or expected ones with expected stresses. Welds are taken as
----stronger than what they join. In the joint, moment, tension and shear do not know of each other. The standard was not
----at hand: its formulas were confirmed by public programs, and results compared with published examples as said below.
+---stronger than what they join. In the joint of an end plate moment and tension interact; otherwise moment, tension and
+---shear do not know of each other. The standard was not at hand: its formulas were confirmed by public programs, and
+---results compared with published examples as said below.
 ---@class hinge.joints
 local joint = {}
 
@@ -528,6 +533,7 @@ function joint.end_plate(options) end
 ---rad: the joint breaks at this rotation. It must be given where 6.4.2 does not say that the joint turns enough for a
 ---plastic analysis. Default: it does not break by rotation
 ---@field capacity? number
+---@field interaction? "linear"|"none" of moment and tension, as in hinge.joint; default linear
 ---@field gamma_M0? number default 1
 ---@field gamma_M1? number default 1
 ---@field gamma_M2? number default 1

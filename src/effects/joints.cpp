@@ -4,7 +4,7 @@
 // displacement to that of the script's node. A moment resists its rotation relative to that node, about the axes of the
 // section, which rotate with the node. The curve of an axis is a sum of springs, each in series with a slider: their
 // stiffnesses are the differences of the slopes. So unloading is elastic, a cycle follows Masing's rule, and each step
-// dissipates energy or none.
+// dissipates energy or none. Tension may take strength from the sliders; it is that where the step begins.
 #include "effects/joints.h"
 
 #include <algorithm>
@@ -51,11 +51,11 @@ struct Resistance {
     double moment = 0, slope = 0, stored = 0, dissipated = 0;
 };
 
-/// `slid`: where the sliders are; they are moved.
-Resistance resist(const std::vector<JointPart>& parts, double rotation, std::vector<double>& slid) {
+/// `slid`: where the sliders are; they are moved. `left`: part of their strength.
+Resistance resist(const std::vector<JointPart>& parts, double left, double rotation, std::vector<double>& slid) {
     Resistance r;
     for (std::size_t i = 0; i < parts.size(); ++i) {
-        const auto& [k, strength] = parts[i];
+        const double k = parts[i].stiffness, strength = left * parts[i].strength;
         if (k == 0) continue;
         double m = k * (rotation - slid[i]);
         if (std::abs(m) > strength) {
@@ -156,7 +156,7 @@ public:
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = 0;
         for (std::size_t i = 0; i < made_.size(); ++i)
-            if (!list()[i].broken) work += evaluate(i, turn(i, w_.trial).rotation).dissipated;
+            if (!list()[i].broken) work += dissipated_in_step(i);
         sums["joint_dissipated"] += work;
     }
     void before_commit(const Step& step) override {
@@ -292,11 +292,22 @@ private:
                 continue;
             }
             e.slid[k] = from.slid[k];
-            const Resistance r = resist(m.parts[k], rotation[k], e.slid[k]);
+            const Resistance r = resist(m.parts[k], k < 2 ? from.left : 1, rotation[k], e.slid[k]);
             e.moment[k] = r.moment, e.slope[k] = r.slope;
             e.stored += r.stored, e.dissipated += r.dissipated;
         }
         return e;
+    }
+
+    /// Where tension has weakened the joint, the step began with the moment that it had before: half of what that lost
+    /// does work with the step's rotation.
+    double dissipated_in_step(std::size_t i) const {
+        const JointNow& j = list()[i];
+        const Vec3 end = turn(i, w_.trial).rotation;
+        double work = evaluate(i, end).dissipated;
+        if (declared()[i].is.tension_weakens)
+            work += 0.5 * (j.moment - evaluate(i, j.rotation).moment).dot(end - j.rotation);
+        return work;
     }
 
     void add(std::size_t i, const RelativeRotation& r, const Vec3& slope, const Vec3& moment, Blocks& blocks) const {
@@ -325,11 +336,26 @@ private:
         const Vec3 f = turned.transpose() * now_[i].of_end;
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
+        if (is.tension_weakens) weaken(m, std::clamp(1 - j.tension / is.tension, 0.0, 1.0), j);
         j.over = -1;
         for (int k = 0; k < 3; ++k)
             if (std::abs(j.rotation[k]) >= is.axis[k].capacity) j.over = k;
         if (j.tension >= is.tension) j.over = 3;
         if (j.shear >= is.shear) j.over = 4;
+    }
+
+    /// Sliders that hold less from the next step on slip at once: what their springs lose is dissipated.
+    void weaken(const Made& m, double left, JointNow& j) {
+        j.left = left;
+        for (int k : {0, 1})
+            for (std::size_t i = 0; i < m.parts[k].size(); ++i) {
+                const auto& [stiffness, strength] = m.parts[k][i];
+                if (stiffness == 0) continue;
+                const double has = stiffness * (j.rotation[k] - j.slid[k][i]), most = left * strength;
+                if (std::abs(has) <= most) continue;
+                j.slid[k][i] = j.rotation[k] - std::copysign(most, has) / stiffness;
+                w_.state.accumulated["joint_dissipated"] += 0.5 * (has * has - most * most) / stiffness;
+            }
     }
 
     double stored(const State& state) const {

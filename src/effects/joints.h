@@ -34,6 +34,8 @@ struct JointProperties {
     JointAxis axis[3];
     double tension = JointAxis::infinite;  ///< N, along the member
     double shear = JointAxis::infinite;    ///< N, across the member
+    /// A tension T leaves 1 - T / tension of the curves of x and y: EN 1993-1-8, 6.2.7.1 (3).
+    bool tension_weakens = false;
 
     bool can_break() const {
         return tension < JointAxis::infinite || shear < JointAxis::infinite || axis[0].capacity < JointAxis::infinite ||
@@ -42,7 +44,7 @@ struct JointProperties {
     bool is_linear() const { return axis[0].curve.empty() && axis[1].curve.empty() && axis[2].curve.empty(); }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.axis, s.tension, s.shear);
+        a(s.axis, s.tension, s.shear, s.tension_weakens);
     }
 };
 
@@ -66,11 +68,12 @@ struct JointNow {
     Vec3 offset = Vec3::Zero();     ///< of rigid axes: the rotation without moment, rad
     double tension = 0, shear = 0;  ///< N
     std::vector<double> slid[3];    ///< rad: plastic rotation of each part of the curve
+    double left = 1;                ///< part of the curves of x and y that the tension leaves
     int over = -1;  ///< what has reached its capacity: 0 to 2 a rotation, 3 tension, 4 shear; -1: nothing
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.over);
+        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.left, s.over);
     }
 };
 

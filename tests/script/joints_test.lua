@@ -327,6 +327,61 @@ case("joints at feet that move: as in a frame of reference that is accelerated",
   end
 end)
 
+case("tension takes from the moment: M / M_R + T / T_R is 1", function()
+  for _, part in ipairs { 0, 0.25, 0.75, -0.5 } do
+    local model = hinge.model { displacement = "small" }
+    local wall, tip = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+    local pull, push = model:case "pull", model:case "push"
+    model:fix(wall)
+    local joint = hinge.joint { Mx = { points = { { 0.004, 60e3 }, { 0.02, 100e3 } } }, tension = 200e3,
+      interaction = "linear" }
+    local arm = model:member { wall, tip, section = hinge.section.named "IPE 360",
+      material = hinge.material { E = 210e9, density = 7850 }, up = { 0, 0, 1 }, ends = { a = joint } }
+    model:load { node = tip, force = { 200e3 * part, 0, 0 }, case = pull }
+    model:load { node = tip, force = { 0, 0, -1e3 }, case = push }
+    local pulled = model:static { loads = "pull", steps = 2 }:finish()
+    local run = model:static { from = pulled, loads = { push = 1 }, steps = 40,
+      control = { node = tip, "uz", to = -0.1 } }:finish()
+    local what, left = ("T / T_R = %g: "):format(part), math.min(1, 1 - part)
+    near(math.abs(arm:joint("a").Mx), left * 100e3, 1, what .. "moment")
+    near(arm:joint("a").tension, 200e3 * part, 1, what .. "tension, which stays")
+    -- two sliders: 2.5e6 N m/rad up to left x 50 kN m, 12.5e6 N m/rad up to left x 50 kN m
+    local turned = math.abs(arm:joint("a").rotation_x)
+    local work = left * 50e3 * (turned - left * 0.02) + left * 50e3 * (turned - left * 0.004)
+    near(run.energy.joint_dissipated, work, 0.005 * work, what .. "plastic work")
+    near(run.energy_error, 0, 2e-3, what .. "energy error") -- of 40 steps through the corners of the curve
+  end
+end)
+
+case("a beam that hangs between joints: the energy closes while tension grows", function()
+  local errors = {}
+  for i, dt in ipairs { 4e-4, 1e-4 } do
+    local model = hinge.model()
+    local left, right = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
+    model:fix { left, right }
+    local joint = hinge.joint { Mx = { stiffness = 2e7, strength = 40e3 }, tension = 600e3, interaction = "linear" }
+    local girder = hinge.section.named "IPE 200"
+    local hung = model:member { left, right, section = girder, elements = 4, ends = { a = joint, b = joint },
+      material = hinge.material { E = 210e9, density = 3e3 / g / girder.area } }
+    model:gravity { 0, 0, -8 * g }
+    model:damping { ratio = 0.05, periods = { 0.2, 0.01 } } -- of the ringing along the beam
+    local run = model:dynamic { dt = dt, duration = 0.2 }
+    local before, deepest, past = 0, 0, 0
+    while run:step() do
+      local now = hung:joint("a", run)
+      past = support.largest_of(past, math.abs(now.Mx) - 40e3 * (1 - before / 600e3))
+      before = support.largest_of(0, now.tension)
+      deepest = support.largest_of(deepest, now.tension)
+    end
+    equal(run.verdict, "completed", "run")
+    expect(deepest > 100e3 and deepest < 600e3, "largest tension %g N", deepest)
+    near(past, 0, 1e-3, "moment beyond that which the tension of the step before leaves, N m")
+    errors[i] = math.abs(run.energy_error)
+  end
+  near(errors[1], 0, 3e-4, "energy error")
+  expect(errors[2] < 0.5 * errors[1], "energy error %g in a quarter of the step, %g before", errors[2], errors[1])
+end)
+
 case("a run with joints at feet that move goes on from a checkpoint", function()
   local file = support.temporary_folder() .. "/half"
   local whole = accelerated(true, nil, "newmark", 0.1)
@@ -399,6 +454,11 @@ case("wrong input is refused", function()
   refused(function() hinge.joint { Mx = { points = { { 0.01, 10 }, { 0.02, 8 } } } } end, "'capacity'")
   refused(function() hinge.joint { Mx = { points = { { 0.01, 10 } }, stiffness = 1 } } end, "given beside points")
   refused(function() hinge.joint { Mx = "free", tension = -1 } end, "tension")
+  refused(function() hinge.joint { Mx = { stiffness = 1, strength = 1 }, interaction = "linear" } end,
+    "needs 'tension'")
+  refused(function() hinge.joint { Mx = { stiffness = 1 }, tension = 1, interaction = "linear" } end,
+    "needs a strength")
+  refused(function() hinge.joint { Mx = { stiffness = 1 }, interaction = "square" } end, "'none', 'linear'")
   refused(function() member { release = { a = "N" } } end, "must be 'Mx', 'My' or 'Mz'")
   refused(function() member { release = "Mx" } end, "must be { a = ")
   refused(function() member { release = { a = "Mz", b = "Mz" } } end, "torsion (Mz) is free at both ends")

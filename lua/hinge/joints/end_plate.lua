@@ -14,6 +14,7 @@ local rules = {
   beam = { "table" }, column = { "table" }, plate = { "table" }, bolts = { "table" }, welds = { "table" },
   beta = { "number", at_least = 0, at_most = 2, default = 1 }, capacity = { "number", unit = "rad", above = 0,
     optional = true },
+  interaction = { "string", one_of = { "linear", "none" }, default = "linear" },
   gamma_M0 = parts.factor, gamma_M1 = parts.factor, gamma_M2 = parts.factor,
 }
 local member_rules = { section = { "section" }, yield_stress = parts.stress }
@@ -375,5 +376,5 @@ return function(options, ...)
     capacity = g.o.capacity, bolt = g.bolt, alpha = g.alpha }
   numbers.tension, numbers.shear = capacities(g)
   return core.joint { Mx = { points = numbers.points, capacity = g.o.capacity }, tension = numbers.tension,
-    shear = numbers.shear }, numbers
+    shear = numbers.shear, interaction = g.o.interaction }, numbers
 end

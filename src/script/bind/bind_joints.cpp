@@ -85,7 +85,7 @@ JointAxis read_axis(Options& o, const char* field) {
 
 int define_joint(lua_State* L) {
     Options o(L, 1, "hinge.joint");
-    o.expect({"Mx", "My", "Mz", "tension", "shear"});
+    o.expect({"Mx", "My", "Mz", "tension", "shear", "interaction"});
     JointProperties is;
     bool rigid = true;
     for (int k = 0; k < 3; ++k) {
@@ -98,6 +98,11 @@ int define_joint(lua_State* L) {
         throw InputError(
             "hinge.joint: it is rigid and never breaks, like a member's end without a joint; give 'Mx', 'My' or 'Mz' "
             "(such as Mx = 'free'), 'tension' or 'shear' (N)");
+    is.tension_weakens = o.word("interaction", {"none", "linear"}, "none") == "linear";
+    if (is.tension_weakens && !std::isfinite(is.tension))
+        o.complain("interaction", "'linear'", "needs 'tension', N: the force that leaves no moment");
+    if (is.tension_weakens && is.axis[0].curve.empty() && is.axis[1].curve.empty())
+        o.complain("interaction", "'linear'", "needs a strength of 'Mx' or 'My', from which tension takes");
     push<JointBox>(L, std::make_shared<const JointProperties>(is));
     return 1;
 }
