@@ -743,6 +743,44 @@ function joint.base_plate(options) end
 ---@field capacity number rad
 ---@field bolt table as of hinge.end_plate_numbers
 
+---The panel zone of a column, in shear between the flanges of beams: for model:joint, between a node of the columns and
+---one of the beams. Three straight lines, by Krawinkler (1978): V_y = 0.55 f_y d_c t at the distortion V_y / (0.95 d_c
+---t G); up to four times that distortion the column's flanges bend as well, with 0.95 G b_c t_cf^2 / d_b; then the
+---shear stays, or hardens (Gupta and Krawinkler 1999 take 0.03). The moment is that of the beams at the middle of the
+---joint, V d_b / (1 - d_b / H), where a storey height H is given; without it the shear of the column is not taken off.
+---AISC 360, J10-11, has the same form with 0.6 in the place of 0.55. The axial force of the column counts for nothing;
+---beyond 0.75 of its yield force AISC 360 reduces the strength. The distortion is not in the size of the node: members
+---reach its middle.
+---```lua
+---local heb = hinge.section.named "HEB 300"
+---local panel, numbers = hinge.joint.panel_zone { column = { section = heb, yield_stress = 235e6 }, beam_depth = 0.45 }
+---print(panel, numbers.moment, numbers.stiffness) -- N m, N m/rad
+---```
+---@param options hinge.panel_zone_options
+---@return hinge.joint joint its Mx is the panel's moment
+---@return hinge.panel_zone_numbers numbers
+function joint.panel_zone(options) end
+
+---@class hinge.panel_zone_options
+---@field column { section: hinge.section, yield_stress: number } an H; Pa
+---@field beam_depth number m, of the deeper beam
+---@field doubler? number m, thickness of plates on the web; default 0
+---@field storey_height? number m, between the points where columns have no moment; default: far
+---@field hardening? number slope beyond the last point over that of the elastic part; default 0
+---@field capacity? number rad: it breaks at this distortion; default: never
+
+---@class hinge.panel_zone_numbers
+---@field thickness number m
+---@field shear number N, at yield
+---@field distortion number rad, at yield
+---@field flanges number N that the column's flanges add, up to four times that distortion
+---@field full_shear number N, both
+---@field lever_arm number m: moment over shear
+---@field stiffness number N m/rad
+---@field moment number N m, with the flanges
+---@field points number[][] of the curve: rad, N m
+---@field capacity number? rad
+
 ---A frame by the lines of its plan and by its storeys. It makes a node where the lines meet at each level. Column lines
 ---are called A, B, ... along x and 1, 2, ... along y, and level 0 is the base: "B2, storey 1", "B2, base". A node that
 ---the model has at such a place already is used.
@@ -3011,6 +3049,61 @@ function connector:force(run) end
 ---@param run? hinge.run
 ---@return number|false
 function connector:broken(run) end
+
+---Joins node b to node a at the same place: b stays where a is, and moments resist its rotation relative to a. So a
+---panel zone stands between the columns at one node and the beams at another, or a hinge that several members share.
+---The moments are about the axes, which rotate with a. Of the joint the moments and their capacities count; one with
+---`tension` or `shear` is an error. When it breaks, b is free to move. Both nodes need a member. b follows no other
+---node: it is no follower of a rigid link or of a diaphragm; a may be. Rigid axes are springs, as in hinge.joint, of
+---the stiffest member at the two nodes. It does not go with the energy-momentum method.
+---```lua
+---local columns_at, beams_at = model:node { 1, 0, 0 }, model:node { 1, 0, 0 }
+---local post, girder = model:node { 1, 0, -3 }, model:node { 5, 0, 0 }
+---model:fix { post, girder }
+---model:member { post, columns_at, section = square, material = steel }
+---model:member { beams_at, girder, section = square, material = steel }
+---local panel = model:joint { columns_at, beams_at, joint = hinge.joint { Mx = { stiffness = 1e8, strength = 2e5 } },
+---  axes = { x = { 0, 1, 0 }, y = { 0, 0, 1 } } } -- x: across the frame
+---model:static():finish()
+---print(panel:state().Mx, panel:state().rotation_x)
+---```
+---@param options hinge.node_joint_options
+---@return hinge.node_joint
+function model:joint(options) end
+
+---@class hinge.node_joint_options
+---@field [1] hinge.node a
+---@field [2] hinge.node b, at the same place
+---@field joint hinge.joint
+---@field axes? { x: vec3, y: vec3 } default: global; y is made normal to x, z is normal to both
+
+---A joint between two nodes, made by model:joint.
+---@class hinge.node_joint
+local node_joint = {}
+
+---What the joint is where the run stands, or the latest run of the model.
+---```lua
+---local here, there = model:node { 1, 0, 0 }, model:node { 1, 0, 0 }
+---local foot, far = model:node { 1, 0, -3 }, model:node { 5, 0, 0 }
+---model:fix { foot, far }
+---model:member { foot, here, section = square, material = steel }
+---model:member { there, far, section = square, material = steel }
+---local spring = model:joint { here, there, joint = hinge.joint { Mx = { stiffness = 1e6 } } }
+---model:static():finish()
+---print(spring:state().Mx, spring:state().broken)
+---```
+---@param run? hinge.run
+---@return hinge.node_joint_now
+function node_joint:state(run) end
+
+---@class hinge.node_joint_now
+---@field Mx number N m, that the joint puts on a
+---@field My number N m
+---@field Mz number N m
+---@field rotation_x number rad, of b relative to a; of a broken joint, where it broke
+---@field rotation_y number rad
+---@field rotation_z number rad
+---@field broken number|false s
 
 ---Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by its coefficients,
 ---or by ratios of critical damping at two periods, between which there is less and outside of which more. alpha damps

@@ -7,6 +7,7 @@ local joint = {
   fin_plate = require "hinge.joints.fin_plate",
   web_cleats = require "hinge.joints.web_cleats",
   base_plate = require "hinge.joints.base_plate",
+  panel_zone = require "hinge.joints.panel_zone",
 }
 
 return setmetatable(joint, {

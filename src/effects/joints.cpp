@@ -1,4 +1,5 @@
-// Joints of member ends: pins, semi-rigid and partial-strength joints, and joints that break.
+// Joints of member ends, and between two nodes at one place: pins, semi-rigid and partial-strength joints, panel zones,
+// and joints that break.
 //
 // An end with a joint has a node of its own (Structure::end_node) in the place of the script's. Constraints tie its
 // displacement to that of the script's node. A moment resists its rotation relative to that node, about the axes of the
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "core/errors.h"
 #include "core/text.h"
 #include "effects/constrainer.h"
 #include "effects/kinds.h"
@@ -80,6 +82,9 @@ class Joints : public Effect,
 public:
     Joints(Workspace& w, Host& host) : Effect(joints_effect, w, host) {
         for (const Joint& j : declared()) made_.push_back(make(j));
+        for (const bool between_nodes : {true, false})  // an end may follow a node that follows another one
+            for (std::size_t i = 0; i < made_.size(); ++i)
+                if (declared()[i].is_between_nodes() == between_nodes) in_order_.push_back(i);
         if (!w.state.data.find<JointsNow>(joints_effect)) w.state.data.set(joints_effect, JointsNow{});
         list().resize(declared().size());
         now_.resize(declared().size());
@@ -131,12 +136,15 @@ public:
         std::unordered_map<int, std::size_t> follows;
         for (std::size_t i = 0; i < list_of_all.size(); ++i)
             follows[6 * list_of_all[i].dependent.node + list_of_all[i].dependent.component] = i;
-        for (std::size_t i = 0; i < made_.size(); ++i) {
+        for (const std::size_t i : in_order_) {
             if (list()[i].broken) continue;
             for (int c = 0; c < 3; ++c) {
-                LinearConstraint tie{"model:member, ends", {made_[i].end, c}, {{{made_[i].node, c}, 1}}};
+                LinearConstraint tie{declared()[i].is_between_nodes() ? "model:joint" : "model:member, ends",
+                                     {made_[i].end, c},
+                                     {{{made_[i].node, c}, 1}}};
                 if (const auto at = follows.find(6 * made_[i].node + c); at != follows.end())
                     tie.terms = list_of_all[at->second].terms;
+                if (declared()[i].is_between_nodes()) follows[6 * made_[i].end + c] = list_of_all.size();
                 list_of_all.push_back(std::move(tie));
             }
         }
@@ -246,12 +254,34 @@ private:
     bool lost(int node) const { return w_.state.gone[node] && !w_.structure.elements_at(node).empty(); }
 
     Made make(const Joint& j) const {
+        if (j.is_between_nodes()) return between_nodes(j);
         const Structure& s = w_.structure;
         Made m{j.member, j.end, s.model().members()[j.member].node[j.end], s.end_node(j.member, j.end), {}, {}, {}};
         const Element& e = s.elements()[s.elements_at(m.end)[0]];
         const double length = e.length * s.model().members()[j.member].elements;
-        const Vec3 own = Vec3(4 * e.rigidity.EIx, 4 * e.rigidity.EIy, e.rigidity.GJ) / length;
         m.axes = e.axes.toRotationMatrix();
+        find_parts(j, Vec3(4 * e.rigidity.EIx, 4 * e.rigidity.EIy, e.rigidity.GJ) / length, m);
+        return m;
+    }
+    Made between_nodes(const Joint& j) const {
+        const Structure& s = w_.structure;
+        Made m{-1, 0, j.from, j.to, {}, {}, j.axes};
+        double stiffest = 0;
+        for (const int node : {j.from, j.to}) {
+            if (s.elements_at(node).empty())
+                throw InputError("model:joint: " + s.node_name(node) +
+                                 " has no member, so that it has neither stiffness nor mass; join nodes of members");
+            for (const int i : s.elements_at(node)) {
+                const Element& e = s.elements()[i];
+                const double length = e.length * s.model().members()[e.member].elements;
+                stiffest = std::max({stiffest, 4 * e.rigidity.EIx / length, 4 * e.rigidity.EIy / length});
+            }
+        }
+        find_parts(j, Vec3::Constant(stiffest), m);
+        return m;
+    }
+    /// `own`: stiffness of the member about each axis, N m/rad.
+    void find_parts(const Joint& j, const Vec3& own, Made& m) const {
         for (int k = 0; k < 3; ++k) {
             const JointAxis& axis = j.is.axis[k];
             m.parts[k] = parts_of(axis);
@@ -259,7 +289,6 @@ private:
                                  ? axis.stiffness
                                  : (w_.kind.explicit_steps ? rigid_part_explicit : rigid_part) * own[k];
         }
-        return m;
     }
 
     /// A run that goes on from one with another stiffness of rigid axes begins with the moments of that one.
@@ -271,7 +300,7 @@ private:
 
     template <class F>
     void for_each_tied(F f) const {
-        for (std::size_t i = 0; i < made_.size(); ++i)
+        for (const std::size_t i : in_order_)
             if (!list()[i].broken) f(made_[i].node, made_[i].end);
     }
 
@@ -373,6 +402,9 @@ private:
     }
 
     std::string name_of(std::size_t i) const {
+        if (declared()[i].is_between_nodes())
+            return "the joint between nodes " + std::to_string(made_[i].node + 1) + " and " +
+                   std::to_string(made_[i].end + 1);
         return "the joint at end " + std::string(made_[i].side == 0 ? "a" : "b") + " of member " +
                std::to_string(made_[i].member + 1);
     }
@@ -400,6 +432,7 @@ private:
     }
 
     std::vector<Made> made_;
+    std::vector<std::size_t> in_order_;  ///< joints between nodes first
     std::vector<Now> now_;
     double at_start_ = 0;  ///< J
     bool lost_any_ = false;
@@ -407,7 +440,7 @@ private:
 
 std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<Joint>(joints_effect).size();
-    return {{joints_effect, n > 0, n == 0 ? "not declared" : count_text(long(n), "member end"),
+    return {{joints_effect, n > 0, n == 0 ? "not declared" : count_text(long(n), "joint"),
              s.model().asked_at(joints_effect)}};
 }
 
@@ -425,7 +458,13 @@ EffectKind joints_kind() {
                     return nullptr;
                 }
                 return std::make_unique<Joints>(w, host);
-            }};
+            },
+            .declarer = {.links = [](const Model& model) {
+                std::vector<NodeLink> list;
+                for (const Joint& j : model.declared<Joint>(joints_effect))
+                    if (j.is_between_nodes()) list.push_back({j.from, j.to});
+                return list;
+            }}};
 }
 
 }  // namespace hinge

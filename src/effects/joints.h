@@ -1,4 +1,4 @@
-// Joints of member ends, as a script declares them, and what a run keeps of them.
+// Joints of member ends, and between two nodes at one place, as a script declares them, and what a run keeps of them.
 #pragma once
 
 #include <array>
@@ -48,14 +48,18 @@ struct JointProperties {
     }
 };
 
-/// A joint at an end (0, 1) of a member.
+/// A joint at an end (0, 1) of a member, or between two nodes at one place (model:joint): then `to` stays at `from`,
+/// and the axes are those of `from`.
 struct Joint {
-    int member, end;
+    int member, end;  ///< member -1: between nodes
     JointProperties is;
+    int from = -1, to = -1;
+    Mat3 axes = Mat3::Identity();  ///< columns x y z, of a joint between nodes
 
+    bool is_between_nodes() const { return member < 0; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.member, s.end, s.is);
+        a(s.member, s.end, s.is, s.from, s.to, s.axes);
     }
 };
 

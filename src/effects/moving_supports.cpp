@@ -154,7 +154,7 @@ public:
     void restore(Reader& from) override { fields(*this, from); }
 
 private:
-    /// A member's end that a joint joins to the support.
+    /// A member's end, or a node, that a joint joins to the support.
     struct JoinedEnd {
         std::size_t joint;
         int node;
@@ -183,9 +183,11 @@ private:
         const Model& model = w_.structure.model();
         const auto& joints = model.declared<Joint>(joints_effect);
         std::vector<JoinedEnd> list;
-        for (std::size_t i = 0; i < joints.size(); ++i)
-            if (model.members()[joints[i].member].node[joints[i].end] == node)
-                list.push_back({i, w_.structure.end_node(joints[i].member, joints[i].end)});
+        for (std::size_t i = 0; i < joints.size(); ++i) {
+            const Joint& j = joints[i];
+            const int from = j.is_between_nodes() ? j.from : model.members()[j.member].node[j.end];
+            if (from == node) list.push_back({i, j.is_between_nodes() ? j.to : w_.structure.end_node(j.member, j.end)});
+        }
         return list;
     }
     bool is_whole(const JoinedEnd& end) const {

@@ -1,5 +1,5 @@
--- hinge.joint.end_plate, fin_plate, web_cleats and base_plate: published examples, hand calculations of EN 1993-1-8,
--- the joint in a run; wrong input is refused.
+-- hinge.joint.end_plate, fin_plate, web_cleats, base_plate and panel_zone: published examples, hand calculations, the
+-- joint in a run; wrong input is refused.
 --
 -- Run: lua5.4 tests/script/joint_components_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -299,6 +299,28 @@ case("base plate: bearing of Wald's example, and equilibrium by hand", function(
   expect(not good and support.has(failure, "field 'axial' is 900000 N; must be below"), "%s", failure)
 end)
 
+case("panel zone: the lines of Krawinkler, by hand", function()
+  -- HEB 300 of 235 MPa, a beam 450 mm deep, with a doubler plate of 8 mm and without: mm, N, MPa
+  for _, doubler in ipairs { 0, 8 } do
+    local _, n = hinge.joint.panel_zone { column = { section = hinge.section.named "HEB 300", yield_stress = 235e6 },
+      beam_depth = 0.45, doubler = doubler * mm }
+    local t, G = 11 + doubler, 210e3 / 2.6
+    local V, Ke = 0.55 * 235 * 300 * t, 0.95 * 300 * t * G
+    near(n.shear, V, 1e-6 * V, "shear at yield")
+    near(n.distortion, V / Ke, 1e-9, "distortion at yield")
+    near(n.stiffness, Ke * 0.45, 1e-6 * Ke, "stiffness")
+    -- the form of AISC 360-16, J10-11, with 0.55 in the place of 0.6
+    local full = 0.55 * 235 * 300 * t * (1 + 3 * 300 * 19 ^ 2 / (450 * 300 * t))
+    near(n.full_shear, full, 1e-6 * full, "shear at four times the distortion")
+    near(n.points[2][2], 0.45 * full, 1e-6 * full, "moment there")
+    near(n.points[2][1], 4 * V / Ke, 1e-9, "rotation there")
+  end
+  local _, n = hinge.joint.panel_zone { column = { section = hinge.section.named "HEB 300", yield_stress = 235e6 },
+    beam_depth = 0.45, storey_height = 3.6, hardening = 0.03 }
+  near(n.lever_arm, 0.45 / (1 - 0.125), 1e-12, "lever arm, less the shear of the column")
+  near((n.points[3][2] - n.points[2][2]) / (n.points[3][1] - n.points[2][1]), 0.03 * n.stiffness, 1, "hardening")
+end)
+
 case("the joint in a run", function()
   local options = with(flush, { capacity = 0.08 })
   local joint, n = hinge.joint.end_plate(options)
@@ -346,6 +368,11 @@ case("wrong input is refused", function()
   refused(pin, fin, { bolts = { lines = 3 } }, "field 'lines' is 3; must be a whole number")
   refused(pin, fin, { plate = { edge = 0.02 } }, "must be 0.0264 m or more: 1.2 hole diameters")
   refused(pin, fin, { beam = { top = 0.06 } }, "the plate would be in a flange or a fillet")
+  local panel = { column = { section = hinge.section.named "HEB 300", yield_stress = 235e6 }, beam_depth = 0.45 }
+  refused(hinge.joint.panel_zone, panel, { storey_height = 0.4 }, "must be more than the depth of the beam, 0.45 m")
+  refused(hinge.joint.panel_zone, panel, { doubler = -1 }, "field 'doubler' is -1 m")
+  refused(hinge.joint.panel_zone, panel, { column = { section = hinge.section.solid { width = 1, depth = 1 } } },
+    "must be an H")
   local angles = hinge.joint.web_cleats
   refused(angles, cleats, { cleats = { column_edge = 0.02 } }, "'column_edge' is 0.02 m; must be 0.0264 m or more")
   refused(angles, cleats, { cleats = { column_gauge = 0.06 } }, "'column_gauge' is 0.06 m; must be 0.071 m or more")

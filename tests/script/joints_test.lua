@@ -395,6 +395,123 @@ case("a run with joints at feet that move goes on from a checkpoint", function()
   for _, of in ipairs { "work", "kinetic", "joint_dissipated" } do equal(second.energy[of], whole.energy[of], of) end
 end)
 
+-- A cross of half storeys and half spans with a node for the beams where they meet the columns, if there is a joint:
+-- pinned at the foot, on rollers at the ends of the beams. F at the head; what the run is.
+local cross_height, cross_span = 3.5, 6
+local function cross(joint, F, options)
+  local model = hinge.model { displacement = options.displacement or "small", elements_per_member = options.elements }
+  local H, L = cross_height, cross_span
+  local foot, middle, head = model:node { 0, 0, 0 }, model:node { 0, 0, H / 2 }, model:node { 0, 0, H }
+  local left, right = model:node { -L / 2, 0, H / 2 }, model:node { L / 2, 0, H / 2 }
+  local beams_at = joint and model:node { 0, 0, H / 2 } or middle
+  model:fix(foot, "x,y,z,rx,rz")
+  model:fix({ left, right }, "y,z,rx,rz")
+  model:fix(head, "y,rx,rz")
+  local post, girder = hinge.section.named "HEB 300", hinge.section.named "IPE 450"
+  for _, ends in ipairs { { foot, middle }, { middle, head } } do
+    model:member { ends[1], ends[2], section = post, material = steel, up = { 1, 0, 0 } }
+  end
+  local left_beam = model:member { left, beams_at, section = girder, material = steel, ends = options.ends }
+  model:member { beams_at, right, section = girder, material = steel }
+  local panel = joint and model:joint { middle, beams_at, joint = joint, axes = { x = { 0, 1, 0 }, y = { 0, 0, 1 } } }
+  if options.dynamic then
+    model:mass { node = head, mass = 20e3 }
+    model:velocity(head, { F, 0, 0 })
+    return model:dynamic { dt = options.dt or 2e-4, duration = options.dynamic, integrator = options.integrator }, head,
+      panel, left_beam, beams_at, middle
+  end
+  model:load { node = head, force = { F, 0, 0 } }
+  return model:static { steps = options.steps }:finish(), head, panel, left_beam
+end
+
+case("a joint between nodes: the drift of a cross grows by F H / K", function()
+  for _, displacement in ipairs { "small", "large" } do
+    for _, elements in ipairs { 2, 4 } do
+      local F, K, H = displacement == "small" and 30e3 or 300, 1e8, cross_height
+      local options = { displacement = displacement, elements = elements }
+      local _, head = cross(nil, F, options)
+      local rigid = head:displacement()
+      local run, other, panel = cross(hinge.joint { Mx = { stiffness = K } }, F, options)
+      local what = ("%s, %d elements: "):format(displacement, elements)
+      near(other:displacement() - rigid, F * H ^ 2 / K, 1e-4 * F * H ^ 2 / K, what .. "drift by the joint")
+      local now = panel:state(run)
+      near(math.abs(now.Mx), F * H, 1e-4 * F * H, what .. "its moment")
+      near(math.abs(now.rotation_x), F * H / K, 1e-4 * F * H / K, what .. "its rotation")
+      equal(now.broken, false, what .. "broken")
+      expect(now.shear == nil, "a joint between nodes tells of a shear force")
+    end
+  end
+  equal(tostring(select(3, cross(hinge.joint { Mx = { stiffness = 1e8 } }, 1, {}))),
+    "the joint between nodes 2 and 6", "text")
+end)
+
+case("a joint between nodes that is plastic, and one that breaks: the energy closes", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local joint = hinge.joint { Mx = { points = { { 1.7e-3, 190e3 }, { 6.8e-3, 230e3 } } } }
+    local run, _, panel = cross(joint, 3, { dynamic = 0.2, integrator = integrator,
+      dt = integrator == "explicit" and "auto" or nil, displacement = "large" })
+    run:finish()
+    equal(run.verdict, "completed", integrator .. ": run")
+    expect(run.energy.joint_dissipated > 1e4, "plastic work of %g J", run.energy.joint_dissipated)
+    near(run.energy_error, 0, 1e-3, integrator .. ": energy error")
+    expect(not panel:state().broken, "it broke")
+    local breaks = hinge.joint { Mx = { points = { { 1.7e-3, 190e3 }, { 6.8e-3, 230e3 } }, capacity = 0.02 } }
+    local beams_at, middle
+    run, _, panel, _, beams_at, middle = cross(breaks, 3, { dynamic = 0.2, integrator = integrator,
+      dt = integrator == "explicit" and "auto" or nil, displacement = "large" })
+    run:finish()
+    local at = panel:state().broken
+    expect(at and at > 0.01 and at < 0.1, "it broke at %s s", at)
+    near(panel:state().Mx, 0, 0, "its moment then")
+    local apart = math.abs((beams_at:displacement(run)) - middle:displacement(run))
+    expect(apart > 0.01, "the beams stay at the column: %g m", apart)
+    near(run.energy_error, 0, 1e-3, integrator .. ": energy error of the break")
+  end
+end)
+
+case("a member's joint at a node that a joint joins", function()
+  -- both in a row: the flexibilities of this side add up
+  local F, K, H = 20e3, 1e8, cross_height
+  local _, head = cross(nil, F, {})
+  local rigid = head:displacement()
+  local both, moved, panel, pinned = cross(hinge.joint { Mx = { stiffness = K } }, F,
+    { ends = { b = hinge.joint { Mx = "free" } } })
+  near(pinned:joint("b", both).Mx, 0, 1, "moment at the pin")
+  near(math.abs(panel:state(both).Mx), F * H, 1e-4 * F * H, "moment of the panel")
+  expect(moved:displacement() > 1.3 * rigid + F * H ^ 2 / K, "drift with a pin")
+  near(pinned:joint("b", both).shear, 0, 1, "shear force of the pinned beam, without load")
+end)
+
+case("a joint between nodes at a foot that moves: as the joint of a member there", function()
+  local function column(node_joint)
+    local model = hinge.model { displacement = "small" }
+    local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+    local joint = hinge.joint { Mx = { stiffness = 3e6 }, My = { stiffness = 2e6 } }
+    local axes = { x = { 0, 1, 0 }, y = { -1, 0, 0 } }
+    model:fix(foot)
+    local stump = model:node { 0, 0, -0.5 } -- of the same column, below the foot
+    model:fix(stump)
+    model:member { stump, foot, section = square, material = steel }
+    local from = foot
+    if node_joint then
+      from = model:node { 0, 0, 0 }
+      model:joint { foot, from, joint = joint, axes = axes }
+    end
+    model:member { from, head, section = square, material = steel, up = { 1, 0, 0 },
+      ends = not node_joint and { a = joint } or nil }
+    model:mass { node = head, mass = 100 }
+    model:move { node = { foot, stump }, x = function(t) return 0.01 * math.sin(20 * t) end }
+    local run = model:dynamic { dt = 1e-3, duration = 0.5 }:finish()
+    return head:displacement(run), run, (foot:reaction(run))
+  end
+  local by_end, run, held = column(false)
+  local by_node, other, pushed = column(true)
+  near(by_node, by_end, 2e-4 * math.abs(by_end), "displacement of the head")
+  near(other.energy_error, 0, 1e-6, "energy error")
+  near(other.energy.work, run.energy.work, 1e-3 * math.abs(run.energy.work), "work of the support")
+  near(pushed, held, 1e-3 * math.abs(held), "reaction")
+end)
+
 case("a member tells of its joints, and copies of a grid have them", function()
   local plan = hinge.grid { model = hinge.model(), x = { 0, 4 }, z = { 0, 3 } }
   plan:defaults { section = square, material = steel, group = "beams", release = { a = "Mx", b = "Mx" } }
@@ -459,6 +576,22 @@ case("wrong input is refused", function()
   refused(function() hinge.joint { Mx = { stiffness = 1 }, tension = 1, interaction = "linear" } end,
     "needs a strength")
   refused(function() hinge.joint { Mx = { stiffness = 1 }, interaction = "square" } end, "'none', 'linear'")
+  local free = hinge.joint { Mx = "free" }
+  refused(function() model:joint { a, b, joint = free } end, "the nodes are 1 m apart; a joint has no length")
+  refused(function() model:joint { a, a, joint = free } end, "both nodes are node 1")
+  local here, there = model:node { 0, 0, 0 }, model:node { 0, 0, 0 }
+  refused(function() model:joint { a, here, joint = hinge.joint { shear = 1 } } end, "only moments count")
+  refused(function() model:joint { a, here, joint = 3 } end, "must be a joint made by hinge.joint")
+  refused(function() model:joint { a, here, joint = free, axes = { x = { 1, 0, 0 }, y = { 2, 0, 0 } } } end,
+    "not along one line")
+  model:joint { a, here, joint = free }
+  refused(function() model:joint { here, there, joint = free } end, "join node 4 to node 1 as well")
+  refused(function() model:joint { there, here, joint = free } end, "a node is joined to one other node")
+  model:fix(a)
+  member {}
+  refused(function() model:static() end, "node 3 at {0, 0, 0} m has no member")
+  model = hinge.model()
+  a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   refused(function() member { release = { a = "N" } } end, "must be 'Mx', 'My' or 'Mz'")
   refused(function() member { release = "Mx" } end, "must be { a = ")
   refused(function() member { release = { a = "Mz", b = "Mz" } } end, "torsion (Mz) is free at both ends")

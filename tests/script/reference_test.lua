@@ -90,6 +90,11 @@ local function scene()
   s.load = s.model:load { node = s.tip, force = { 0, 0, -1 } }
   s.case = s.model:case "live"
   s.connector = s.model:connector { s.tip, ground = true, stiffness = { x = 1 } }
+  local post, here, there = s.model:node { 0, 0, 5 }, s.model:node { 1, 0, 5 }, s.model:node { 1, 0, 5 }
+  s.model:fix(post)
+  s.model:member { post, here, section = s.bar, material = s.steel }
+  s.model:member { there, s.model:node { 2, 0, 5 }, section = s.bar, material = s.steel }
+  s.node_joint = s.model:joint { here, there, joint = hinge.joint { Mx = { stiffness = 1e6 } } }
   s.model:damping { alpha = 1 }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3, loads = {} }
   s.probe = s.run:probe { node = s.tip, "uz" }
@@ -113,7 +118,7 @@ local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hin
   ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
-  ["hinge.connector"] = s.connector, ["hinge.grid"] = s.grid }
+  ["hinge.connector"] = s.connector, ["hinge.node_joint"] = s.node_joint, ["hinge.grid"] = s.grid }
 
 case("every object has the fields and methods that its declared type names", function()
   -- A value has the fields that its declared type names; { ... }[] and lists of a class are
@@ -208,6 +213,10 @@ local calls = {
   ["hinge.joint.end_plate"] = function(x) hinge.joint.end_plate(x) end,
   ["hinge.joint.fin_plate"] = function(x) hinge.joint.fin_plate(x) end,
   ["hinge.joint.web_cleats"] = function(x) hinge.joint.web_cleats(x) end,
+  ["hinge.joint.panel_zone"] = function(x) hinge.joint.panel_zone(x) end,
+  ["model:joint"] = function(x) s.model:joint(with({ s.wall, s.tip }, x)) end,
+  ["model:joint.axes"] = function(x) s.model:joint { s.wall, s.model:node { s.wall.x, s.wall.y, s.wall.z },
+    joint = s.joint, axes = x } end,
   ["hinge.joint.base_plate"] = function(x) hinge.joint.base_plate(x) end,
   ["hinge.benchmark"] = function(x) hinge.benchmark(x) end,
   ["benchmark:row"] = function(x) s.benchmark:row(with({ "sag" }, x)) end,

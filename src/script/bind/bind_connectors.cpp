@@ -111,28 +111,6 @@ ConnectorLaw law_of(const LuaFunction& f, int k, int number) {
     };
 }
 
-void read_axes(Options& o, Connector& c) {
-    lua_State* L = o.L();
-    const int type = o.push_field("axes");
-    if (type == LUA_TTABLE) {
-        Options axes(L, lua_gettop(L), "model:connector: field 'axes'");
-        axes.expect({"x", "y"});
-        const Vec3 x = axes.triple("x", "").value_or(Vec3(Vec3::Zero())),
-                   y = axes.triple("y", "").value_or(Vec3(Vec3::Zero()));
-        const Vec3 z = x.cross(y);
-        if (!(z.norm() > 1e-6 * x.norm() * y.norm()))
-            throw InputError(
-                "model:connector: field 'axes': x and y must both be given, and not along one line: x is kept, y is "
-                "taken square to it, and z is square to both");
-        c.axes.col(0) = x.normalized();
-        c.axes.col(2) = z.normalized();
-        c.axes.col(1) = c.axes.col(2).cross(c.axes.col(0));
-    } else if (type != LUA_TNIL) {
-        o.complain("axes", show(L, -1), "must be { x = {x, y, z}, y = {x, y, z} }");
-    }
-    lua_pop(L, 1);
-}
-
 /// The connector as it is in a run, null where the run was made before it was declared; and its declaration.
 struct AskedConnector {
     std::shared_ptr<RunRecord> record;
@@ -215,7 +193,7 @@ int add_connector(lua_State* L) {
     if (c.a == c.b)
         throw InputError("model:connector: both nodes are node " + std::to_string(c.b + 1) +
                          "; give two, or one and ground = true");
-    read_axes(o, c);
+    c.axes = o.axes("axes");
     const auto unit = [](int k, const char* straight, const char* turning) { return k < 3 ? straight : turning; };
     each_direction(o, "stiffness", "stiffnesses (N/m, N m/rad)", [&](int k, Options& in) {
         c.stiffness[k] = in.number(directions[k], unit(k, "N/m", "N m/rad"), Range::not_negative);

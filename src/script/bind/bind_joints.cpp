@@ -1,4 +1,4 @@
-// hinge.joint, the fields `ends` and `release` of model:member, and member:joint.
+// hinge.joint, the fields `ends` and `release` of model:member, member:joint, and model:joint.
 #include "script/bind/bind_joints.h"
 
 #include <cmath>
@@ -15,6 +15,12 @@ constexpr const char* end_fields[] = {"a", "b"};
 struct JointBox {
     static constexpr const char* lua_name = "hinge.joint";
     std::shared_ptr<const JointProperties> value;
+};
+
+struct NodeJointBox {
+    static constexpr const char* lua_name = "hinge.node_joint";
+    std::shared_ptr<ScriptModel> model;
+    int index;  ///< among all joints of the model
 };
 
 /// Field `points`: rotation (rad) and moment (N m) of a curve from { 0, 0 } on.
@@ -206,25 +212,124 @@ void push_joints_of(lua_State* L, const Model& m, int member) {
     }
 }
 
+namespace {
+
+void push_joint_now(lua_State* L, const JointNow& j, bool of_member) {
+    const auto number = [L](const char* name, double x) { lua_pushnumber(L, x), lua_setfield(L, -2, name); };
+    lua_createtable(L, 0, 9);
+    for (int k = 0; k < 3; ++k) {
+        number(axis_fields[k], j.broken ? 0 : j.moment[k]);
+        number(std::array{"rotation_x", "rotation_y", "rotation_z"}[std::size_t(k)], j.rotation[k]);
+    }
+    if (of_member) {
+        number("tension", j.broken ? 0 : j.tension);
+        number("shear", j.broken ? 0 : j.shear);
+    }
+    if (j.broken) number("broken", j.broken_at);
+    else lua_pushboolean(L, 0), lua_setfield(L, -2, "broken");
+}
+
+}  // namespace
+
 void push_joint(lua_State* L, const Run& run, int member, int end) {
     const auto& declared = run.structure().model().declared<Joint>(joints_effect);
     const auto* all = run.state().data.find<JointsNow>(joints_effect);
-    for (std::size_t i = 0; all && i < declared.size(); ++i) {
-        if (declared[i].member != member || declared[i].end != end) continue;
-        const JointNow& j = all->list[i];
-        const auto number = [L](const char* name, double x) { lua_pushnumber(L, x), lua_setfield(L, -2, name); };
-        lua_createtable(L, 0, 9);
-        for (int k = 0; k < 3; ++k) {
-            number(axis_fields[k], j.broken ? 0 : j.moment[k]);
-            number(std::array{"rotation_x", "rotation_y", "rotation_z"}[std::size_t(k)], j.rotation[k]);
-        }
-        number("tension", j.broken ? 0 : j.tension);
-        number("shear", j.broken ? 0 : j.shear);
-        if (j.broken) number("broken", j.broken_at);
-        else lua_pushboolean(L, 0), lua_setfield(L, -2, "broken");
-        return;
-    }
+    for (std::size_t i = 0; all && i < declared.size(); ++i)
+        if (declared[i].member == member && declared[i].end == end) return push_joint_now(L, all->list[i], true);
     lua_pushnil(L);
+}
+
+// ---- joints between nodes -------------------------------------------------------------------------------------------
+
+namespace {
+
+std::string name_of(const NodeJointBox& box) {
+    const Joint& j = box.model->declared<Joint>(joints_effect)[box.index];
+    return "the joint between nodes " + std::to_string(j.from + 1) + " and " + std::to_string(j.to + 1);
+}
+
+int state_of_node_joint(lua_State* L) {
+    const auto& box = self<NodeJointBox>(L, "node_joint:state");
+    const auto record = lua_isnoneornil(L, 2) ? latest_run(L, *box.model)
+                                              : run_argument(L, 2, "node_joint:state: run", box.model.get());
+    if (!record)
+        throw InputError(
+            "node_joint:state: no run has been made of this model yet; make one with model:static{} or "
+            "model:dynamic{}");
+    const auto* all = record->run->state().data.find<JointsNow>(joints_effect);
+    if (!all || box.index >= int(all->list.size()))
+        throw InputError("node_joint:state: the run made at " + record->asked_at + " does without " + name_of(box) +
+                         ": it was made before the joint was declared");
+    push_joint_now(L, all->list[box.index], false);
+    return 1;
+}
+int fields_of_node_joint(lua_State* L) {
+    if (push_method(L)) return 1;
+    const std::string key = key_argument(L);
+    self<NodeJointBox>(L, "node_joint." + key);
+    refuse_field(L, "node_joint", key);
+}
+int text_of_node_joint(lua_State* L) {
+    const auto& box = self_or_gone<NodeJointBox>(L, "tostring");
+    lua_pushstring(L, (name_of(box) + gone(box)).c_str());
+    return 1;
+}
+
+/// A node stays at one other node, and no further one at it.
+void refuse_chain(const Model& m, int from, int to) {
+    const auto name = [](int node) { return "node " + std::to_string(node + 1); };
+    for (const Joint& j : m.declared<Joint>(joints_effect)) {
+        if (!j.is_between_nodes()) continue;
+        const std::string there = "model:joint: a joint joins " + name(j.to) + " to " + name(j.from) + " already";
+        if (j.to == to) throw InputError(there + "; a node is joined to one other node");
+        if (j.to == from) throw InputError(there + "; join " + name(to) + " to " + name(j.from) + " as well");
+        if (j.from == to) throw InputError(there + "; join " + name(j.to) + " to " + name(from) + " as well");
+    }
+}
+
+}  // namespace
+
+int add_joint(lua_State* L) {
+    auto& m = self<ModelBox>(L, "model:joint").value;
+    Options o(L, 2, "model:joint");
+    o.expect({"joint", "axes"}, 2);
+    Joint j{-1, 0, {}};
+    int* nodes[2] = {&j.from, &j.to};
+    for (int i : {0, 1}) {
+        o.push_item(i + 1);
+        *nodes[i] = node_argument(L, -1, "model:joint: node " + std::to_string(i + 1), m.get()).index;
+        lua_pop(L, 1);
+    }
+    if (j.from == j.to)
+        throw InputError("model:joint: both nodes are node " + std::to_string(j.to + 1) + "; it joins two nodes");
+    const Vec3 apart = m->nodes()[j.to].position - m->nodes()[j.from].position;
+    if (!(apart.norm() <= 1e-9 * (1 + m->nodes()[j.to].position.norm())))
+        throw InputError("model:joint: the nodes are " + show(apart.norm()) +
+                         " m apart; a joint has no length: declare both at one place, or join them by model:rigid_link "
+                         "or model:connector");
+    refuse_chain(*m, j.from, j.to);
+    o.push_field("joint");
+    const auto* box = find<JointBox>(L, -1);
+    if (!box) o.complain("joint", show(L, -1), "must be a joint made by hinge.joint{ ... }");
+    j.is = *box->value;
+    lua_pop(L, 1);
+    if (std::isfinite(j.is.tension) || std::isfinite(j.is.shear))
+        o.complain("joint", "one with 'tension' or 'shear'",
+                   "of a joint between nodes only moments count: give it rotations at which it breaks, 'capacity'");
+    j.axes = o.axes("axes");
+    m->declare(joints_effect, j);
+    m->ask(joints_effect, where(L));
+    const bool there = luaL_getmetatable(L, NodeJointBox::lua_name) != LUA_TNIL;
+    lua_pop(L, 1);
+    if (!there) {
+        static const luaL_Reg methods[] = {{"state", guarded<takes<"node_joint:state", 2, state_of_node_joint>>},
+                                           {nullptr, nullptr}};
+        make_metatable(L, NodeJointBox::lua_name, methods, guarded<fields_of_node_joint>, collect<NodeJointBox>,
+                       guarded<text_of_node_joint>, nullptr);
+    }
+    push<NodeJointBox>(L, m, int(m->declared<Joint>(joints_effect).size()) - 1);
+    hold_registry(L, *m);
+    return 1;
 }
 
 void open_joints(lua_State* L, int module) {

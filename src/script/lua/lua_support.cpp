@@ -345,6 +345,30 @@ std::optional<Vec3> Options::triple(const char* field, const char* unit) {
     return v;
 }
 
+Mat3 Options::axes(const char* field) {
+    Mat3 axes = Mat3::Identity();
+    const int type = push_field(field);
+    if (type == LUA_TTABLE) {
+        const std::string what = function_ + ": field '" + field + "'";
+        Options given(L_, lua_gettop(L_), what);
+        given.expect({"x", "y"});
+        const Vec3 x = given.triple("x", "").value_or(Vec3(Vec3::Zero())),
+                   y = given.triple("y", "").value_or(Vec3(Vec3::Zero()));
+        const Vec3 z = x.cross(y);
+        if (!(z.norm() > 1e-6 * x.norm() * y.norm()))
+            throw InputError(what +
+                             ": x and y must both be given, and not along one line: x is kept, y is taken square to "
+                             "it, and z is square to both");
+        axes.col(0) = x.normalized();
+        axes.col(2) = z.normalized();
+        axes.col(1) = axes.col(2).cross(axes.col(0));
+    } else if (type != LUA_TNIL) {
+        complain(field, show(L_, -1), "must be { x = {x, y, z}, y = {x, y, z} }");
+    }
+    lua_pop(L_, 1);
+    return axes;
+}
+
 std::optional<std::string> Options::text(const char* field) {
     const int type = push_field(field);
     const std::string shown = show(L_, -1);

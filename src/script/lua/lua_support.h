@@ -142,6 +142,8 @@ public:
     std::optional<std::string> text(const char* field);
     /// One of the given words.
     std::string word(const char* field, const std::vector<std::string>& allowed, const std::string& fallback);
+    /// { x = {x, y, z}, y = {x, y, z} }: unit vectors, x as given, y made square to it. Columns x y z; absent: global.
+    Mat3 axes(const char* field);
     bool has(const char* field);
     /// Pushes the field's raw value (nil if absent) and counts it as known.
     int push_field(const char* field);
