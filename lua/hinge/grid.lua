@@ -7,8 +7,8 @@ Grid.__index = Grid
 Grid.__name = "hinge.grid"
 
 -- What model:member takes beside its nodes.
-local member_options = { "section", "material", "up", "group", "elements", "backbone", "carries", "ends",
-  "release" }
+local member_options = { "section", "material", "up", "group", "elements", "backbone", "law", "carries",
+  "ends", "release" }
 local of_member = {}
 for _, name in ipairs(member_options) do of_member[name] = true end
 

@@ -865,6 +865,7 @@ function grid:defaults(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[]
 ---@field elements? integer|"auto"
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
@@ -886,6 +887,7 @@ function grid:columns(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[]
 ---@field elements? integer|"auto"
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
@@ -909,6 +911,7 @@ function grid:beams(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[]
 ---@field elements? integer|"auto"
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
@@ -933,6 +936,7 @@ function grid:braces(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[]
 ---@field elements? integer|"auto"
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
@@ -966,6 +970,7 @@ function grid:copy(options) end
 ---@field group? string|hinge.group|(string|hinge.group)[]
 ---@field elements? integer|"auto"
 ---@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---@field law? hinge.section_law|fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
@@ -2224,6 +2229,7 @@ function node:position(run) end
 ---@field section hinge.section
 ---@field material hinge.material
 ---@field backbone hinge.backbone|string? nil: none; "a function"
+---@field law string? nil: none; "a function"
 ---@field up vec3 direction of the section's y axis, as given
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
 ---@field carries "both"|"tension"|"compression" as given
@@ -2481,6 +2487,29 @@ function model:member(options) end
 ---moments that an end does not pass on: "Mx", "My" (bending about the section's axes) or "Mz" (torsion), or a list of
 ---them. A short form of ends with hinge.joint { Mx = "free" }. Mz can be free at one end alone
 ---@field release? { a?: string|string[], b?: string|string[] }
+
+---Members through several nodes, one after the other, with the options of model:member. Where one of them is refused,
+---none is added.
+---```lua
+---local mid = model:node { 0.5, 0, 0 }
+---model:line { wall, mid, tip, section = square, material = steel, group = "arm" }
+---```
+---@param options hinge.grid_members with two nodes or more
+---@return hinge.member[]
+function model:line(options) end
+
+---What members have that do not say otherwise: any options of model:member but the nodes. With `group`, for members of
+---which that is the first group; without it, for all members. An option of the member itself counts first, then that of
+---its group, then that of all. It holds for members that are made after it, by model:member, model:line and hinge.grid.
+---A later call for the same group takes the place of the former one.
+---```lua
+---model:defaults { section = square, material = steel }
+---model:defaults { group = "columns", section = hinge.section.named "HEB 200", elements = 4 }
+---local post = model:member { wall, model:node { 0, 0, 3 }, group = "columns" }
+---print(post.section.kind, post.elements) -- HEB 200, 4
+---```
+---@param options hinge.grid_members
+function model:defaults(options) end
 
 ---@class hinge.section_law
 ---@field variables? integer history variables of each section that can yield, 0 (default) to 32; they are 0 at first

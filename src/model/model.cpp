@@ -46,8 +46,7 @@ const char* carries_word(Carries carries) {
     return carries == Carries::both ? "both" : carries == Carries::tension ? "tension" : "compression";
 }
 
-int Model::add_member(MemberData m) {
-    check_open();
+void Model::check_member(const MemberData& m) const {
     if (m.node[0] == m.node[1])
         throw InputError("member joins node " + std::to_string(m.node[0] + 1) +
                          " to itself; its two nodes must differ");
@@ -92,6 +91,11 @@ int Model::add_member(MemberData m) {
         throw InputError(std::string("carries is '") + carries_word(m.carries) + "', and a " +
                          (m.law ? "law" : "backbone") +
                          " is given; such a member has no hinges at its ends: leave one of the two out");
+}
+
+int Model::add_member(MemberData m) {
+    check_open();
+    check_member(m);
     members_.push_back(std::move(m));
     return int(members_.size()) - 1;
 }

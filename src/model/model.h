@@ -190,6 +190,8 @@ public:
     int add_node(const Vec3& position);
     void fix(int node, std::uint8_t mask);
     int add_member(MemberData member);
+    /// Throws InputError where add_member would.
+    void check_member(const MemberData& member) const;
     void set_member_groups(int member, std::vector<int> groups);
     /// Imperfections: moves the declared place of a node, m, and adds to what the nodes inside a member stand off its
     /// line.

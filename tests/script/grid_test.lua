@@ -81,6 +81,53 @@ case("a frame by the grid is the frame by hand", function()
   end
 end)
 
+case("model:defaults and model:line: as grid:defaults and grid:line, without a grid", function()
+  local model = hinge.model()
+  local joint = hinge.joint { Mx = "free" }
+  model:defaults { material = steel, section = beam }
+  model:defaults { group = "posts", section = column, elements = 4, release = { a = "Mx" } }
+  local n = {}
+  for i = 1, 4 do n[i] = model:node { 3 * i, 0, i % 2 } end
+  local posts = model:line { n[1], n[2], n[3], group = { "posts", "all" } }
+  equal(#posts, 2, "members of a line")
+  equal(posts[2].b.index, 3, "its last node")
+  equal(posts[1].section, column, "section of the group")
+  equal(posts[1].material, steel, "material of all")
+  equal(posts[1].elements, 4, "elements of the group")
+  equal(tostring(posts[1].ends.a), tostring(joint), "release of the group")
+  equal(#posts[1]:groups(), 2, "groups")
+  local other = model:member { n[3], n[4], group = "posts", section = beam, ends = { b = joint } }
+  equal(other.section, beam, "its own section goes before")
+  equal(other.ends.a, nil, "its own joints go before the release of the group")
+  equal(model:member({ n[1], n[4] }).section, beam, "section of all")
+  model:defaults { section = column }
+  local refused, failure = pcall(model.member, model, { n[2], n[4] })
+  equal(refused, false, "defaults that were replaced")
+  expect(support.has(failure, "field 'material' is missing"), "%s", failure)
+  -- a grid of the same model takes what is left out from its own defaults, then from the model's
+  model:defaults { section = column, material = steel }
+  local grid = hinge.grid { model = model, x = { 0, 5 }, y = { 9 }, z = { 0, 3 } }
+  grid:defaults { elements = 8 }
+  local made = grid:columns({})[1]
+  equal(made.section, column, "section of the model's defaults")
+  equal(made.elements, 8, "elements of the grid's")
+  local members, groups = #model:members(), #model:groups()
+  for _, wrong in ipairs {
+    { function() model:line { n[1] } end, "1 node is given; it needs two or more" },
+    { function() model:line { n[1], n[2], n[2], group = "new" } end, "joins node 2 to itself" },
+    { function() model:line { n[1], n[2], "n" } end, "node [3] is 'n'" },
+    { function() model:line { n[1], n[2], n[3], up = { 3, 0, 1 } } end, "parallel to the member" },
+    { function() model:defaults { thickness = 1 } end, "unknown field" },
+    { function() model:defaults { group = 3 } end, "must be a name" },
+    { function() model:defaults { ends = {}, release = { a = "Mx" } } end, "given beside 'ends'" },
+  } do
+    local good, message = pcall(wrong[1])
+    expect(not good and support.has(tostring(message), wrong[2]), "'%s' and not '%s'", message, wrong[2])
+  end
+  equal(#model:members(), members, "members after what was refused")
+  equal(#model:groups(), groups, "groups after it")
+end)
+
 case("defaults of a group go before those of all, and what a call gives before both", function()
   local grid = new()
   grid:defaults { section = beam, material = steel, elements = 4 }

@@ -291,6 +291,8 @@ local calls = {
     explosion:load(s.model, with({ members = { s.member }, normal = { 0, -1, 0 }, width = 1 }, x))
   end,
   ["hinge.grid"] = function(x) hinge.grid(with({ model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }, x)) end,
+  ["model:defaults"] = function(x) hinge.model():defaults(x) end,
+  ["model:line"] = function(x) s.model:line(with({ s.wall, s.tip }, x)) end,
   ["grid:defaults"] = function(x) s.grid:defaults(x) end,
   ["grid:columns"] = function(x) s.grid:columns(x) end,
   ["grid:beams"] = function(x) s.grid:beams(with({ along = "x" }, x)) end,

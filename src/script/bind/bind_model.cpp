@@ -3,9 +3,7 @@
 
 #include "beam/plastic_domain.h"
 #include "effects/gravity.h"
-#include "script/bind/bind_joints.h"
-#include "script/bind/material_laws.h"
-#include "script/checks/size_notice.h"
+#include "script/bind/bind_members.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -29,28 +27,6 @@ std::uint8_t parse_degrees_of_freedom(const std::string& what, const std::string
     }
     if (!mask) throw InputError(what + " is empty; give \"all\", \"xyz\" or the like");
     return mask;
-}
-
-struct Elements {
-    int number;
-    bool automatic;
-};
-
-/// A whole number, or 'auto'.
-Elements read_elements(Options& o, const char* field, Formulation formulation, Elements fallback) {
-    const int type = o.push_field(field);
-    const std::string word = type == LUA_TSTRING ? lua_tostring(o.L(), -1) : "";
-    lua_pop(o.L(), 1);
-    if (type == LUA_TNIL) return fallback;
-    if (type != LUA_TSTRING) return {o.integer(field, 1, fallback.number), false};
-    if (word != "auto")
-        o.complain(field, "'" + word + "'",
-                   "must be a whole number, 1 or above, or 'auto'" + did_you_mean(word, {"auto"}));
-    if (formulation != Formulation::asi_gauss)
-        o.complain(field, "'auto'",
-                   "goes by the errors of formulation 'asi-gauss'; the others take a number, for their elements are "
-                   "not exact without compression either");
-    return {2, true};
 }
 
 int model(lua_State* L) {
@@ -102,11 +78,6 @@ int model(lua_State* L) {
     return 1;
 }
 
-/// The script's line for each node, member and support: only for hinge check, which names it.
-void note_line(lua_State* L, Model& m, const char* kind, int index) {
-    if (context(L)->mode.checking) m.ask(std::string(kind) + " " + std::to_string(index + 1), where(L));
-}
-
 int add_node(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:node").value;
     const int index = m->add_node(read_triple(L, 2, "model:node: position", "m"));
@@ -136,112 +107,6 @@ int fix(lua_State* L) {
         note_line(L, *m, "support", node);
     }
     return 0;
-}
-
-void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std::string>& fresh) {
-    lua_State* L = o.L();
-    const int type = o.push_field("group");
-    const auto take = [&](int index) {
-        if (find<GroupBox>(L, index))
-            return groups.push_back(group_argument(L, index, o.function() + ": field 'group'", m));
-        if (lua_type(L, index) != LUA_TSTRING || lua_rawlen(L, index) == 0)
-            o.complain("group", show(L, index), "must be a name, or a table of names");
-        fresh.push_back(lua_tostring(L, index));
-    };
-    if (type == LUA_TTABLE)
-        for (lua_Integer i = 1, n = list_length(L, -1, o.function() + ": field 'group'"); i <= n; ++i) {
-            lua_rawgeti(L, -1, i);
-            take(-1);
-            lua_pop(L, 1);
-        }
-    else if (type != LUA_TNIL) take(-1);
-    lua_pop(L, 1);
-}
-
-int accept(lua_State* L, Model& m, MemberData data) {
-    const bool yields = m.options().plasticity && data.material->yield_stress < std::numeric_limits<double>::infinity();
-    try {
-        const int index = m.add_member(std::move(data));
-        note_line(L, m, "member", index);
-        if (yields && !m.asked("plasticity")) m.ask("plasticity", where(L));
-        return index;
-    } catch (const InputError& e) { throw InputError(std::string("model:member: ") + e.what()); }
-}
-
-int add_member(lua_State* L) {
-    auto& m = self<ModelBox>(L, "model:member").value;
-    Options o(L, 2, "model:member");
-    o.expect({"section", "material", "up", "group", "elements", "backbone", "law", "carries", "ends", "release"}, 2);
-    MemberData data;
-    for (int i = 0; i < 2; ++i) {
-        o.push_item(i + 1);
-        data.node[i] = node_argument(L, -1, "model:member: node [" + std::to_string(i + 1) + "]", m.get()).index;
-        lua_pop(L, 1);
-    }
-    o.push_field("section");
-    if (auto* s = find<SectionBox>(L, -1)) data.section = s->value;
-    else
-        o.complain("section", lua_isnil(L, -1) ? "missing" : show(L, -1),
-                   "give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}");
-    o.push_field("material");
-    if (auto* s = find<MaterialBox>(L, -1)) data.material = s->value;
-    else
-        o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1),
-                   "give one made by hinge.material{ E =, density =, ... }");
-    if (o.push_field("backbone") != LUA_TNIL) {
-        const auto* b = find<BackboneBox>(L, -1);
-        if (!b && lua_type(L, -1) != LUA_TFUNCTION)
-            o.complain("backbone", show(L, -1), "give one made by hinge.backbone{ ... }, or a function");
-        if (m->options().formulation == Formulation::conventional)
-            o.complain("backbone", "given",
-                       "needs hinges at the ends of elements: hinge.model{ formulation = 'asi-gauss' } or 'asi'");
-        const auto& outline = data.section->outline;
-        if (!std::isfinite(data.material->yield_stress) && !(outline && outline->concrete()))
-            o.complain("backbone", "given", "needs a material with yield_stress (Pa), or a section of concrete");
-        data.backbone = b ? b->value : own_backbone(LuaFunction(L, -1, *m));
-    }
-    lua_pop(L, 3);
-    data.law = read_own_law(o, m);
-    if (data.law && !std::isfinite(data.material->yield_stress) &&
-        !(data.section->outline && data.section->outline->concrete()))
-        o.complain("law", "given", "needs a material with yield_stress (Pa), or a section of concrete");
-    const Vec3 chord = m->nodes()[data.node[1]].position - m->nodes()[data.node[0]].position;
-    // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
-    data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
-    const Elements elements = read_elements(o, "elements", m->options().formulation,
-                                            {m->options().elements_per_member, m->options().automatic_elements});
-    data.elements = elements.number;
-    if (elements.automatic) data.elements_by = ElementsBy::undecided;
-    const std::string carries = o.word("carries", {"both", "tension", "compression"}, "both");
-    for (const Carries c : {Carries::tension, Carries::compression})
-        if (carries == carries_word(c)) data.carries = c;
-    const auto joints = read_joints(o);
-    for (int end : {0, 1}) data.joints |= std::uint8_t(joints[end] ? 1 << end : 0);
-    std::vector<std::string> fresh;
-    read_groups(o, *m, data.groups, fresh);
-    o.finish(2);
-    std::vector<std::string> named = fresh;
-    for (const int g : data.groups) named.push_back(m->groups()[g]);
-    std::sort(named.begin(), named.end());
-    if (const auto twice = std::adjacent_find(named.begin(), named.end()); twice != named.end())
-        o.complain("group", "'" + *twice + "' twice", "give each group once");
-    if (fresh.empty()) {
-        const int index = accept(L, *m, std::move(data));
-        declare_joints(L, *m, index, joints);
-        tell_members(*context(L), m->members().size());
-        push_handle<MemberBox>(L, m, index);
-        return 1;
-    }
-    // new groups come into being only with a member that is accepted
-    std::vector<int> names = data.groups;
-    data.groups.clear();
-    const int index = accept(L, *m, data);
-    declare_joints(L, *m, index, joints);
-    tell_members(*context(L), m->members().size());
-    for (const auto& name : fresh) names.push_back(m->group(name));
-    m->set_member_groups(index, names);
-    push_handle<MemberBox>(L, m, index);
-    return 1;
 }
 
 std::string show_target(lua_State* L) {
@@ -319,7 +184,6 @@ int set_gravity(lua_State* L) {
 void open_model(lua_State* L, int module) {
     static const luaL_Reg methods[] = {{"node", guarded<declares<"model:node", 2, add_node>>},
                                        {"fix", guarded<declares<"model:fix", 3, fix>>},
-                                       {"member", guarded<declares<"model:member", 2, add_member>>},
                                        {"gravity", guarded<declares<"model:gravity", 3, set_gravity>>},
                                        {"velocity", guarded<declares<"model:velocity", 4, velocity>>},
                                        {"group", guarded<takes<"model:group", 2, group>>},

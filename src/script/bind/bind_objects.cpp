@@ -235,6 +235,7 @@ int member_fields(lua_State* L) {
         !data.backbone                  ? lua_pushnil(L)
         : data.backbone->calls_script() ? (void)push_text(L, "a function")
                                         : (void)push<BackboneBox>(L, data.backbone);
+    else if (key == "law") data.law ? (void)push_text(L, "a function") : lua_pushnil(L);
     else if (key == "ends") push_joints_of(L, *m.model, m.index);
     else if (key == "up") push_triple(L, data.up);
     else if (key == "carries") push_text(L, carries_word(data.carries));
@@ -386,7 +387,7 @@ void open_objects(lua_State* L) {
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
     name_fields(L, MemberBox::lua_name,
                 {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements", "backbone",
-                 "carries", "ends"});
+                 "law", "carries", "ends"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment", "case"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);
