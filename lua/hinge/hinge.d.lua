@@ -3280,6 +3280,11 @@ function model:static(options) end
 ---decide to which branch it comes. A step that jumps over a whole snap-through at once, at many times the limit load,
 ---may still go unnoticed: use short steps
 ---@field unstable? "fail"|"continue"
+---the shape of a mode, as run:buckling or run:modes gives it: the first step sets off along it, to the side of `to`,
+---and so onto the branch that a perfect structure has beside its straight path. It goes with control = { node =, ... },
+---which drives a displacement that is large in the shape, and is best from a state near the branching point. Default:
+---none
+---@field branch? hinge.mode
 ---true: load control up to the limit load. If the run finds no further equilibrium, or if the structure becomes
 ---unstable, the verdict is "completed" and run.limit = true. run.factor is then the factor of the limit load. Default
 ---false

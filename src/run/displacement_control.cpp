@@ -8,8 +8,7 @@ std::optional<double> DisplacementControl::factor_change(const PathIteration& at
     const double way = at.increment * way_, response = driven(at.response);
     if (response == 0) return {};
     if (first_response_ == 0) first_response_ = response;
-    const double rest = at.number == 1 ? way : way - driven(at.total);
-    return (rest - driven(at.correction)) / response;
+    return (way - driven(at.total) - driven(at.correction)) / response;
 }
 
 }  // namespace hinge

@@ -14,6 +14,9 @@ public:
     Control kind() const override { return Control::displacement; }
     StepRule step_rule() const override { return StepRule::equal_steps(steps_); }
 
+    double along(const std::vector<Vec6>& shape, double increment) const override {
+        return increment * way_ / shape[node_][component_];
+    }
     std::optional<double> factor_change(const PathIteration& at) override;
     /// Beyond a limit load, where the driven displacement grows as the load falls, one.
     int stabilised_modes(const std::vector<Vec6>& response) const override {

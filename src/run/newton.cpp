@@ -43,12 +43,12 @@ Newton::Newton(const StaticProblem& problem, StaticForces& forces, StaticTangent
 
 /// The first guess is that what yields goes on yielding; or, where that leads nowhere, that all is elastic, and hinges
 /// may unload.
-bool Newton::find(PathControl& control, double increment, double hinge_stiffness) {
+bool Newton::find(PathControl& control, double increment, double hinge_stiffness, const std::vector<Vec6>& start) {
     passed_unstable_ = false;
     const auto from_state = [&](bool yielding_goes_on) {
         w_.trial = configuration_of(w_.state);
         w_.factor = w_.state.factor;
-        return iterate(control, increment, hinge_stiffness, yielding_goes_on);
+        return iterate(control, increment, hinge_stiffness, yielding_goes_on, start);
     };
     return from_state(true) || (!hinges_.empty() && !(hinge_stiffness > 0) && from_state(false));
 }
@@ -60,12 +60,19 @@ bool Newton::find_from_trial(PathControl& control, double increment) {
 
 void Newton::recover() { forces_.recover(); }
 
-bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on) {
+bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
+                     const std::vector<Vec6>& start) {
     for (Vec3& m : w_.rotation_step) m.setZero();
     for (Vec6& v : total_) v.setZero();
+    if (!start.empty()) {
+        const Configuration before = w_.trial;
+        total_ = step_ = start;
+        move_by_step(w_.factor);
+        if (w_.constraints) place_dependent_nodes(before);
+    }
     forces_.recover();
     w_.yielding = yielding_goes_on ? hinges_ : std::vector<PlasticIncrement>{};
-    const bool tangent_known = tangent_.take_that_of_state();
+    const bool tangent_known = tangent_.take_that_of_state() && start.empty();
     const int most = hinge_stiffness > 0 ? many_iterations : problem_.settings.iterations;
     for (Iteration at; at.number <= most; ++at.number) {
         if (!(at.number == 1 && tangent_known) && !tangent_.renew(at.off_balance, hinge_stiffness)) return false;

@@ -23,7 +23,8 @@ public:
     /// Finds the equilibrium that lies an increment of the control beyond the state; leaves it as the trial
     /// configuration. False where there is none. `hinge_stiffness`: see StaticTangent::renew; where it is not 0, the
     /// method converges slowly and gets many iterations.
-    bool find(PathControl& control, double increment, double hinge_stiffness = 0);
+    /// `start`: displacements from the state at which it begins, in the place of the state itself; empty: none.
+    bool find(PathControl& control, double increment, double hinge_stiffness = 0, const std::vector<Vec6>& start = {});
     /// The same from the trial configuration, with all elements elastic at first.
     bool find_from_trial(PathControl& control, double increment);
     /// The trial has become the state.
@@ -47,7 +48,8 @@ public:
 
 private:
     struct Iteration;
-    bool iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on);
+    bool iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
+                 const std::vector<Vec6>& start = {});
     bool find_correction();
     bool find_step(double factor_change, Iteration& at);
     void move_by_step(double factor);

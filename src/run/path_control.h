@@ -26,6 +26,10 @@ public:
     virtual Control kind() const = 0;
     virtual StepRule step_rule() const = 0;
 
+    /// By how much of a shape a step of `increment` sets off along it.
+    virtual double along(const std::vector<Vec6>& shape, double increment) const {
+        return (void)shape, (void)increment, 0;
+    }
     /// Change of the load factor in an iteration; none where no equilibrium meets the condition.
     virtual std::optional<double> factor_change(const PathIteration& at) = 0;
     /// Number of negative eigenvalues that the condition takes away from the tangent. `response`: as in PathIteration.

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/types.h"
+
 namespace hinge {
 
 enum class Control : std::uint8_t { load, displacement, arc };
@@ -20,6 +22,8 @@ struct StaticSettings {
     std::vector<std::uint8_t> held;  ///< extra supports for this run only (six bits a node), or empty
     bool past_unstable = false;      ///< load control goes on where the structure has become unstable
     bool to_limit = false;           ///< load control: a run that ends at a limit load has completed
+    /// Displacement control: the shape along which the first step sets off, six numbers a node; empty: none.
+    std::vector<Vec6> branch;
 };
 
 /// ux uy uz rx ry rz

@@ -84,8 +84,18 @@ std::optional<Statics::Substep> Statics::find_equilibrium() {
 Found Statics::try_step(PathControl& control, double increment, double hinge_stiffness) {
     if (on_try) on_try();
     stability_.begin_try();
-    if (!newton_.find(control, increment, hinge_stiffness)) return Found::nothing;
+    if (!newton_.find(control, increment, hinge_stiffness, start_of(control, increment))) return Found::nothing;
     return stability_.judge(control, increment, hinge_stiffness);
+}
+
+/// Where a step begins, as displacements from the state: at the state itself, but for the first step onto a branch.
+std::vector<Vec6> Statics::start_of(const PathControl& control, double increment) const {
+    std::vector<Vec6> start;
+    if (substeps_ > 0 || settings().branch.empty()) return start;
+    start = settings().branch;
+    const double by = control.along(start, increment);
+    for (Vec6& v : start) v *= by;
+    return start;
 }
 
 /// Where one mechanism takes over from another, a new hinge lets many others unload at once. Newton's method then

@@ -50,6 +50,7 @@ private:
     void take_substep();
     std::optional<Substep> find_equilibrium();
     Found try_step(PathControl& control, double increment, double hinge_stiffness = 0);
+    std::vector<Vec6> start_of(const PathControl& control, double increment) const;
     std::optional<double> exchange_mechanisms(double increment);
     Substep step_to_target(const Substep& passing);
     bool pass_instability(const Substep& substep);

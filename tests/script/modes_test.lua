@@ -218,6 +218,74 @@ case("the factor is that at which statics finds the structure unstable", functio
   end
 end)
 
+-- A straight column of two members between pins, pressed to a part of Euler's load; the model, the node in its middle.
+local function pinned_column(part)
+  local model = hinge.model { elements_per_member = 8 }
+  local P = model:case "P"
+  local foot, middle, head = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }, model:node { 0, 0, 2 }
+  model:fix(foot, "xyz,rz")
+  model:fix({ middle, head }, "y")
+  model:fix(head, "x")
+  local slender = hinge.section.solid { width = 0.02, depth = 0.02 }
+  -- rigid in shear
+  model:line { foot, middle, head, section = slender, material = hinge.material { E = E, G = 1e4 * E, density = 7850 } }
+  model:load { node = head, force = { 0, 0, -math.pi ^ 2 * E * slender.Ix / 4 }, case = P }
+  local pressed = model:static { steps = 4, loads = { P = part } }:finish()
+  return model, middle, pressed, pressed:buckling({ n = 1 })[1]
+end
+
+-- The elastica between pins: P over Euler's load where its middle is off by w of its length. With k = sin(alpha / 2),
+-- alpha the rotation of an end: P = (2 K(k) / pi)^2 and w = k / K(k).
+local function elastica(w)
+  local function K(k)
+    local a, b = 1, math.sqrt(1 - k ^ 2)
+    for _ = 1, 30 do a, b = (a + b) / 2, math.sqrt(a * b) end
+    return math.pi / 2 / a
+  end
+  local low, high = 0, 0.9
+  for _ = 1, 60 do
+    local k = (low + high) / 2
+    if k / K(k) < w then low = k else high = k end
+  end
+  return (2 * K(low) / math.pi) ^ 2
+end
+
+case("a branch: a straight column buckles to either side and follows the elastica", function()
+  for _, side_of in ipairs { 1, -1 } do
+    local model, middle, pressed, mode = pinned_column(0.98)
+    local run = model:static { from = pressed, loads = { P = 2 }, branch = mode, steps = 12,
+      control = { node = middle, "ux", to = 0.72 * side_of } }
+    local steps = 0
+    for step in run:steps() do
+      local w = middle:displacement(run) / 2
+      equal(w * side_of > 0, true, "side")
+      local P, exact = 0.98 + 1.02 * step.factor, elastica(math.abs(w))
+      -- (pi / n)^2 / 12 of 16 elements, times what the ends have turned
+      near(P, exact, 4e-4 * exact, ("load at w / L = %.3f"):format(w))
+      steps = steps + 1
+    end
+    equal(run.verdict, "completed", run.reason)
+    equal(steps, 12, "steps")
+  end
+end)
+
+case("a branch is refused where it cannot be followed", function()
+  local model, middle, pressed, mode = pinned_column(0.9)
+  local function refused(options, message)
+    options.from, options.loads = pressed, { P = 2 }
+    local good, failure = pcall(model.static, model, options)
+    expect(not good and support.has(tostring(failure), message), "'%s' and not '%s'", failure, message)
+  end
+  local drive = { node = middle, "ux", to = 0.1 }
+  refused({ branch = 3, control = drive }, "must be a shape of run:buckling or run:modes")
+  refused({ branch = mode }, "goes with control = { node =")
+  refused({ branch = mode, control = "arc" }, "goes with control = { node =")
+  refused({ branch = mode, control = { node = middle, "uz", to = 0.1 } }, "does not move what 'control' drives")
+  local other = cantilever(4, { 0, 0, -1 })
+  other = other:static():finish():modes({ n = 1 })[1]
+  refused({ branch = other, control = drive }, "a shape of 5 nodes; must be of this structure, which has 17")
+end)
+
 case("pictures of a shape", function()
   local model, tip = cantilever(4, { -1, 0, 0 })
   local run = model:static():finish()

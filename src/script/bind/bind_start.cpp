@@ -4,6 +4,7 @@
 
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
+#include "script/bind/mode_box.h"
 #include "script/checks/chain.h"
 #include "script/checks/check.h"
 #include "script/files/run_checkpoint.h"
@@ -213,6 +214,27 @@ void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& 
     lua_pop(L, 1);
 }
 
+/// The shape along which the run sets off; `nodes`: of the structure.
+void read_branch(lua_State* L, Options& o, std::size_t nodes, StaticSettings& s) {
+    if (o.push_field("branch") != LUA_TNIL) {
+        const auto* mode = find<ModeBox>(L, -1);
+        if (!mode) o.complain("branch", show(L, -1), "must be a shape of run:buckling or run:modes");
+        if (s.control != Control::displacement)
+            o.complain("branch", "given", "goes with control = { node =, \"ux\", to = }, which holds the branch");
+        if (mode->shape.size() != nodes)
+            o.complain("branch", "a shape of " + std::to_string(mode->shape.size()) + " nodes",
+                       "must be of this structure, which has " + std::to_string(nodes));
+        double largest = 0;
+        for (const Vec6& v : mode->shape)
+            largest = std::max(largest, (s.component < 3 ? v.head<3>() : v.tail<3>()).cwiseAbs().maxCoeff());
+        if (!(std::abs(mode->shape[s.node][s.component]) > 1e-3 * largest))
+            o.complain("branch", "a shape that does not move what 'control' drives",
+                       "drive a displacement that is large in the shape");
+        s.branch = mode->shape;
+    }
+    lua_pop(L, 1);
+}
+
 }  // namespace
 
 int static_run(lua_State* L) {
@@ -220,7 +242,7 @@ int static_run(lua_State* L) {
     Options o(L, 2, "model:static", true);
     o.former_name("fixed_group", "hold");
     o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "fixed_group", "record", "from",
-              "allow_failed", "loads"});
+              "allow_failed", "loads", "branch"});
     const RunRecord* before = run_before(o, m);
     Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, true);
@@ -230,6 +252,7 @@ int static_run(lua_State* L) {
     s.iterations = o.integer("iterations", 2, s.iterations);
     s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
     read_control(L, o, m, before, s);
+    read_branch(L, o, structure->position().size(), s);
     s.past_unstable = o.word("unstable", {"fail", "continue"}, "fail") == "continue";
     s.to_limit = o.flag("to_limit", false);
     if (s.control != Control::load)
