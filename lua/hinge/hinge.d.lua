@@ -1737,6 +1737,9 @@ function hinge.robustness(options) end
 ---sag of linear statics, 2 pi sqrt(sag / g). A run that has not turned by then is "failed"
 ---@field duration? number
 ---@field dt? number s, of dynamics, at most a fiftieth of the period; default: a thousandth
+---s, in which the forces of what is removed fall to nothing in nonlinear dynamic, as `over` of model:remove; default 0:
+---at once. Both standards ask for a tenth of the period or less
+---@field over? number
 ---how long the run goes on after the joint has been deepest, in periods, or in times of the way down where that is
 ---longer; default 1. Undamped frames with several slow vibrations may come deeper later: more shows that
 ---@field follow? number
@@ -2873,14 +2876,21 @@ function model:fracture(rule) end
 ---itself. It goes beside fracture rules. events.csv has it as a fracture with the limit "removed". A group means the
 ---members that it has in the run. It acts in dynamics; statics keeps the member. A run that goes on from one in which
 ---the time was reached has the member removed already. If the time was reached before the run begins, the member goes
----at the end of the first step.
+---at the end of the first step. With `over` the forces that the member had put on the joints that keep other members
+---stay there at first, and fall to nothing in a straight line over that time; their work is in run.energy.work.
 ---```lua
 ---model:remove { member = beam, at = 0.005 } -- s
 ---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
 ---print(beam:state(swing)) -- broken
 ---```
----@param options { member?: hinge.member, group?: hinge.group_like, at: number } one of member and group; at: s
+---@param options hinge.removal_options
 function model:remove(options) end
+
+---@class hinge.removal_options
+---@field member? hinge.member one of member and group
+---@field group? hinge.group_like
+---@field at number s
+---@field over? number s, in which its forces fall to nothing; default 0: it is gone at once
 
 ---Heats members. Their temperature is given. A heated member gets longer by the strain of `properties` at this
 ---temperature, and its stiffness and its strength are those parts of the declared ones. What is free to lengthen takes

@@ -22,7 +22,8 @@ local function length(unit) return { "number", unit = unit, above = 0, optional 
 
 local rules = {
   build = { "function" }, storeys = { "string", one_of = { "lowest", "all" }, default = "lowest" },
-  procedures = { "table", default = procedures }, duration = length "s", dt = length "s", fall = length "m",
+  procedures = { "table", default = procedures }, duration = length "s", dt = length "s",
+  over = { "number", unit = "s", at_least = 0, optional = true }, fall = length "m",
   follow = { "number", above = 0, default = 1 }, damping = { "number", at_least = 0, below = 1, optional = true },
   steps = { "number", whole = true, at_least = 10, at_most = 1000, default = 40 },
   m = { "number", at_least = 1, default = 1 }, omega_ld = { "number", at_least = 1, optional = true },

@@ -6,18 +6,25 @@
 namespace hinge {
 namespace {
 
-std::vector<std::uint8_t> all_supports(std::vector<std::uint8_t> held, const std::vector<std::uint8_t>& of_run) {
+/// Supports of the model and of the run, and nodes inside members of which no element is left: they are debris, which
+/// statics leaves where it is.
+std::vector<std::uint8_t> all_supports(const Workspace& w, const std::vector<std::uint8_t>& of_run) {
+    std::vector<std::uint8_t> held = w.state.held;
     for (std::size_t i = 0; i < of_run.size(); ++i) held[i] |= of_run[i];
+    const Structure& s = w.structure;
+    for (std::size_t n = s.model().nodes().size(); n < held.size(); ++n) {
+        const auto& elements = s.elements_at(int(n));
+        if (s.declared_node(int(n)) < 0 &&
+            std::all_of(elements.begin(), elements.end(), [&](int e) { return w.state.broken[std::size_t(e)] != 0; }))
+            held[n] = 63;
+    }
     return held;
 }
 
 }  // namespace
 
 StaticProblem::StaticProblem(Workspace& workspace, const EffectList& all_effects, StaticSettings given)
-    : w(workspace),
-      effects(all_effects),
-      settings(std::move(given)),
-      held(all_supports(workspace.state.held, settings.held)) {
+    : w(workspace), effects(all_effects), settings(std::move(given)), held(all_supports(workspace, settings.held)) {
     const auto& elements = w.structure.elements();
     double length = 0;
     for (const Element& e : elements) length += e.length;

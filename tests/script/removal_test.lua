@@ -202,4 +202,101 @@ model:dynamic { dt = 1e-4, duration = 4e-3 }:finish()
   equal(n, 2, "events of both elements in\n" .. events)
 end)
 
+-- A cantilever with a mass at its tip, which stands on a post: both elastic and nearly without mass. `elements` of the
+-- post. Returns the model, the tip, the deflection without the post (m), the period, and the post.
+local function propped(elements, ends, displacement)
+  local model = hinge.model { displacement = displacement }
+  local wall, tip, foot = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }, model:node { 2, 0, -1 }
+  model:fix { wall, foot }
+  local light = hinge.material { E = 210e9, G = 1e4 * 210e9, density = 1 }
+  model:member { wall, tip, section = bar, material = light }
+  local post = model:member { foot, tip, section = hinge.section.solid { width = 0.02, depth = 0.02 },
+    material = light, elements = elements, up = { 1, 0, 0 }, ends = ends }
+  model:mass { node = tip, mass = 50 }
+  model:gravity { 0, 0, -9.81 }
+  local k = 3 * 210e9 * bar.Ix / 2 ^ 3
+  return model, tip, 50 * 9.81 / k, 2 * math.pi * math.sqrt(50 / k), post
+end
+
+case("over: a load that leaves in a straight line, by the closed form", function()
+  local pinned = hinge.joint { Mx = "free", My = "free" }
+  for _, of in ipairs { { 0, 2, "small" }, { 0.2, 2, "large" }, { 0.5, 4, "large" }, { 1, 8, "small" },
+    { 1.5, 2, "large" } } do
+    local part, elements, displacement = table.unpack(of)
+    local model, tip, sag, period, post = propped(elements, { b = pinned }, displacement)
+    model:remove { member = post, at = 0, over = part * period }
+    local rest = model:static():finish()
+    local run = model:dynamic { from = rest, dt = period / 400, duration = 1.2 * (1 + part) * period, record = false }
+    local deepest = 0
+    while run:step() do deepest = support.largest_of(deepest, -select(3, tip:displacement(run))) end
+    local x = math.pi * part
+    local wanted = 1 + (part == 0 and 1 or math.abs(math.sin(x)) / x) -- of a mass on a spring
+    local what = ("over %g periods, %s: "):format(part, displacement)
+    -- the post shortens by 0.06 % of the sag, and the beam has a little mass
+    near(deepest / sag, wanted, 1.5e-3, what .. "deflection over that of statics")
+    near(run.energy_error, 0, 1e-6, what .. "energy error")
+    equal(run.verdict, "completed", what .. "run")
+  end
+end)
+
+case("over: bending of a rigid joint is taken over too, and a checkpoint in the middle", function()
+  local function begin()
+    local model, tip, _, period, post = propped(2)
+    model:load { node = tip, force = { 800, 0, 0 } } -- bends post and beam
+    model:remove { member = post, at = 0.25 * period, over = period }
+    local rest = model:static { steps = 4 }:finish()
+    return model:dynamic { from = rest, dt = period / 400, duration = 1.5 * period }, tip, rest, period
+  end
+  local run, tip, rest, period = begin()
+  local still = 0
+  while run.time < 0.25 * period do
+    run:step()
+    still = support.largest_of(still, math.abs(select(3, tip:displacement(run)) - select(3, tip:displacement(rest))))
+  end
+  run:step() -- the post is gone, and its force is all there
+  near(select(3, tip:displacement(run)), select(3, tip:displacement(rest)), 1e-6, "the first step without the post")
+  near(still, 0, 1e-8, "at rest before that")
+  local folder = support.temporary_folder()
+  run:checkpoint(folder .. "/half")
+  run:finish()
+  near(run.energy_error, 0, 1e-6, "energy error")
+  local again = begin()
+  again:resume(folder .. "/half")
+  again:finish()
+  equal(again.energy.work, run.energy.work, "work after a checkpoint")
+  equal(again.energy.kinetic, run.energy.kinetic, "kinetic energy after it")
+end)
+
+case("over: explicit steps as Newmark's", function()
+  local function fall(integrator)
+    local model, rope, _, mass = hanging()
+    model:remove { member = rope, at = 2e-3, over = 0.01 }
+    local rest = model:static { steps = 1 }:finish()
+    local run = model:dynamic { from = rest, dt = integrator == "explicit" and "auto" or 2e-5, duration = 0.02,
+      integrator = integrator, record = false }:finish()
+    near(run.energy_error, 0, 1e-4, integrator .. ": energy error")
+    return select(3, mass:displacement(run))
+  end
+  local implicit, explicit = fall "newmark", fall "explicit"
+  near(explicit, implicit, 0.03 * math.abs(implicit), "displacement") -- with lumped masses, and with consistent ones
+end)
+
+case("statics goes on from a state without a member of four elements", function()
+  for _, elements in ipairs { 2, 4, 8 } do
+    local model, tip, sag, period, post = propped(elements)
+    model:remove { member = post, at = 0 }
+    local gone = model:dynamic { dt = 1e-6 * period, duration = 1e-6 * period, step_control = 0 }:finish()
+    local run = model:static { from = gone }:finish()
+    equal(run.verdict, "completed", elements .. " elements: " .. run.reason)
+    near(-select(3, tip:displacement(run)), sag, 2e-3 * sag, elements .. " elements: deflection")
+  end
+end)
+
+case("over: wrong input is refused", function()
+  local model, _, _, _, post = propped(2)
+  refused("model:remove: field 'over' is -1 s; must be 0 s or above", function()
+    model:remove { member = post, at = 0, over = -1 }
+  end)
+end)
+
 checks.done()

@@ -103,7 +103,7 @@ local function dynamic(study, case, base, row, model)
     return "failed", "statics before the removal: " .. (rest.reason ~= "" and rest.reason or rest.verdict)
   end
   warn_of_light_masses(row, rest)
-  runs.declare_removal(case, model)
+  runs.declare_removal(case, model, study.o.over)
   if study.o.damping then
     model:damping { ratio = study.o.damping, periods = { base.period, base.period / 10 } }
   end

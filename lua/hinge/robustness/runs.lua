@@ -34,10 +34,10 @@ function runs.fresh(study, case, procedure, factor)
   return model, scaled
 end
 
---- The members of a case go at the first step of a dynamic run.
-function runs.declare_removal(case, model)
+--- The members of a case go at the first step of a dynamic run. over: s, in which their forces fall to nothing.
+function runs.declare_removal(case, model, over)
   local members = model:members()
-  for _, index in ipairs(case.members) do model:remove { member = members[index], at = 0 } end
+  for _, index in ipairs(case.members) do model:remove { member = members[index], at = 0, over = over } end
 end
 
 --- The model at rest without its members: they leave it in one dynamic step, too short for anything to move. Statics

@@ -4,13 +4,13 @@
 
 namespace hinge::script {
 
-/// model:remove { member = | group =, at = s }
+/// model:remove { member = | group =, at = s, over = s }
 int remove_members(lua_State* L) {
     auto& model = self<ModelBox>(L, "model:remove").value;
     if (model->options().mass == MassShape::cubic)
         throw InputError("model:remove: a model with mass = 'cubic' cannot break; leave out one of the two");
     Options o(L, 2, "model:remove");
-    o.expect({"member", "group", "at"});
+    o.expect({"member", "group", "at", "over"});
     Removal removal;
     if (o.has("member")) {
         if (o.has("group")) o.complain("group", "given beside member", "give one of the two");
@@ -24,6 +24,7 @@ int remove_members(lua_State* L) {
         throw InputError("model:remove: field 'member' is missing; give a member, or group = a group");
     }
     removal.at = o.number("at", "s", Range::not_negative);
+    removal.over = o.number("over", "s", Range::not_negative, 0);
     removal.asked_at = where(L);
     model->declare(removal_effect, removal);
     model->ask(removal_effect, where(L));  // its line in the plan
