@@ -17,10 +17,35 @@ bool is_of(const Structure& s, const Removal& r, int element) {
     return r.group >= 0 ? s.in_group(element, r.group) : s.elements()[std::size_t(element)].member == r.member;
 }
 
+/// What a removed element has put on a node: part of R. It falls to nothing in a straight line.
+struct StandIn {
+    int node;
+    Vec6 force = Vec6::Zero();  ///< N, N m
+    double from = 0, over = 1;  ///< s
+
+    double part_at(double time) const { return std::clamp(1 - (time - from) / over, 0.0, 1.0); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.node, s.force, s.from, s.over);
+    }
+};
+
+/// Those of members that have gone: a run that goes on from the state has them too.
+struct StandIns {
+    static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
+    std::vector<StandIn> list;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.list);
+    }
+};
+
 class Removals : public Effect, public Breaker, public StepLimiter, public Force {
 public:
     Removals(Workspace& w, Host& host)
-        : Effect(removal_effect, w, host, {.forces_vanish = true}), done_(declared(w.structure).size(), 0) {}
+        : Effect(removal_effect, w, host, {.forces_vanish = true}), done_(declared(w.structure).size(), 0) {
+        if (!w.state.data.find<StandIns>(removal_effect)) w.state.data.set(removal_effect, StandIns{});
+    }
     const char* decides() const override { return removal_effect; }
 
     void decide(Step& step) override {
@@ -41,19 +66,19 @@ public:
     /// A run that goes on from a checkpoint looks once more at what was due before, and finds it broken.
     void after_commit(const Step& step) override {
         for (std::size_t i = 0; i < done_.size(); ++i) done_[i] = done_[i] || is_due(i, step);
-        std::erase_if(standing_, [&](const StandIn& s) { return s.part_at(step.end()) == 0; });
-        standing_.insert(standing_.end(), next_.begin(), next_.end());
+        std::erase_if(standing(), [&](const StandIn& s) { return s.part_at(step.end()) == 0; });
+        standing().insert(standing().end(), next_.begin(), next_.end());
         next_.clear();
     }
 
     // ---- forces of members that leave over a time -----------------------------------------------------------------
     void add_forces(double time, std::vector<Vec6>& resisting) override {
-        for (const StandIn& s : standing_)
+        for (const StandIn& s : standing())
             if (!w_.state.gone[s.node]) resisting[s.node] += s.part_at(time) * s.force;
     }
     /// By the trapezium rule.
     void accumulate_energy(const Step& step, Accounts& sums) const override {
-        for (const StandIn& s : standing_) {
+        for (const StandIn& s : standing()) {
             if (w_.state.gone[s.node]) continue;
             const Vec6 mean = 0.5 * (s.part_at(step.begin) + s.part_at(step.end())) * s.force;
             sums["work"] -= mean.head<3>().dot(w_.trial.displacement[s.node] - w_.state.displacement[s.node]) +
@@ -61,14 +86,11 @@ public:
         }
     }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (const StandIn& s : standing_)
+        for (const StandIn& s : standing())
             if (bodies.of_node[s.node] >= 0) rests[bodies.of_node[s.node]] = 0;
     }
-    void save(Writer& to) const override { to(standing_); }
-    void restore(Reader& from) override { from(standing_); }
-
     bool changes_within(double now, std::span<const double> after) const override {
-        if (!standing_.empty()) return true;
+        if (!standing().empty()) return true;
         return std::any_of(declared(w_.structure).begin(), declared(w_.structure).end(), [&](const Removal& r) {
             return r.at > now && !after.empty() && r.at <= now + after.back();
         });
@@ -94,18 +116,7 @@ private:
         else *known = b;
     }
 
-    /// What a removed element has put on a node: part of R. It falls to nothing in a straight line.
-    struct StandIn {
-        int node;
-        Vec6 force = Vec6::Zero();  ///< N, N m
-        double from = 0, over = 1;  ///< s
-
-        double part_at(double time) const { return std::clamp(1 - (time - from) / over, 0.0, 1.0); }
-        template <class Self, class A>
-        static void fields(Self& s, A& a) {
-            a(s.node, s.force, s.from, s.over);
-        }
-    };
+    std::vector<StandIn>& standing() const { return w_.state.data.find<StandIns>(removal_effect)->list; }
     /// At the script's nodes that keep another member. Inside a member, and where all members go, there is none.
     void stand_in(int element, double from, double over) {
         const Structure& s = w_.structure;
@@ -125,9 +136,9 @@ private:
                            [&](const Removal& r) { return r.at <= time_ && is_of(w_.structure, r, element); });
     }
 
-    std::vector<char> done_;                ///< of each removal
-    std::vector<StandIn> standing_, next_;  ///< of earlier steps; of the step that is being tried
-    double time_ = 0;                       ///< s, at the end of that step
+    std::vector<char> done_;     ///< of each removal
+    std::vector<StandIn> next_;  ///< of the step that is being tried
+    double time_ = 0;            ///< s, at the end of that step
 };
 
 bool is_removed(const Model& model, int member) {

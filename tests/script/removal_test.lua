@@ -245,7 +245,7 @@ case("over: bending of a rigid joint is taken over too, and a checkpoint in the 
     model:load { node = tip, force = { 800, 0, 0 } } -- bends post and beam
     model:remove { member = post, at = 0.25 * period, over = period }
     local rest = model:static { steps = 4 }:finish()
-    return model:dynamic { from = rest, dt = period / 400, duration = 1.5 * period }, tip, rest, period
+    return model:dynamic { from = rest, dt = period / 400, duration = 1.5 * period }, tip, rest, period, model
   end
   local run, tip, rest, period = begin()
   local still = 0
@@ -265,6 +265,13 @@ case("over: bending of a rigid joint is taken over too, and a checkpoint in the 
   again:finish()
   equal(again.energy.work, run.energy.work, "work after a checkpoint")
   equal(again.energy.kinetic, run.energy.kinetic, "kinetic energy after it")
+  -- a run that goes on from the middle has the rest of the force
+  local part, end_of_it, _, T, model = begin()
+  while part.time < 0.7 * T do part:step() end
+  part:stop()
+  local rest_of_it = model:dynamic { from = part, dt = T / 400, duration = run.time - part.time }:finish()
+  local whole = select(3, tip:displacement(run))
+  near(select(3, end_of_it:displacement(rest_of_it)), whole, 1e-4 * math.abs(whole), "where a second run ends")
 end)
 
 case("over: explicit steps as Newmark's", function()
