@@ -172,13 +172,14 @@ bool PotentialLaw::back_is_found(const End& end, const SectionConditions& at, in
     const Vec4 moved = again.hardens.cwiseProduct(now.e) - again.fixed;
     const Vec4 by_loads = end.per.cwiseProduct(resultants(at.fixed_end->at(end.at()), end.at())),
                went_by = end.hardens.cwiseProduct(now.e) - (end.fixed - by_loads);
-    return (moved - went_by).norm() <= 10 * flow_tolerance * (1 + end.carries(trial).norm());
+    return (moved - went_by).norm() <= flow_tolerance * (1 + end.carries(trial).norm());
 }
 
 /// Where back resultants follow the mean plastic strain, or the strength follows the rotation, those of the round
 /// before are taken, until they change no more: a round leaves about H / E of the change before.
 ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                const SectionConditions& at, const ElementFlow* before) const {
+    const double settled = back_follows_flow_ ? flow_tolerance : 10 * flow_tolerance;  // of factors
     const bool rounds = back_follows_strain_ || back_follows_flow_ || follows_rotation_;
     SoFar so_far[2];
     FactorSearch search[2];
@@ -204,7 +205,7 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
                 same &&
                 (!back_follows_strain_ || std::abs(now.strain - so_far[i].strain) <= 10 * flow_tolerance * elastic) &&
                 (!back_follows_flow_ || back_is_found(ends[i], at, i, now, trial)) &&
-                std::abs(found - taken) <= 10 * flow_tolerance;
+                std::abs(found - taken) <= settled;
             factor[i] = search[i].next(taken, found);
             so_far[i] = now;
         }

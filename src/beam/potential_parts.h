@@ -7,7 +7,7 @@
 
 namespace hinge::beam {
 
-inline constexpr double flow_tolerance = 1e-12;  ///< of the trial forces: what a section's equilibrium may be off
+inline constexpr double flow_tolerance = 2e-13;  ///< of the trial forces: what a section's equilibrium may be off
 
 using SectionRows = Eigen::Matrix<double, 4, 6>;
 
