@@ -2519,7 +2519,20 @@ function model:defaults(options) end
 ---returns the strength at the end of the step over the fully plastic one, 0.01 or more, which counts for N, Mx, My and
 ---Mz alike; then the middle of the yield surface, Mx, My (N m), N (N), Mz (N m), nil: 0; then the history variables at
 ---the end of the step, nil: as they were. `history`: those at its start
----@field step fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
+---@field step? fun(flow: hinge.section_flow, history: number[]): number, number[]?, number[]?
+---in the place of step: it is asked for several flows of one section at once, which all begin with `history`. Each
+---field of flows is an array with `count` items. It returns an array of strengths, then nil or an array of middles,
+---then nil or an array of history variables, with an item for each flow
+---@field batch? fun(flows: hinge.section_flows, history: number[]): number[], number[][]?, number[][]?
+
+---plastic flows of a section
+---@class hinge.section_flows
+---@field count integer
+---@field x number[] as in hinge.section_flow
+---@field y number[]
+---@field N number[]
+---@field z number[]
+---@field strain number[]
 
 ---plastic flow of a section in a step
 ---@class hinge.section_flow

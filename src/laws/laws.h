@@ -3,6 +3,8 @@
 
 #include <functional>
 #include <memory>
+#include <span>
+#include <vector>
 #include <optional>
 
 #include "beam/plastic_domain.h"
@@ -69,7 +71,8 @@ struct SectionAnswer {
     std::vector<double> history = {};  ///< at the end of the step; empty: as at its start
 };
 /// `history`: at the start of the step. It may be asked any number of times in a step, and must answer alike.
-using SectionRule = std::function<SectionAnswer(const SectionFlow& flow, const double* history)>;
+using SectionRule =
+    std::function<std::vector<SectionAnswer>(std::span<const SectionFlow> flows, const double* history)>;
 /// It is called by one thread, in every round of the return of an element that flows. `variables`: number of history
 /// variables of the function, 0 at first.
 std::shared_ptr<const MaterialLaw> own_law(SectionRule rule, int variables);

@@ -1,6 +1,7 @@
 // What a section's flow does to its strength, as a function of the script's own: a factor on the yield surface, and
 // back resultants by which it moves. The function is asked in every round of the return of a section that flows, with
 // what the round before found. Back resultants that grow in proportion to the flow are found in the first round.
+#include <array>
 #include <cmath>
 
 #include "laws/laws.h"
@@ -9,12 +10,14 @@ namespace hinge::beam {
 namespace {
 
 constexpr double difference = 1e-6;  ///< part of a step by which the slope is found
+/// Parts of a step that the function is asked for at once: Simpson's rule, and the slope.
+constexpr std::array parts{1.0, 0.5, 1 + difference};
 
 class OwnLaw : public MaterialLaw {
 public:
     OwnLaw(SectionRule rule, int variables) : rule_(std::move(rule)), variables_(variables) {
         std::vector<double> none(variables_, 0.0);
-        initial_ = rule_({}, none.data()).strength;
+        initial_ = one({}, none.data()).strength;
     }
 
     const char* name() const override { return "law"; }
@@ -23,7 +26,7 @@ public:
     bool calls_script() const override { return true; }
 
     int history_size() const override { return first + variables_; }
-    void start(bool, double* history) const override { keep(rule_({}, history + first), history); }
+    void start(bool, double* history) const override { keep(one({}, history + first), history); }
     bool moves_surface() const override { return true; }
     double initial() const override { return initial_; }
 
@@ -32,11 +35,11 @@ public:
     Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
         const double now = history ? history[strength] : initial_;
         if (!(work > 0)) return {now, 0, now};
-        const auto factor = [&](double part) { return ask(zone, history, part * e, part * work).strength; };
+        const std::vector<SectionAnswer>& at = ask(zone, history, e, work);
         Turned out;
-        out.factor = factor(1);
-        out.mean = (now + 4 * factor(0.5) + out.factor) / 6;
-        out.slope = (factor(1 + difference) - out.factor) / (difference * work);
+        out.factor = at[0].strength;
+        out.mean = (now + 4 * at[1].strength + out.factor) / 6;
+        out.slope = (at[2].strength - out.factor) / (difference * work);
         return out;
     }
 
@@ -47,7 +50,8 @@ public:
                                    : Vec4(Vec4::Zero());
         back += start.cwiseProduct(zone.per_strength);
         if (e.isZero(0)) return;
-        const Vec4 change = (ask(zone, history, e, strain * zone.energy).back - start).cwiseProduct(zone.per_strength);
+        const Vec4 change =
+            (ask(zone, history, e, strain * zone.energy)[0].back - start).cwiseProduct(zone.per_strength);
         for (int c = 0; c < 4; ++c) {
             const double slope = change[c] / e[c];
             if (slope >= 0 && std::abs(e[c]) > 1e-9 * e.norm()) modulus[c] += slope;
@@ -56,7 +60,7 @@ public:
     }
 
     void commit(const PlasticZone& zone, const Vec4& e, double strain, double, double* history) const override {
-        keep(ask(zone, history, e, strain * zone.energy), history);
+        keep(ask(zone, history, e, strain * zone.energy)[0], history);
     }
 
 private:
@@ -64,10 +68,35 @@ private:
     /// the function.
     enum { strength, moved, first = moved + 4 };
 
-    SectionAnswer ask(const PlasticZone& zone, const double* history, const Vec4& e, double work) const {
-        const Vec4 d = e.cwiseProduct(zone.per_strength);
-        const std::vector<double> none(history ? 0 : variables_, 0.0);
-        return rule_({d[0], d[1], d[2], d[3], work / zone.energy}, history ? history + first : none.data());
+    SectionAnswer one(const SectionFlow& flow, const double* history) const {
+        return rule_(std::span(&flow, 1), history)[0];
+    }
+
+    /// What was asked, and the answers. A round asks again what the round before has found.
+    struct Asked {
+        Vec4 e = Vec4::Zero();
+        double work = 0;
+        std::vector<double> history;
+        std::vector<SectionAnswer> answers;
+    };
+
+    /// The answers at `parts` of a step with e that does `work`.
+    const std::vector<SectionAnswer>& ask(const PlasticZone& zone, const double* history, const Vec4& e,
+                                          double work) const {
+        std::vector<double> start(std::size_t(variables_), 0.0);
+        if (history) std::copy_n(history + first, variables_, start.begin());
+        for (const Asked& a : asked_)
+            if (a.work == work && a.e == e && a.history == start && !a.answers.empty()) return a.answers;
+        std::array<SectionFlow, parts.size()> flows;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const Vec4 d = parts[i] * e.cwiseProduct(zone.per_strength);
+            flows[i] = {d[0], d[1], d[2], d[3], parts[i] * work / zone.energy};
+        }
+        Asked& a = asked_[next_++ % asked_.size()];
+        a.answers.clear();
+        a.answers = rule_(flows, start.data());
+        a.e = e, a.work = work, a.history = std::move(start);
+        return a.answers;
     }
     void keep(const SectionAnswer& answer, double* history) const {
         history[strength] = answer.strength;
@@ -78,6 +107,8 @@ private:
     SectionRule rule_;
     int variables_;
     double initial_ = 1;
+    mutable std::array<Asked, 4> asked_;  ///< the last ones; a run that calls the script has one thread
+    mutable std::size_t next_ = 0;
 };
 
 }  // namespace

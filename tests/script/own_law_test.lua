@@ -26,6 +26,20 @@ local kinematic = { variables = 4, step = function(flow, x)
   return 1, back, back
 end }
 
+-- The same two, asked for several flows at once.
+local function in_batches(law)
+  return { variables = law.variables, batch = function(flows, history)
+    local strengths, backs, histories = {}, {}, {}
+    for i = 1, flows.count do
+      local flow = { x = flows.x[i], y = flows.y[i], N = flows.N[i], z = flows.z[i], strain = flows.strain[i] }
+      local back
+      strengths[i], back, histories[i] = law.step(flow, history)
+      backs[i] = back or { 0, 0, 0, 0 }
+    end
+    return strengths, backs, histories
+  end }
+end
+
 local function cantilever(law, hardening, interaction)
   local model = hinge.model { interaction = interaction }
   local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
@@ -54,7 +68,11 @@ case("the same law in C++ and in Lua: statics, two laws of sections", function()
       local by_lua, by_cpp = cycled(pair[1], nil, interaction), cycled(nil, pair[2], interaction)
       local plain = cycled(nil, nil, interaction)
       for i = 1, #by_cpp do
-        near(by_lua[i], by_cpp[i], 1e-8 * math.abs(by_cpp[i]), ("%s, %s, %d"):format(interaction, name, i))
+        near(by_lua[i], by_cpp[i], 1e-9 * math.abs(by_cpp[i]), ("%s, %s, %d"):format(interaction, name, i))
+      end
+      local batches = cycled(in_batches(pair[1]), nil, interaction)
+      for i = 1, #by_lua do
+        near(batches[i], by_lua[i], 0, ("%s, %s, %d: in batches"):format(interaction, name, i))
       end
       expect(math.abs(by_cpp[1] - plain[1]) > 0.03 * plain[1], "the law is to be seen: %g and %g", by_cpp[1], plain[1])
     end
@@ -150,6 +168,15 @@ case("what is wrong is named at the script's line", function()
   wrong("nan at a growth", function() return 0 / 0 end)
   wrong("the back resultants that it returned is", function() return 1, { 1, 2 } end)
   wrong("list of 2 finite numbers", { variables = 2, step = function() return 1, nil, { 1 } end })
+  wrong("returned nil as strengths; it must be an array with an item for each flow", { batch = function() end })
+  wrong("returned nil at a growth", { batch = function() return { 1 } end })
+  wrong("returned 1 as back resultants", { batch = function() return { 1, 1, 1 }, 1 end })
+  wrong("list of 2 finite numbers", { variables = 2, batch = function(f)
+    expect(f.count == #f.x and f.count == #f.strain, "count %d, %d, %d", f.count, #f.x, #f.strain)
+    return { 1, 1, 1 }, nil, { { 1 }, { 1 }, { 1 } }
+  end })
+  wrong("given beside step", { step = function() return 1 end, batch = function() return { 1, 1, 1 } end })
+  wrong("must be a function(flows, history)", { batch = 1 })
   wrong("too late", function() error "too late" end)
   wrong("field 'law' is 3", 3)
   wrong("must be a function(flow, history)", { variables = 1 })

@@ -276,18 +276,24 @@ TEST_CASE("own law: hardening as a function gives what hardening gives", "[mater
                           resultants(p, 1).cwiseQuotient(strength).norm());
     };
     const PlasticZone zone = zone_of(length / 2);
-    const auto isotropic = own_law(
-        [&](const SectionFlow& flow, const double* history) {
-            const double strain = history[0] + flow.strain;
-            return SectionAnswer{1 + H / fy * strain, Vec4::Zero(), {strain}};
-        },
-        1);
+    const auto for_each = [](auto answer) {
+        return [answer](std::span<const SectionFlow> flows, const double* history) {
+            std::vector<SectionAnswer> answers;
+            for (const SectionFlow& flow : flows) answers.push_back(answer(flow, history));
+            return answers;
+        };
+    };
+    const auto isotropic = own_law(for_each([&](const SectionFlow& flow, const double* history) {
+                                       const double strain = history[0] + flow.strain;
+                                       return SectionAnswer{1 + H / fy * strain, Vec4::Zero(), {strain}};
+                                   }),
+                                   1);
     const auto kinematic = own_law(
-        [&](const SectionFlow& flow, const double* x) {
+        for_each([&](const SectionFlow& flow, const double* x) {
             const Vec4 grows = H * zone.per_modulus.cwiseProduct(strength).cwiseProduct(strength),
                        back = Vec4(x[0], x[1], x[2], x[3]) + grows.cwiseProduct(Vec4(flow.x, flow.y, flow.N, flow.z));
             return SectionAnswer{1, back, {back[0], back[1], back[2], back[3]}};
-        },
+        }),
         4);
     for (const bool exact : {false, true})
         for (const bool moves : {false, true}) {

@@ -180,35 +180,97 @@ std::vector<double> numbers_of(lua_State* L, int count, const LuaFunction& f, co
     return out;
 }
 
-/// One call of the function for a section.
-beam::SectionAnswer ask_law(const LuaFunction& f, int variables, const beam::SectionFlow& flow, const double* history) {
-    lua_State* L = f.running();
-    const std::string who = "model:member: the function in field 'law'";
-    f.push(L);
-    lua_createtable(L, 0, 5);
-    for (const auto& [name, x] : {std::pair("x", flow.x), std::pair("y", flow.y), std::pair("N", flow.N),
-                                  std::pair("z", flow.z), std::pair("strain", flow.strain)})
-        lua_pushnumber(L, x), lua_setfield(L, -2, name);
-    lua_createtable(L, variables, 0);
-    for (int i = 0; i < variables; ++i) lua_pushnumber(L, history[i]), lua_rawseti(L, -2, i + 1);
-    call_hook(L, f, 2, 3, who);
-    beam::SectionAnswer answer;
-    if (lua_isnil(L, -1)) lua_pop(L, 1);
-    else answer.history = numbers_of(L, variables, f, who + ": the history that it returned");
-    if (lua_isnil(L, -1)) {
-        lua_pop(L, 1);
-    } else {
-        const std::vector<double> back = numbers_of(L, 4, f, who + ": the back resultants that it returned");
-        answer.back << back[0], back[1], back[2], back[3];
-    }
-    answer.strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
+constexpr const char* who_law = "model:member: the function in field 'law'";
+
+double checked_strength(lua_State* L, const LuaFunction& f, const beam::SectionFlow& flow) {
+    const double strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
     const std::string shown = show(L, -1);
     lua_pop(L, 1);
-    if (!(std::isfinite(answer.strength) && answer.strength >= least))
-        throw HookError(f.place() + ": " + who + " returned " + shown + " at a growth of the mean plastic strain of " +
-                        show(flow.strain) +
+    if (!(std::isfinite(strength) && strength >= least))
+        throw HookError(f.place() + ": " + who_law + " returned " + shown +
+                        " at a growth of the mean plastic strain of " + show(flow.strain) +
                         "; it must return a number of 0.01 or more, the strength over the fully plastic one");
-    return answer;
+    return strength;
+}
+
+/// The back resultants at the top of the stack, which are taken off; nil: 0.
+Vec4 back_of(lua_State* L, const LuaFunction& f) {
+    if (lua_isnil(L, -1)) return lua_pop(L, 1), Vec4(Vec4::Zero());
+    const std::vector<double> back =
+        numbers_of(L, 4, f, std::string(who_law) + ": the back resultants that it returned");
+    return {back[0], back[1], back[2], back[3]};
+}
+/// The history variables there; nil: none, as they were.
+std::vector<double> history_of(lua_State* L, int variables, const LuaFunction& f) {
+    if (lua_isnil(L, -1)) return lua_pop(L, 1), std::vector<double>();
+    return numbers_of(L, variables, f, std::string(who_law) + ": the history that it returned");
+}
+
+void push_history(lua_State* L, int variables, const double* history) {
+    lua_createtable(L, variables, 0);
+    for (int i = 0; i < variables; ++i) lua_pushnumber(L, history[i]), lua_rawseti(L, -2, i + 1);
+}
+
+constexpr std::pair<const char*, double beam::SectionFlow::*> flow_fields[] = {{"x", &beam::SectionFlow::x},
+                                                                               {"y", &beam::SectionFlow::y},
+                                                                               {"N", &beam::SectionFlow::N},
+                                                                               {"z", &beam::SectionFlow::z},
+                                                                               {"strain", &beam::SectionFlow::strain}};
+
+/// One call of the function for each flow.
+std::vector<beam::SectionAnswer> ask_law(const LuaFunction& f, int variables, std::span<const beam::SectionFlow> flows,
+                                         const double* history) {
+    lua_State* L = f.running();
+    std::vector<beam::SectionAnswer> answers;
+    for (const beam::SectionFlow& flow : flows) {
+        f.push(L);
+        lua_createtable(L, 0, int(std::size(flow_fields)));
+        for (const auto& [name, field] : flow_fields) lua_pushnumber(L, flow.*field), lua_setfield(L, -2, name);
+        push_history(L, variables, history);
+        call_hook(L, f, 2, 3, who_law);
+        beam::SectionAnswer answer;
+        answer.history = history_of(L, variables, f);
+        answer.back = back_of(L, f);
+        answer.strength = checked_strength(L, f, flow);
+        answers.push_back(std::move(answer));
+    }
+    return answers;
+}
+
+/// One call for all flows: `count`, and an array for each field. It returns an array of strengths, and nil or an array
+/// of back resultants, and of history variables.
+std::vector<beam::SectionAnswer> ask_batch(const LuaFunction& f, int variables,
+                                           std::span<const beam::SectionFlow> flows, const double* history) {
+    lua_State* L = f.running();
+    const int count = int(flows.size());
+    f.push(L);
+    lua_createtable(L, 0, int(std::size(flow_fields)) + 1);
+    lua_pushinteger(L, count), lua_setfield(L, -2, "count");
+    for (const auto& [name, field] : flow_fields) {
+        lua_createtable(L, count, 0);
+        for (int i = 0; i < count; ++i) lua_pushnumber(L, flows[std::size_t(i)].*field), lua_rawseti(L, -2, i + 1);
+        lua_setfield(L, -2, name);
+    }
+    push_history(L, variables, history);
+    call_hook(L, f, 2, 3, who_law);
+    static const char* const what[] = {"strengths", "back resultants", "histories"};
+    for (int i = 0; i < 3; ++i)
+        if (const int type = lua_type(L, i - 3); type != LUA_TTABLE && (i == 0 || type != LUA_TNIL))
+            throw HookError(f.place() + ": " + who_law + " returned " + show(L, i - 3) + " as " + what[i] +
+                            "; it must be an array with an item for each flow" + (i == 0 ? "" : ", or nil"));
+    std::vector<beam::SectionAnswer> answers(flows.size());
+    for (int i = 0; i < count; ++i) {
+        const auto item = [&](int of) {
+            if (lua_isnil(L, of - 3)) lua_pushnil(L);
+            else lua_rawgeti(L, of - 3, i + 1);
+        };
+        beam::SectionAnswer& answer = answers[std::size_t(i)];
+        item(0), answer.strength = checked_strength(L, f, flows[std::size_t(i)]);
+        item(1), answer.back = back_of(L, f);
+        item(2), answer.history = history_of(L, variables, f);
+    }
+    lua_pop(L, 3);
+    return answers;
 }
 
 }  // namespace
@@ -217,10 +279,10 @@ std::shared_ptr<const beam::MaterialLaw> read_own_law(Options& member, const std
     lua_State* L = member.L();
     const int type = member.push_field("law");
     if (type == LUA_TNIL) return lua_pop(L, 1), nullptr;
-    const auto law_of = [](LuaFunction f, int variables) {
+    const auto law_of = [](LuaFunction f, int variables, bool batch = false) {
         return beam::own_law(
-            [f = std::move(f), variables](const beam::SectionFlow& flow, const double* history) {
-                return ask_law(f, variables, flow, history);
+            [f = std::move(f), variables, batch](std::span<const beam::SectionFlow> flows, const double* history) {
+                return batch ? ask_batch(f, variables, flows, history) : ask_law(f, variables, flows, history);
             },
             variables);
     };
@@ -229,13 +291,17 @@ std::shared_ptr<const beam::MaterialLaw> read_own_law(Options& member, const std
         law = law_of(LuaFunction(L, -1, *model), 0);
     } else if (type == LUA_TTABLE) {
         Options o(L, lua_gettop(L), member.function() + ": field 'law'");
-        o.expect({"variables", "step"});
+        o.expect({"variables", "step", "batch"});
         const int variables = o.integer("variables", 0, 0);
         if (variables > most_variables)
             o.complain("variables", std::to_string(variables), "must be from 0 to " + std::to_string(most_variables));
-        if (o.push_field("step") != LUA_TFUNCTION)
-            o.complain("step", show(L, -1), "must be a function(flow, history) that returns a strength");
-        law = law_of(LuaFunction(L, -1, *model), variables);
+        const bool batch = o.has("batch");
+        if (batch && o.has("step")) o.complain("batch", "given beside step", "give one of the two");
+        if (o.push_field(batch ? "batch" : "step") != LUA_TFUNCTION)
+            o.complain(batch ? "batch" : "step", show(L, -1),
+                       batch ? "must be a function(flows, history) that returns an array of strengths"
+                             : "must be a function(flow, history) that returns a strength");
+        law = law_of(LuaFunction(L, -1, *model), variables, batch);
         lua_pop(L, 1);
         o.finish();
     } else {
