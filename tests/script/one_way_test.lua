@@ -185,6 +185,36 @@ end)
 
 -- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, too short or too
 -- long in places: some of its members are slack at first.
+-- Frames with crossed rods in all panels, pushed sideways. Rods that sag under their weight are slack in one iteration
+-- and taut in the next.
+case("crossed rods with their own weight: statics finds the sway of rods without weight", function()
+  local function sway(bays, storeys, density)
+    local model = hinge.model()
+    local s355 = hinge.material.steel "S355"
+    local grid = hinge.grid { model = model, x = { count = bays, spacing = 6 }, z = { count = storeys, spacing = 4 } }
+    grid:fix "all"
+    grid:defaults { material = s355 }
+    grid:columns { section = hinge.section.named "HEB 200", up = { 1, 0, 0 } }
+    grid:beams { along = "x", section = hinge.section.named "IPE 300" }
+    for i = 1, bays do
+      grid:braces { from = string.char(64 + i) .. 1, to = string.char(65 + i) .. 1, shape = "X", carries = "tension",
+        section = hinge.section.round { diameter = 0.03 }, material = s355:with { density = density } }
+    end
+    for _, node in ipairs(model:nodes()) do model:fix(node, "y") end
+    model:gravity { 0, 0, -g }
+    local corner = grid:node("A1", storeys)
+    model:load { node = corner, force = { 20e3, 0, 0 } }
+    local run = model:static { steps = 4 }:finish()
+    equal(run.verdict, "completed", ("%d x %d, %g kg/m^3: %s"):format(bays, storeys, density, run.reason))
+    near(run.energy_error, 0, 1e-4, "energy error")
+    return corner:displacement(run)
+  end
+  for _, of in ipairs { { 1, 1 }, { 2, 1 }, { 1, 2 }, { 3, 3 } } do
+    local without = sway(of[1], of[2], 1)
+    near(sway(of[1], of[2], 7850), without, 0.02 * without, ("%d x %d: sway"):format(of[1], of[2]))
+  end
+end)
+
 case("a cable under its own weight hangs as a catenary", function()
   local span, pieces = 8, 20
   local heavy, rope = hinge.material { E = E, density = 9e5 }, hinge.section.round { diameter = 0.012 }
