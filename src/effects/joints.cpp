@@ -25,6 +25,9 @@ namespace {
 /// converge, and explicit steps would be shorter.
 constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
 
+/// Stiffness of a joint that slides, as a part of its elastic one: in the tangent alone.
+constexpr double of_sliding = 1e-9;
+
 const char* const axis_names[] = {"Mx", "My", "Mz"};
 
 /// A spring in series with a slider that holds up to `strength`.
@@ -122,7 +125,9 @@ public:
             if (list()[i].broken) continue;
             const RelativeRotation r = turn(i, at);
             const Evaluated e = evaluate(i, r.rotation);
-            add(i, r, e.slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks);
+            // a joint that slides leaves a mechanism: without any stiffness what solves for it would divide by rounding
+            const Vec3 slope = e.slope.cwiseMax(of_sliding * made_[i].stiffness);
+            add(i, r, slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks);
         }
     }
     void add_stiffest(Blocks& most) const override {
