@@ -462,9 +462,9 @@ function hinge.joint(options) end
 ---explicit steps is without the inertia of half an element
 ---@field tension? number
 ---@field shear? number N: it breaks at this force across the member; default: never
----linear: a tension T leaves the part 1 - T / tension of the strengths of Mx and My (EN 1993-1-8, 6.2.7.1 (3)). It is
----the T at the end of the step before; compression takes nothing. It needs `tension`, and a strength of Mx or My.
----Default none
+---linear: a tension T leaves the part 1 - T / tension of the strengths of Mx and My (EN 1993-1-8, 6.2.7.1 (3)). In
+---dynamics T follows the force of the member with the delay of an axial wave through it, in statics with that of a
+---step; compression takes nothing. It needs `tension`, and a strength of Mx or My. Default none
 ---@field interaction? "none"|"linear"
 
 ---Moment over the rotation of the member's end relative to the node: `stiffness`, with `strength` or without, or

@@ -5,7 +5,9 @@
 // displacement to that of the script's node. A moment resists its rotation relative to that node, about the axes of the
 // section, which rotate with the node. The curve of an axis is a sum of springs, each in series with a slider: their
 // stiffnesses are the differences of the slopes. So unloading is elastic, a cycle follows Masing's rule, and each step
-// dissipates energy or none. Tension may take strength from the sliders; it is that where the step begins.
+// dissipates energy or none. Tension may take strength from the sliders; it is that where the step begins. It follows
+// the force of the member with the delay of an axial wave: a moment that falls changes that force at once, and without
+// a delay the two would swing from step to step, however short the steps.
 #include "effects/joints.h"
 
 #include <algorithm>
@@ -176,7 +178,7 @@ public:
         bool any = false;
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
-            keep(i);
+            keep(i, step.dt);
             if (list()[i].over < 0 || !w_.kind.dynamic) continue;
             release(i, step.end());
             any = true;
@@ -242,7 +244,8 @@ private:
         int node, end;   ///< the script's node, and the member's own
         Vec3 stiffness;  ///< of the elastic part about each axis, N m/rad
         std::vector<JointPart> parts[3];
-        Mat3 axes;  ///< columns x y z of the section
+        Mat3 axes;        ///< columns x y z of the section
+        double wave = 0;  ///< s, in which an axial wave runs through the member
     };
     struct Evaluated {
         Vec3 moment = Vec3::Zero(), slope = Vec3::Zero();
@@ -265,6 +268,7 @@ private:
         const Element& e = s.elements()[s.elements_at(m.end)[0]];
         const double length = e.length * s.model().members()[j.member].elements;
         m.axes = e.axes.toRotationMatrix();
+        m.wave = length * std::sqrt(e.rigidity.rhoA / e.rigidity.EA);
         find_parts(j, Vec3(4 * e.rigidity.EIx, 4 * e.rigidity.EIy, e.rigidity.GJ) / length, m);
         return m;
     }
@@ -357,7 +361,7 @@ private:
     }
 
     /// Takes what the step has led to, and sees whether it reaches a capacity.
-    void keep(std::size_t i) {
+    void keep(std::size_t i, double dt) {
         const Made& m = made_[i];
         const JointProperties& is = declared()[i].is;
         JointNow& j = list()[i];
@@ -370,7 +374,11 @@ private:
         const Vec3 f = turned.transpose() * now_[i].of_end;
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
-        if (is.tension_weakens) weaken(m, std::clamp(1 - j.tension / is.tension, 0.0, 1.0), j);
+        if (is.tension_weakens) {
+            const double part = w_.kind.dynamic && dt < m.wave ? dt / m.wave : 1;
+            j.pull += part * (j.tension - j.pull);
+            weaken(m, std::clamp(1 - j.pull / is.tension, 0.0, 1.0), j);
+        }
         j.over = -1;
         for (int k = 0; k < 3; ++k)
             if (std::abs(j.rotation[k]) >= is.axis[k].capacity) j.over = k;

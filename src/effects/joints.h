@@ -72,12 +72,13 @@ struct JointNow {
     Vec3 offset = Vec3::Zero();     ///< of rigid axes: the rotation without moment, rad
     double tension = 0, shear = 0;  ///< N
     std::vector<double> slid[3];    ///< rad: plastic rotation of each part of the curve
-    double left = 1;                ///< part of the curves of x and y that the tension leaves
+    double pull = 0;                ///< N: the tension that weakens, which follows that above with a delay
+    double left = 1;                ///< part of the curves of x and y that it leaves
     int over = -1;  ///< what has reached its capacity: 0 to 2 a rotation, 3 tension, 4 shear; -1: nothing
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.left, s.over);
+        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.pull, s.left, s.over);
     }
 };
 

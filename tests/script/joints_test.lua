@@ -366,16 +366,19 @@ case("a beam that hangs between joints: the energy closes while tension grows", 
     model:gravity { 0, 0, -8 * g }
     model:damping { ratio = 0.05, periods = { 0.2, 0.01 } } -- of the ringing along the beam
     local run = model:dynamic { dt = dt, duration = 0.2 }
-    local before, deepest, past = 0, 0, 0
+    -- the tension that counts follows that of the member with the delay of an axial wave
+    local wave = 6 * math.sqrt(3e3 / g / girder.area / 210e9)
+    local pull, at, deepest, past = 0, 0, 0, 0
     while run:step() do
       local now = hung:joint("a", run)
-      past = support.largest_of(past, math.abs(now.Mx) - 40e3 * (1 - before / 600e3))
-      before = support.largest_of(0, now.tension)
+      past = support.largest_of(past, math.abs(now.Mx) - 40e3 * math.min(1, 1 - pull / 600e3))
+      pull = pull + math.min(1, (run.time - at) / wave) * (now.tension - pull)
+      at = run.time
       deepest = support.largest_of(deepest, now.tension)
     end
     equal(run.verdict, "completed", "run")
     expect(deepest > 100e3 and deepest < 600e3, "largest tension %g N", deepest)
-    near(past, 0, 1e-3, "moment beyond that which the tension of the step before leaves, N m")
+    near(past, 0, 1e-3, "moment beyond that which the tension leaves, N m")
     errors[i] = math.abs(run.energy_error)
   end
   near(errors[1], 0, 3e-4, "energy error")
