@@ -673,7 +673,14 @@ function joint.web_cleats(options) end
 ---@field column_edge number m, from the bolts at the column to the free side of that leg
 ---@field column_gauge number m, between the bolts at the column, across the web
 
----@class hinge.web_cleats_bolts: hinge.fin_plate_bolts
+---@class hinge.web_cleats_bolts
+---@field diameter number m: M12, M16, M20, M22, M24, M27, M30 or M36
+---@field grade "4.6"|"4.8"|"5.6"|"5.8"|"6.8"|"8.8"|"10.9"
+---@field rows integer bolts above each other
+---@field lines? 1|2 default 1
+---@field pitch? number m, between rows
+---@field gauge? number m, between lines
+---@field shank? boolean true: no thread in the shear plane; default false
 ---@field head? number m: width of head or washer; then mode 1 of the legs is by the alternative of table 6.2
 
 ---@class hinge.web_cleats_numbers

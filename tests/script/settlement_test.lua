@@ -125,6 +125,15 @@ local function fails(call, words)
   expect(not done and message:find(words, 1, true), "wanted an error with '%s', got %s", words, message)
 end
 
+case("a support that joints alone join to members is refused, and not left where it is", function()
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  model:member { a, b, section = square, material = elastic, ends = { a = hinge.joint { Mx = { stiffness = 1e5 } } } }
+  model:fix { a, b }
+  model:settle { node = a, z = -0.01 }
+  fails(function() model:static() end, "does not go yet with model:member, ends at its node")
+end)
+
 case("wrong input is refused and changes nothing", function()
   local model, nodes = row(2, {}, elastic)
   model:fix(nodes[0])
