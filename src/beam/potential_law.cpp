@@ -220,7 +220,7 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
 /// Adds what an end has flowed to the flow of its element.
 PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, double dt, ElementFlow& out) const {
     if (!end.flows()) return {};
-    Work w = work_at(end.e, end.own);
+    Work w = end.e == end.known_at ? end.known : work_at(end.e, end.own);
     harden(end, end.e, w);
     out.plastic += end.plastic();
     out.lambda[section] = 0.5 * w.initial;

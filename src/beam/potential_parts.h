@@ -17,6 +17,14 @@ struct PotentialLaw::SoFar {
     Vec4 e = Vec4::Zero();
 };
 
+/// Work of a plastic deformation e and its derivatives: D alone, or with what hardening and rate make of it.
+struct PotentialLaw::Work {
+    double value = 0, initial = 0;  ///< J; initial: D(e)
+    Vec4 q = Vec4::Zero();
+    Mat4 curvature = Mat4::Zero();
+    void scale(double t) { value *= t, initial *= t, curvature /= t; }
+};
+
 /// A section that can flow, and how far it has.
 struct PotentialLaw::End {
     double n1, n2;                ///< of the section's moments, from those at the element's ends
@@ -28,6 +36,8 @@ struct PotentialLaw::End {
     const double *history = nullptr, *own = nullptr;  ///< own: the variables of the law itself
     double dt = 0;
     Vec4 e = Vec4::Zero();
+    mutable Vec4 known_at = Vec4::Zero();  ///< the e, not zero, of which the search knows D(e) and its derivatives
+    mutable Work known;                    ///< those
 
     End() = default;
     End(double r, const Vec4& per_strength, const Stiffness& of)
@@ -58,6 +68,7 @@ struct PotentialLaw::End {
         fixed -= back;
     }
     bool flows() const { return !e.isZero(0); }
+    void knows(const Vec4& at, const Work& work) const { known_at = at, known = work; }
     double at() const { return n1 + n2; }  ///< its position in the element, -1 to 1
     /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
     Vec4 carries(const Vec6& p) const {
@@ -73,14 +84,6 @@ struct PotentialLaw::End {
         B(2, 4) = per[2], B(3, 5) = per[3];
         return B;
     }
-};
-
-/// Work of a plastic deformation e and its derivatives: D alone, or with what hardening and rate make of it.
-struct PotentialLaw::Work {
-    double value = 0, initial = 0;  ///< J; initial: D(e)
-    Vec4 q = Vec4::Zero();
-    Mat4 curvature = Mat4::Zero();
-    void scale(double t) { value *= t, initial *= t, curvature /= t; }
 };
 
 }  // namespace hinge::beam

@@ -79,7 +79,10 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
     for (int i = 0; i < most_steps; ++i) {
         const Vec4 off = trial - k.cwiseProduct(e) - at.q;
         const double missed = off.norm();
-        if (missed <= flow_tolerance * size) return Search::found;
+        if (missed <= flow_tolerance * size) {
+            if (material_.laws.empty()) end.knows(e, at);
+            return Search::found;
+        }
         bool fell = false;
         for (int tries = 0; tries < 40 && !fell; ++tries) {
             Mat4 H = at.curvature;
@@ -170,6 +173,7 @@ private:
         G_ = 0.5 * plastic.dot(relieved) - trial_.dot(plastic);
         for (int i : {0, 1}) {
             Work w = law_.work_at(ends_[i].e, ends_[i].own);
+            ends_[i].knows(ends_[i].e, w);
             law_.harden(ends_[i], ends_[i].e, w);
             bend_[i] = w.curvature;
             G_ += w.value - ends_[i].fixed.dot(ends_[i].e);

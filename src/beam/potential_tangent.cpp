@@ -33,11 +33,10 @@ namespace {
 /// K - K B^T (B K B^T + D'')^-1 B K: the tangent where sections flow, with four rows of B and a block of D'' for each.
 /// Row after row is eliminated, that of the largest pivot first. Where N may flow at either of two ends, the matrix in
 /// the middle is singular, and what is left of it is damped.
-template <int size>
-Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, const Eigen::Matrix<double, 16, size>& B,
-                                          const Mat4 (&bend)[4], int sections) {
-    const int height = 4 * sections;
-    double BK[16][size], H[16][16];
+template <int size, int sections>
+void reduce(Eigen::Matrix<double, size, size>& K, const Eigen::Matrix<double, 16, size>& B, const Mat4 (&bend)[4]) {
+    constexpr int height = 4 * sections;
+    double BK[height][size], H[height][height];
     for (int i = 0; i < height; ++i) {
         for (int j = 0; j < size; ++j) BK[i][j] = 0;
         for (int m = 0; m < size; ++m)
@@ -50,8 +49,8 @@ Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, c
         if (H[i][i] == 0) H[i][i] = 1;  // of infinite strength
         else H[i][i] *= 1 + least_pivot_growth;
     }
-    bool left[16];
-    std::fill_n(left, 16, true);
+    bool left[height];
+    std::fill_n(left, height, true);
     for (int step = 0; step < height; ++step) {
         int p = -1;
         for (int i = 0; i < height; ++i)
@@ -69,6 +68,15 @@ Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, c
             for (int j = 0; j < size; ++j) BK[i][j] -= part * BK[p][j];
         }
     }
+}
+
+template <int size>
+Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, const Eigen::Matrix<double, 16, size>& B,
+                                          const Mat4 (&bend)[4], int sections) {
+    if (sections == 1) reduce<size, 1>(K, B, bend);
+    if (sections == 2) reduce<size, 2>(K, B, bend);
+    if (sections == 3) reduce<size, 3>(K, B, bend);
+    if (sections == 4) reduce<size, 4>(K, B, bend);
     return K;
 }
 
