@@ -30,7 +30,7 @@ return hinge.scenario {
 
   run = function(p, job)
     local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member,
-      p_delta = "chord", weight = "nodes" } -- as in the paper
+      p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
     local frame = building.add(model, { design = p.design, bays = { 4, 4 }, storeys = 10 })
     local plane, parts = aircraft.add(model, { design = p.aircraft,
       size = p.size, mass = p.mass, speed = p.speed, heading = { 1, 0, 0 },

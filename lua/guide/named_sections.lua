@@ -3,7 +3,7 @@ local hinge = require "hinge"
 local u = hinge.units
 
 -- Sections and materials by their names; units as factors.
-local column = hinge.section.named("HEB 300", { interaction = "exact" })
+local column = hinge.section.named "HEB 300"
 local beam = hinge.section.named "IPE 400"
 local steel = hinge.material.steel("S355", { thickness = 19 * u.mm }) -- the flange of the column
 

@@ -20,7 +20,7 @@ local function collapse_load(L, p)
 end
 
 -- The same by hand: N and M = N e0 tan(u) / u in the middle, the exact moment of a crooked elastic column with
--- u = pi / 2 sqrt(N / Euler), reach the yield surface together (eq 14). Halving finds N.
+-- u = pi / 2 sqrt(N / Euler), make the pipe fully plastic: M / Mp = cos(pi / 2 N / squash). Halving finds N.
 local function by_hand(L, p)
   local squash, plastic = pipe.area * p.yield_stress, pipe.Zx * p.yield_stress
   local euler = math.pi ^ 2 * 206e9 * pipe.Ix / L ^ 2
@@ -29,7 +29,7 @@ local function by_hand(L, p)
     local N = (low + high) / 2
     local u = math.pi / 2 * math.sqrt(N / euler)
     local M = N * L / 500 * math.tan(u) / u
-    if (N / squash) ^ 2 + (M / plastic) ^ 2 < 1 then low = N else high = N end
+    if M < plastic * math.cos(math.pi / 2 * N / squash) then low = N else high = N end
   end
   return low
 end

@@ -63,14 +63,18 @@ end
 -- carries the moment f m(g / f) Mp under the axial force g times area times yield stress, where m(n) is its moment over
 -- Mp under n of its axial strength. Published moments hold under the axial force. f follows from them.
 
+-- The interaction that a section yields by in a model with its defaults.
+local function interaction_of(s, asked)
+  return asked or s.interaction or s:reduced_moments(0) and "exact" or "paper"
+end
+
 -- m(n) about the strong axis, by the interaction that the section yields by.
 local function reduced_moment(where, s, asked)
   if asked and s.interaction and s.interaction:match "^%a+" ~= asked then
     check.fail("%s: field 'interaction' is '%s', but the section '%s' has interaction = '%s', by which it yields in a "
       .. "run; leave the field out", where, asked, s.kind, s.interaction)
   end
-  local law = asked or s.interaction
-  if not (law or ""):find "^exact" then return function(n) return math.sqrt(math.max(1 - n * n, 0)) end end
+  if not interaction_of(s, asked):find "^exact" then return function(n) return math.sqrt(math.max(1 - n * n, 0)) end end
   if not s:reduced_moments(0) then
     check.fail("%s: field 'interaction' is 'exact'; the section '%s' has no outline for that; take hinge.section.h or "
       .. "hinge.section.named", where, s.kind)
@@ -106,7 +110,7 @@ local function under_force(where, o, g, fy)
     return (moment(f + by) - moment(f - by)) / (2 * by) * f / moment(f)
   end
   return { moment = moment, factor = factor, sensitivity = sensitivity,
-    interaction = o.interaction or s.interaction or "paper" }
+    interaction = interaction_of(s, o.interaction) }
 end
 
 -- Adds points between a and b, { rotation, moment over Mp, factor }, until a straight line between two factors gives

@@ -71,9 +71,9 @@ function hinge.model(options) end
 ---Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation
 ---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
----interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). paper (default): eq 14.
----exact: that of the section's shape; sections whose shape is not known keep eq 14. exact with shear: the same, and
----shear forces take strength from it
+---interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). exact (default): that of
+---the section's shape; sections whose shape is not known have eq 14. exact with shear: the same, and shear forces take
+---strength from it. paper: eq 14, which is unsafe beside an axial force
 ---@field interaction? "paper"|"exact"|"exact with shear"
 ---how the weight of members acts. members (default): along them. It acts at the nodes of their elements, and a member's
 ---two end nodes get what that misses of the end moments of a load along it; `member:forces` has the part between the
@@ -363,8 +363,8 @@ function backbone.nist(options) end
 ---@field unbraced_length? number m; only "pre-Northridge" goes without
 ---of a column: axial force under gravity over area times yield stress, 0 to 1; default 0
 ---@field axial_ratio? number
----of a column: the interaction of N and Mx by which it yields in the run; default: that of the section, else "paper",
----which is the model's default. Give "exact" where the model has interaction = "exact" and the section says none
+---of a column: the interaction of N and Mx by which it yields in the run; default: that of the section, else "exact"
+---where its shape is known. Give "paper" where the model has interaction = "paper" and the section says none
 ---@field interaction? "paper"|"exact"
 ---@field cut? number m; of an RBS, as of hinge.lignos_options
 ---@field wear? boolean false: without the wear of cycles; default true where monotonic
@@ -2059,7 +2059,7 @@ function section.concrete(options) end
 ---hinge.section.angle say how UPN and L lie, and what of them is not modelled.
 ---```lua
 ---local column = hinge.section.named "HEB 300"
----local brace = hinge.section.named("CHS 168.3x8", { interaction = "exact" })
+---local brace = hinge.section.named("CHS 168.3x8", { interaction = "exact with shear" })
 ---```
 ---@param name string
 ---@param options? { interaction?: string }
@@ -2106,7 +2106,7 @@ function section.general(options) end
 ---the shape, m: its parts, each a polygon or a circle; hole = true takes it away. Its centroid becomes the origin, and
 ---its area may differ from `area` by 2 % at most. It is needed for interaction "exact"
 ---@field outline? { corners?: number[][], diameter?: number, centre?: number[], hole?: boolean }[]
----how N, Mx and My interact where the section yields; default: as the model's option says, "paper". paper: eq 14, the
+---how N, Mx and My interact where the section yields; default: as the model's option says, "exact". paper: eq 14, the
 ---sum of the squares of the resultants over their fully plastic values. exact: that of the outline, from its stress
 ---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
 ---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count.

@@ -1,4 +1,4 @@
--- How far eq 14 of the paper, the default yield surface, is from the exact plastic moment.
+-- How far eq 14 of the paper, interaction = "paper", is from the exact plastic moment.
 --
 -- Run     hinge run scripts/benchmarks/interaction_eq14.lua
 -- Shows   the known error of eq 14 beside N / N0 = 0.4, and of a square bent about both axes

@@ -1,4 +1,4 @@
--- Cantilevers whose root becomes fully plastic by eq 14 of the paper, the default yield surface.
+-- Cantilevers whose root becomes fully plastic by eq 14 of the paper.
 --
 -- Run     hinge run scripts/benchmarks/plastic_cantilevers.lua
 -- Shows   that a run ends on eq 14: two moments, N with a moment, and torsion with a moment, first order
@@ -13,7 +13,7 @@ local square = hinge.section.solid { width = side, depth = side }
 
 -- The factor of the limit: `held` forces stay, `push` grows; `arm`: a second member along y with the tip at its end.
 local function limit(push, held, arm)
-  local model = hinge.model { displacement = "small" }
+  local model = hinge.model { displacement = "small", interaction = "paper" }
   local root, corner = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(root)
   model:member { root, corner, section = square, material = steel }

@@ -18,7 +18,7 @@ local rigid = hinge.section.general { area = 0.1, Ix = EI / E, Iy = EI / E, J = 
 -- The load factor of the limit under a horizontal load H at a corner and a vertical load V at midspan, N, and ux of the
 -- corner at each step of a run that drives it.
 local function frame(H, V, options)
-  local model = hinge.model { displacement = "small" }
+  local model = hinge.model { displacement = "small", interaction = "paper" }
   local node = {}
   for i, at in ipairs { { 0, 0 }, { 0, 1 }, { 0.5, 1 }, { 1, 1 }, { 1, 0 } } do
     node[i] = model:node { at[1], 0, at[2] }

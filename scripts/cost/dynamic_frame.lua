@@ -24,7 +24,8 @@ return hinge.scenario {
   run = function(p)
     local formulation, cubic = p.method:gsub(", cubic", "")
     local model = hinge.model { formulation = formulation, mass = cubic > 0 and "cubic" or "linear",
-      elements_per_member = p.elements_per_member, displacement = p.displacement, p_delta = "chord" }
+      elements_per_member = p.elements_per_member, displacement = p.displacement, p_delta = "chord",
+      interaction = "paper" }
     local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = p.yield_stress }
     local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })
     model:load { node = frame.loaded, force = { p.load, 0, 0 } }

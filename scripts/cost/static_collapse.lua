@@ -17,7 +17,7 @@ return hinge.scenario {
     formulation = { "asi-gauss", "asi", "conventional" } },
   run = function(p)
     local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member,
-      displacement = "small" }
+      displacement = "small", interaction = "paper" }
     local steel = hinge.material { E = 206e9, nu = 0.3, yield_stress = p.yield_stress }
     local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })
     model:load { node = frame.loaded, force = { p.load, 0, 0 } }

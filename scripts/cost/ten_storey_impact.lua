@@ -25,7 +25,7 @@ return hinge.scenario {
   accuracy = { dt = { 1e-5, 2e-5, 4e-5 },
     scheme = { "newmark", "newmark, double", "newmark, iterated", "newmark, surface", "explicit" } },
   run = function(p)
-    local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
+    local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
     local frame = building.add(model, { design = "heavy" })
     local plane = aircraft.add(model, { design = "slender", size = p.size, mass = p.mass, speed = p.speed,
       position = { -0.5, frame.size[2] / 2, p.height } })

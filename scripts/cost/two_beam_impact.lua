@@ -14,7 +14,8 @@ return hinge.scenario {
     duration = 2e-3, elements_per_member = 2 }, -- s
   accuracy = { dt = { 2.5e-6, 5e-6, 1e-5, 2e-5 }, beta = { 0.25, 0.4 } },
   run = function(p)
-    local model = hinge.model { elements_per_member = p.elements_per_member, p_delta = "chord" } -- as in the paper
+    local model = hinge.model { elements_per_member = p.elements_per_member, p_delta = "chord",
+      interaction = "paper" } -- as in the paper
     local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
     local square = hinge.section.solid { width = p.thickness, depth = p.thickness }
     local half = p.length / 2

@@ -40,7 +40,7 @@ return hinge.scenario {
   cases = impact.cases,
   run = function(p, job)
     if p.quick then p = impact.with(p, { duration = 0.05 }) end
-    local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
+    local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
     local frame, plane = impact.add(model, p)
     -- just below the feet, which stay fixed; elastic points, which the figures of README.md are of
     model:ground { point = { 0, 0, -0.2 }, friction = 0.4, restitution = 1 }

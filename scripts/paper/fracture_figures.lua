@@ -98,7 +98,7 @@ return hinge.scenario {
   },
 
   run = function(p, job)
-    local model = hinge.model { p_delta = "chord" } -- as in the paper
+    local model = hinge.model { p_delta = "chord", interaction = "paper" } -- as in the paper
     local steel = hinge.material { E = p.E, nu = p.nu, density = p.density }
     local bar = hinge.section.solid { width = p.thickness, depth = p.thickness }
     local corners, members = {}, {}

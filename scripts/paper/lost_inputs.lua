@@ -69,7 +69,8 @@ end
 
 -- Model of one run, and the building at rest.
 local function at_rest(p, case, aside)
-  local model, changes = hinge.model { p_delta = "chord", weight = "nodes" }, impact.cases[case] -- as in the paper
+  local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
+  local changes = impact.cases[case]
   local frame, plane = impact.add(model, {
     speed = changes.speed, mass = changes.mass, size = changes.size, height = p.height * p.storey,
     offset = p.offset * p.bay + aside, contact = p.contact, yield_stress = p.yield_stress * 1e6,

@@ -27,6 +27,7 @@ local paper       = require "hinge.paper"
 local function respond_to_load(p, method, elements, plastic, parts, exact, mass)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic, mass = mass,
+    interaction = "paper",
   }
   local steel = hinge.material { E = p.E, nu = p.nu, density = p.density, yield_stress = p.yield_stress }
   local frame = space_frame.add(model,

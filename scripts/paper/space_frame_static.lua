@@ -22,6 +22,7 @@ local paper       = require "hinge.paper"
 local function push_over(p, method, elements, plastic, steps)
   local model = hinge.model {
     formulation = method, elements_per_member = elements, displacement = "small", plasticity = plastic,
+    interaction = "paper",
   }
   local steel = hinge.material { E = p.E, nu = p.nu, yield_stress = p.yield_stress }
   local frame = space_frame.add(model, { side = p.side, thickness = p.thickness, material = steel })

@@ -31,7 +31,8 @@ local percent = function(part) return ("%.2f"):format(100 * part) end
 -- over time, and if the run failed, why. see(run) is called after each step.
 local function collide(p, name, rule, changes, see)
   local q = setmetatable(changes or {}, { __index = p })
-  local model = hinge.model { elements_per_member = q.elements, p_delta = "chord", weight = "nodes" } -- as in the paper
+  local model = hinge.model { elements_per_member = q.elements, p_delta = "chord", interaction = "paper",
+    weight = "nodes" } -- as in the paper
   local steel = hinge.material { E = q.E, nu = q.nu, density = q.density }
   local square = hinge.section.solid { width = q.thickness, depth = q.thickness }
   local along = { math.cos(math.rad(q.angle)), math.sin(math.rad(q.angle)) }

@@ -20,7 +20,7 @@ return hinge.scenario {
   },
   run = function(p)
     local mass = 2 * p.energy / p.speed ^ 2
-    local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in Case I
+    local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in Case I
     local frame, plane = impact.add(model, impact.with(p, { mass = mass }))
     local rest = model:static { fixed_group = plane }:finish()
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit",

@@ -98,8 +98,8 @@ void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
              (others > 0
                   ? ", and so do " + count_text(others, "more member") + " by more than " + excess_text(unsafe_excess)
                   : ""),
-         "eq 14, the default yield surface, is unsafe there: this run finds too high a strength; give hinge.model, "
-         "or the section, interaction = \"exact\"",
+         "eq 14, interaction = \"paper\", is unsafe there: this run finds too high a strength; leave that option out, "
+         "or give \"exact\"",
          member});
 }
 

@@ -132,7 +132,7 @@ struct ModelOptions {
     MassShape mass = MassShape::linear;
     PDelta p_delta = PDelta::member;
     Weight weight = Weight::members;
-    Interaction interaction = Interaction::paper;  ///< of sections that do not say theirs and have an outline
+    Interaction interaction = Interaction::exact;  ///< of sections that do not say theirs and have an outline
     bool plasticity = true;
     int elements_per_member = 2;
     bool automatic_elements = false;  ///< elements_per_member = "auto"

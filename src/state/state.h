@@ -192,7 +192,8 @@ State initial_state(const Structure& structure);
 bool makes_sense(const State& state, const Structure& structure);
 bool is_finite(const State& state);  ///< each of its numbers
 
-/// A hash of every array: equal states have equal hashes, whatever the machine's thread count.
+/// A hash of every array: equal states have equal hashes, whatever the machine's thread count. History variables that
+/// are all zero do not count.
 std::uint64_t hash(const State& state);
 
 }  // namespace hinge

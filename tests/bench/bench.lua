@@ -39,7 +39,7 @@ local function energy_error(run) return run.energy.remainder / run.energy.initia
 -- to model:fracture.
 local function case_one(options, rule, breaks, p_delta)
   local q = impact.parameters { design = "heavy", dt = 1e-5 }
-  local model = hinge.model { p_delta = p_delta or "chord", weight = "nodes" } -- as in the paper
+  local model = hinge.model { p_delta = p_delta or "chord", interaction = "paper", weight = "nodes" } -- as in the paper
   local _, plane = impact.add(model, q)
   if rule then model:contact(rule) end
   if breaks then model:fracture(breaks) end

@@ -285,7 +285,7 @@ case("a budget leaves out effects and says so", function()
   r = hinge.cost(slow, { effects = true, budget = 0.13, out = support.temporary_folder() })
   expect(#r.left_out >= 1 and not r.complete and #r.effects + #r.laws + #r.left_out == 7, "left out: %s",
     table.concat(r.left_out, ", "))
-  equal(r.left_out[#r.left_out], "exact in the place of eq 14", "laws come last")
+  equal(r.left_out[#r.left_out], "eq 14 in the place of exact", "laws come last")
   r = hinge.cost(slow, { effects = true, repeats = 1, out = support.temporary_folder() })
   equal(effect(r, "gravity").changes.falls, math.huge, "change of an answer that is gone")
   local _, refusal = pcall(hinge.cost, body, { effects = true, budget = 1e-9 })
@@ -347,7 +347,7 @@ return hinge.scenario {
   parameters = { n = 0.5 },
   run = function(p)
     local of = hinge.section.named "HEB 300"
-    local model = hinge.model { displacement = "small" }
+    local model = hinge.model { displacement = "small", interaction = "paper" }
     local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
     model:fix(a)
     model:member { a, b, section = of, up = { 0, 0, 1 },

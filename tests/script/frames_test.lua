@@ -14,7 +14,7 @@ local scene = [=[
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local section = hinge.section.h { depth = 0.2, width = 0.15, web = 0.008, flange = 0.012 }
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local node = {}
 for i, p in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } } do node[i] = model:node(p) end
 model:fix(node[1])

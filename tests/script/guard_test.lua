@@ -153,7 +153,7 @@ case("an end that a moment folds back against its element names one cure", funct
   -- An end that a moment folds back against its element: one cure is named. It is fracture where a hinge turned and no
   -- rule lets it break, else more elements.
   local function fold_back(moment, elements, yield_stress, breaks)
-    local model = hinge.model { elements_per_member = elements }
+    local model = hinge.model { elements_per_member = elements, interaction = "paper" }
     local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
     model:fix(a)
     model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },

@@ -22,7 +22,7 @@ local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
 local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
 local evil = "<img src=x onerror=window.hurt=1>"
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local node = {}
 for i = 0, 1 do
   node[i] = {}

@@ -19,7 +19,7 @@ local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
 local evil = "<script>window.hurt = 1</script>"
 local how = ...
 
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local node = {}
 for i = 0, 1 do
   node[i] = {}
@@ -148,7 +148,7 @@ case("contact, yield and fracture of one step are told in this order", function(
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local held = { model:node { 0, 0, 0 }, model:node { 1, 0, 0 } }
 model:fix(held)
 model:member { held[1], held[2], section = bar, material = steel }
@@ -237,7 +237,7 @@ local storeys = [=[
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local node = {}
 local function member(a, b, group) model:member { a, b, section = tube, material = steel, group = group } end
 for i = 0, 2 do
@@ -280,7 +280,7 @@ case("the page shows diagrams, lost columns and pictures in a browser", function
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local h = hinge.section.h { depth = 0.3, width = 0.15, web = 0.007, flange = 0.01 }
-local model = hinge.model()
+local model = hinge.model { interaction = "paper" }
 local function beam(y, load)
   local a, b = model:node { 0, y, 0 }, model:node { 6, y, 0 }
   model:fix(a)

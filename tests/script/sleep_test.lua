@@ -254,7 +254,7 @@ for what, c in pairs {
   ["surfaces, with friction"] = { rule = "surface", friction = 0.3, saves = 5, duration = 0.03, gap = 0.41,
     spin = { 5, 0, 3 } },
   ["gaps, bound most of the time"] = { rule = "gap", saves = 1.2, duration = 0.045, at = { 0, 2 }, gap = 0.41 },
-  ["gaps, debris"] = { rule = "gap", saves = 2, duration = 0.045, at = { 0, 2 }, gap = 1, spin = { 20, 0, 10 },
+  ["gaps, debris"] = { rule = "gap", saves = 1.5, duration = 0.045, at = { 0, 2 }, gap = 1, spin = { 20, 0, 10 },
     fracture = 0.6, debris = true },
   ["surfaces, Case I"] = { rule = "surface", saves = 20, case = true },
   ["gaps, Case I"] = { rule = "gap", saves = 20, case = true, debris = true },

@@ -16,7 +16,7 @@ local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 -- A cantilever under N at its tip and a moment that takes it to the surface of eq 14, by statics and then a step of
 -- dynamics. In small displacement its section forces are those, all along.
 local function pressed(section, n, axis, dynamic, below)
-  local model = hinge.model { displacement = "small" }
+  local model = hinge.model { displacement = "small", interaction = "paper" }
   local foot, tip = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }
   model:fix(foot)
   model:member { foot, tip, section = section, material = steel, up = { 0, 1, 0 }, group = "columns" }

@@ -50,7 +50,7 @@ case("single cases of a study run by their numbers with the same results", funct
   local found = run("robustness", words, 1, 19)
   equal(found[1].outcome, "holds", "robustness, case 1")
   as_stated(found[1], head, "dynamic_factor", "robustness, case 1")
-  equal(found[19].outcome, "local collapse", "robustness, case 19")
+  equal(found[19].outcome, "full collapse", "robustness, case 19")
   as_stated(found[19], head, "largest_drop", "robustness, case 19")
   near(found[1].drop / found[1].static_drop, found[1].dynamic_factor, 1e-9, "what the dynamic factor is")
 

@@ -182,7 +182,7 @@ end
 -- see(run) is called when the run has been made; it returns a function that is called after each step. Returns the
 -- results. If the run failed, they are those up to its end, with the verdict "failed" and the reason.
 function impact.simulate(p, see)
-  local model = hinge.model { p_delta = "chord", weight = "nodes" } -- as in the paper
+  local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
   local frame, plane = impact.add(model, p)
   local loaded = model:static { fixed_group = plane, unstable = p.unstable }
   loaded:finish()

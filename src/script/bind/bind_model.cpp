@@ -59,7 +59,7 @@ int model(lua_State* L) {
         o.complain("shift", "'elastic_and_plastic'",
                    "has no meaning with formulation 'conventional', whose points stay in the middle; leave it out");
     m.plasticity = o.flag("plasticity", true);
-    m.interaction = interaction_of(o.word("interaction", {"paper", "exact", "exact with shear"}, "paper"));
+    m.interaction = interaction_of(o.word("interaction", {"paper", "exact", "exact with shear"}, "exact"));
     const Elements elements = read_elements(o, "elements_per_member", m.formulation, {2, false});
     m.elements_per_member = elements.number, m.automatic_elements = elements.automatic;
     m.elements_accuracy = o.number("elements_accuracy", "", Range::positive, m.elements_accuracy);
