@@ -155,9 +155,8 @@ end)
 case("NIST GCR 17-917-46: columns", function()
   local h, Lb, height, g = W14.h, 4 / inch / W14.r, 2, 0.4
   local function nist(monotonic, ratio)
-    return published(hinge.backbone.nist { kind = "column", interaction = "paper", monotonic = monotonic, section = column,
-      material = steel,
-      shear_span = height, unbraced_length = 4, axial_ratio = ratio }, ratio)
+    return published(hinge.backbone.nist { kind = "column", interaction = "paper", monotonic = monotonic,
+      section = column, material = steel, shear_span = height, unbraced_length = 4, axial_ratio = ratio }, ratio)
   end
   local moment = 9 / 8 * (1 - g) -- that an axial force of 0.4 leaves
   local k = 3 * E * column.Ix / height / moment

@@ -48,8 +48,8 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
     Warning& w = list.front();
     w.what = member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
              ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
-             "N eq 14, interaction = \"paper\", gives it " + excess_text(excess) +
-             " more bending strength about its " + about + " axis than it has";
+             "N eq 14, interaction = \"paper\", gives it " + excess_text(excess) + " more bending strength about its " +
+             about + " axis than it has";
     w.advice = "a run finds it too strong; leave that option out, or give \"exact\"";
     w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
     w.more = members - 1, w.tells_of = members;
