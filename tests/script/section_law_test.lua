@@ -69,6 +69,16 @@ case("the moment beside N is that of closed forms, about both axes, in tension a
   end
 end)
 
+case("without the option a section has the exact interaction, and one of unknown shape eq 14", function()
+  local of = section("rolled HEB", nil)
+  local push = { 0, 1.2 * fy * of.Zx / L }
+  near(1.2 * limit(cantilever(of, -0.5, push)), of:reduced_moments(0.5), 2e-5, "by default")
+  near(1.2 * limit(cantilever(of, -0.5, push, { interaction = "paper" })), math.sqrt(0.75), 2e-5, "eq 14 of the model")
+  local unknown = hinge.section.general { area = of.area, Ix = of.Ix, Iy = of.Iy, J = of.J,
+    plastic = { A = of.area, Zx = of.Zx, Zy = of.Zy } }
+  near(1.2 * limit(cantilever(unknown, -0.5, push)), math.sqrt(0.75), 2e-5, "a section without an outline")
+end)
+
 -- A rectangle whose neutral axis goes through the sides: my = 2 t / 3, mx = 1 - t^2 / 3, 0 <= t <= 1.
 case("in biaxial bending a rectangle carries what its neutral axis gives", function()
   for _, t in ipairs { 0.2, 0.6, 1 } do
