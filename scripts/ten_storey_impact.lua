@@ -23,6 +23,7 @@ return hinge.scenario {
     contact = "gap",                                   -- the paper's rule, or "surface"
     curvature = 0.04, strain_measure = "section",      -- 1/m: the paper's 0.0004 as 1/cm; which hinges it limits
     duration = 0.25, frame_every = 250,                -- s, steps
+    interaction = "paper",                             -- of N, Mx and My where a section yields: eq 14, or "exact"
   },
   cases    = { I = {}, II = { speed = 320 / 3.6 }, III = { mass = 12000 }, IV = { size = 12 },
     heavy = { design = "heavy", aircraft = "slender", height = 30, curvature = 0.4, strain_measure = "element" } },
@@ -30,7 +31,7 @@ return hinge.scenario {
 
   run = function(p, job)
     local model = hinge.model { formulation = p.formulation, elements_per_member = p.elements_per_member,
-      p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
+      p_delta = "chord", interaction = p.interaction, weight = "nodes" } -- as in the paper
     local frame = building.add(model, { design = p.design, bays = { 4, 4 }, storeys = 10 })
     local plane, parts = aircraft.add(model, { design = p.aircraft,
       size = p.size, mass = p.mass, speed = p.speed, heading = { 1, 0, 0 },

@@ -21,7 +21,7 @@ local g, bay, height, bays, storeys = 9.80665, 7, 4, { 3, 2 }, 4
 -- The frame; column: { x, y, storey } of the one to lose, and whether it is there. Returns the model, all joints as
 -- { node =, x =, y =, level = }, and the joint above that column.
 local function frame(p, is_there)
-  local model = hinge.model {}
+  local model = hinge.model { interaction = p.interaction }
   local steel = { E = 206e9, density = 7850, yield_stress = p.yield_stress }
   local beam = hinge.section.box { width = 0.2, depth = 0.35, thickness = 0.01 }
   local function loaded(share) -- a floor panel gives a quarter of its weight to each of its four beams
@@ -69,6 +69,7 @@ return hinge.scenario {
     load = 8e3,                    -- N/m2 on all floors
     yield_stress = 325e6, lower = 0.14, upper = 0.12, -- Pa; m, side of the columns below and above
     rotation = 0.1,                -- rad, of a beam's end where it breaks
+    interaction = "exact",         -- of N, Mx and My where a section yields, or "paper": eq 14
     duration = 1.25, picture = false, -- s; whether to draw the frame as it ends
   },
   run = function(p, job)
