@@ -38,8 +38,13 @@ std::string Statics::loosely_held_body(int node) const {
     return "";
 }
 
+/// By the elastic stiffness. Where a run goes on from one that yields, rounding may have an end flow again at once, and
+/// hinges are no mechanism of the structure.
 void Statics::refuse_mechanism() {
+    std::vector<PlasticIncrement> flows;
+    flows.swap(w_.yielding);
     tangent_.renew(1);
+    flows.swap(w_.yielding);
     const int loose = tangent_.factors().loosest_degree_of_freedom(1e-12);
     if (loose < 0) return;
     static const char* way[] = {"move along x",   "move along y",   "move along z",

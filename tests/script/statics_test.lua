@@ -409,8 +409,8 @@ end)
 case("control by displacement from another run drives to the total displacement, there and back", function()
   -- Where another run ended, it is driven on to what run:displacement gives, there and back; not by as much again.
   for _, c in ipairs { { "uz", 3, "m", "small" }, { "uz", 3, "m", "large" }, { "ry", 5, "rad", "large" } } do
-  local   model = hinge.model { displacement = c[4] }
-  local   wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+    local model = hinge.model { displacement = c[4] }
+    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
     model:fix(wall, "all")
     model:member { wall, tip, section = bar, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
     model:load { node = tip, force = { 0, 0, -1e3 } }
@@ -428,6 +428,32 @@ case("control by displacement from another run drives to the total displacement,
       .. "node 2 "
       .. "at {1, 0, 0} m is already; 'to' is the displacement that run:displacement gives, ..."):format(c[3], c[1])),
       "driven to where it is: %s", tostring(message))
+  end
+end)
+
+case("a run goes on from braces that yield over their whole section, back and on", function()
+  -- Their bending stiffness is gone while they flow. Rounding decides whether they flow when the next run begins; among
+  -- twelve frames some do, on any processor.
+  local flat = hinge.section.solid { width = 0.08, depth = 0.008 }
+  local mild = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
+  for i = 0, 11 do
+    local model = hinge.model { displacement = "small" }
+    local h, feet, heads = 3 + 0.1 * i, {}, {}
+    for j = 1, 2 do
+      feet[j], heads[j] = model:node { 5 * (j - 1), 0, 0 }, model:node { 5 * (j - 1), 0, h }
+      model:fix(feet[j], "all")
+      model:fix(heads[j], "y,rx,rz")
+      model:member { feet[j], heads[j], section = bar, material = steel, up = { 0, 1, 0 } }
+    end
+    for j = 1, 2 do model:member { feet[j], heads[3 - j], section = flat, material = mild, up = { 0, 1, 0 } } end
+    model:member { heads[1], heads[2], section = bar, material = steel, up = { 0, 0, 1 } }
+    model:load { node = heads[1], force = { 1e5, 0, 0 } }
+    local run
+    for _, to in ipairs { 0.01, -0.01, -0.012, 0.02 } do
+      run = model:static { from = run, steps = 10, control = { node = heads[1], "ux", to = to } }:finish()
+      equal(run.verdict, "completed", ("height %g m, to %g m"):format(h, to))
+    end
+    expect(run.energy.plastic > 100, "height %g m: plastic work %g J", h, run.energy.plastic)
   end
 end)
 
