@@ -144,6 +144,7 @@ private:
         Stiffness k[2];
         own_stiffness(now.N, k);
         double last = std::numeric_limits<double>::infinity();
+        if (law_.return_together(*this, conditions_, tolerance_, now.of)) return now = at(now.of[0], now.of[1]), true;
         for (int i = 0; i < most_pair_rounds; ++i) {
             const At next = round(now, k);
             const double change = size(now, next, k);

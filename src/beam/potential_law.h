@@ -110,6 +110,7 @@ private:
     bool one_end(const End& end, const Vec4& trial, Vec4& e) const;
     class Together;
     struct PairEnd;
+    bool on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], int count) const;
     template <int count>
     bool solve_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance, Vec6 (&p)[2]) const;
     bool alone(const Vec6& trial, const Stiffness& k, End (&ends)[2], int i) const;

@@ -92,9 +92,31 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
     }
 }
 
+/// Scales the flow of all ends to where the pair comes to along its ray: the least value of the work and of the elastic
+/// energy, by its stiffness without flow. False: there is no flow along it.
+bool PotentialLaw::on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], int count) const {
+    Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()}, p[2];
+    Mat12 K;
+    pair.at(plastic, p, K);
+    double falls = 0;
+    for (int i = 0; i < count; ++i) {
+        const End& end = flowing[i]->end;
+        plastic[flowing[i]->element] += end.plastic();
+        falls += end.carries(p[flowing[i]->element]).dot(end.e) - work_at(end.e, end.own).value;
+    }
+    Vec12 x;
+    x << plastic[0], plastic[1];
+    const double by = falls / x.dot(K * x);
+    if (!(by > 0) || !std::isfinite(by)) return false;
+    for (int i = 0; i < count; ++i) flowing[i]->end.e *= by;
+    return true;
+}
+
 bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
                                    ElementFlow (&flow)[2]) const {
     if (back_follows_strain_ || back_follows_flow_ || follows_rotation_) return false;
+    const bool as_before = !flow[0].flows() && !flow[1].flows();
+    if (as_before && flow_at_ < 0) return false;
     PairEnd all[4];
     PairEnd* flowing[4];
     int count = 0;
@@ -102,10 +124,11 @@ bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditi
         PairEnd& of = all[i];
         of.element = i / 2, of.section = i % 2;
         of.end = End(of.section == 0 ? -1 : 1, per_strength_, Stiffness{}, at[of.element], of.section, *this, {});
-        if (!(flow[of.element].lambda[of.section] > 0)) continue;
-        of.end.e = normalised_flow(flow[of.element], of.section);
-        flowing[count++] = &of;
+        if (as_before && of.end.history) of.end.e = Eigen::Map<const Vec4>(of.end.history + flow_at_);
+        else if (flow[of.element].lambda[of.section] > 0) of.end.e = normalised_flow(flow[of.element], of.section);
+        if (of.end.flows()) flowing[count++] = &of;
     }
+    if (as_before && !(count > 0 && on_ray_of_pair(pair, flowing, count))) return false;
     Vec6 p[2];
     const bool found = count == 1   ? solve_pair<1>(pair, flowing, tolerance, p)
                        : count == 2 ? solve_pair<2>(pair, flowing, tolerance, p)

@@ -106,7 +106,8 @@ public:
     virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                                      const ElementFlow& before) const = 0;
 
-    /// The flow of all four ends of a pair together, from `flow`, that of a round; a law need not know it.
+    /// The flow of all four ends of a pair together, from `flow`, that of a round; where that is none, from what the
+    /// law remembers of the step before. A law need not know it.
     ///   at         of both elements
     ///   tolerance  that of the pair's return
     /// False: it is not found so, and `flow` is as it was; rounds go on from there.

@@ -80,8 +80,11 @@ case("the same law in C++ and in Lua: statics, two laws of sections", function()
 end)
 
 case("the same in dynamics, implicit and explicit", function()
-  for _, options in ipairs { { dt = 1e-4 }, { dt = "auto", integrator = "explicit" },
-    { dt = 1e-4, integrator = "energy-momentum" } } do
+  -- Explicit steps find the flow of a pair within 1e-4 of its elastic deformation, and the two laws look for it on
+  -- different ways. The others find it within 1e-9.
+  for _, c in ipairs { { { dt = 1e-4, iterations = 10 }, 1e-6 }, { { dt = "auto", integrator = "explicit" }, 1e-5 },
+    { { dt = 1e-4, integrator = "energy-momentum" }, 1e-6 } } do
+    local options, tolerance = c[1], c[2]
     options.duration, options.record = 0.01, false
     local found = {}
     for i, pair in ipairs { { isotropic }, { nil, { modulus = H, kinematic = 0 } } } do
@@ -93,7 +96,7 @@ case("the same in dynamics, implicit and explicit", function()
       found[i][7] = run.energy.plastic
       near(run.energy_error, 0, 2e-3, "energy error")
     end
-    for k = 1, 7 do near(found[1][k], found[2][k], 1e-6 * math.abs(found[2][k]), "number " .. k) end
+    for k = 1, 7 do near(found[1][k], found[2][k], tolerance * math.abs(found[2][k]), "number " .. k) end
   end
 end)
 
