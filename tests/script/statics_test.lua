@@ -435,7 +435,7 @@ case("a run goes on from braces that yield over their whole section, back and on
   -- Their bending stiffness is gone while they flow. Rounding decides whether they flow when the next run begins; among
   -- twelve frames some do, on any processor.
   local flat = hinge.section.solid { width = 0.08, depth = 0.008 }
-  local mild = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
+  local brace_steel = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
   for i = 0, 11 do
     local model = hinge.model { displacement = "small" }
     local h, feet, heads = 3 + 0.1 * i, {}, {}
@@ -445,7 +445,7 @@ case("a run goes on from braces that yield over their whole section, back and on
       model:fix(heads[j], "y,rx,rz")
       model:member { feet[j], heads[j], section = bar, material = steel, up = { 0, 1, 0 } }
     end
-    for j = 1, 2 do model:member { feet[j], heads[3 - j], section = flat, material = mild, up = { 0, 1, 0 } } end
+    for j = 1, 2 do model:member { feet[j], heads[3 - j], section = flat, material = brace_steel, up = { 0, 1, 0 } } end
     model:member { heads[1], heads[2], section = bar, material = steel, up = { 0, 0, 1 } }
     model:load { node = heads[1], force = { 1e5, 0, 0 } }
     local run
