@@ -15,12 +15,12 @@ struct Friction {
 };
 
 /// Coulomb friction over a step: a spring e of stiffness k, N/m, along the plane, whose force k e is limited to
-/// `most_force`, N. A step that begins with a stretch of `before` moves the surface by `moved`, m, of which `part`
-/// counts: the part after it touched. Heat: the work against the mean of the forces at the step's two ends, less the
-/// change of the spring's energy.
+/// `most_force`, N; below zero, as rounding may leave it where hardly anything presses, it is zero. A step that begins
+/// with a stretch of `before` moves the surface by `moved`, m, of which `part` counts: the part after it touched. Heat:
+/// the work against the mean of the forces at the step's two ends, less the change of the spring's energy.
 inline Friction friction(const Vec3& before, const Vec3& moved, double part, double k, double most_force) {
     Friction f;
-    const double most = most_force / k;
+    const double most = std::max(0.0, most_force) / k;
     const Vec3 trial = before + part * moved;
     const double length = trial.norm();
     f.slides = length > most;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/gap_rule.h"
+#include "contact/ground_friction.h"
 #include "contact/segments.h"
 #include "core/archive.h"
 #include "contact_parts.h"
@@ -611,4 +612,14 @@ TEST_CASE(
         CHECK(contact.counts().list_builds > 1);
         CHECK(record(contact) == record(steady));
     }
+}
+
+TEST_CASE("contact: friction where nothing presses is none, also where rounding leaves less than nothing",
+          "[contact]") {
+    for (const double most : {0.0, -1e-21})
+        for (const double moved : {0.0, 1e-3}) {
+            const Friction f = friction(Vec3::Zero(), Vec3(moved, 0, 0), 1, 1e8, most);
+            CHECK(f.slip == Vec3::Zero());
+            CHECK(f.heat == 0);
+        }
 }
