@@ -12,8 +12,11 @@ namespace {
 /// steps of 0.25 ms at 3e-3 and 44 mm; at 55 rad/s in steps of 1 ms its run fails before the end.
 constexpr double most_lost = 2e-3;
 
+/// Of the distance of a body from the origin: nodes no further apart stand at one place, but for rounding.
+constexpr double one_place = 1e-9;
+
 /// A body's mean angular velocity, rad/s: its angular momentum over its inertia, with its mass at the nodes. About the
-/// axis of a straight bar, where its nodes have no inertia: zero.
+/// axis of a straight bar, where its nodes have no inertia, and of a body whose mass is at one node: zero.
 class Spin {
 public:
     void add_mass(double m, const Vec3& x, const Vec3& v) { mass_ += m, at_ += m * x, momentum_ += m * v; }
@@ -26,9 +29,9 @@ public:
         const Eigen::SelfAdjointEigenSolver<Mat3> axes(inertia_);
         const Vec3 along = axes.eigenvectors().transpose() * angular_;
         double square = 0;
+        const double least = std::max(1e-6 * axes.eigenvalues()[2], (one_place * at_).squaredNorm() / mass_);
         for (int c : {0, 1, 2})
-            if (axes.eigenvalues()[c] > 1e-6 * axes.eigenvalues()[2])
-                square += std::pow(along[c] / axes.eigenvalues()[c], 2);
+            if (axes.eigenvalues()[c] > least) square += std::pow(along[c] / axes.eigenvalues()[c], 2);
         return std::sqrt(square);
     }
 

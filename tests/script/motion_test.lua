@@ -221,4 +221,18 @@ case("a spin turns a body at its rate", function()
   end
 end)
 
+case("pieces whose mass is at one node are not said to spin", function()
+  local model = hinge.model {}
+  for i = 1, 20 do
+    local a, b = model:node { 3e-6 * i, 7e-6, i * 1e-7 }, model:node { 2, 0.1 * i, 1.9 }
+    model:member { a, b, section = bar, material = steel, group = "bars" }
+  end
+  model:fracture { group = "bars", where = "all", rule = function() return true end }
+  model:velocity("bars", { 13.7, 3.3, 0.9 })
+  local run = model:dynamic { dt = 1e-3, duration = 0.3, record = false }:finish()
+  equal(run.verdict, "completed", run.reason)
+  expect(run:count { state = "broken" } > 0, "the bars break")
+  for _, w in ipairs(run.warnings) do expect(not w:find("spins", 1, true), "%s", w) end
+end)
+
 checks.done()
