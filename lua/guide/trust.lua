@@ -26,8 +26,9 @@ for _, o in ipairs { { dt = 2e-3, step_control = 0 }, { dt = 2e-3 }, { dt = 2e-3
   run:finish()
   local how = { [0] = ", all kept", [0.01] = ", control" }
   local step = o.dt == "auto" and "auto" or ("%.2f ms%s"):format(1e3 * o.dt, how[o.step_control] or "")
-  print(("%-17s %8d %9s %6.3f %17.2f %12.2f %16.2g"):format(step, o.elements or 2, run.verdict, run.time,
-    1e3 * (sway.max or 0), run.energy.plastic / 1e3, 100 * run.energy_error))
+  local error = 100 * run.energy_error
+  print(("%-17s %8d %9s %6.3f %17.2f %12.0f %16s"):format(step, o.elements or 2, run.verdict, run.time,
+    1e3 * (sway.max or 0), run.energy.plastic / 1e3, (math.abs(error) < 0.01 and "%.1g" or "%.2f"):format(error)))
   if run.verdict == "failed" then print("  " .. run.reason:gsub(";.*", "")) end
 end
 
