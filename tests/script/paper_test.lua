@@ -228,6 +228,14 @@ function look.pounding_buildings(r)
   end
 end
 
+-- Two storeys: a column inside carries more than one at an edge, and that more than one at a corner.
+function look.demolition(r)
+  local i = numbers(r.index)
+  expect(i.corner > 1 and i.edge > 1.2 * i.corner and i.inside > 1.1 * i.edge, "index: %g, %g, %g", i.corner, i.edge,
+    i.inside)
+  near(i.inside, 3.14, 0.1, "index inside")
+end
+
 for i = 2, #arg do
   local name = arg[i]
   local settings = name == "findings" and "" or "quick=true"
@@ -271,7 +279,8 @@ end }
   end
   local names = { "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact",
     "ten_storey_cases",
-    "lost_inputs", "findings", "after_impact", "pounding_buildings" }
+    "lost_inputs", "findings", "after_impact", "pounding_buildings",
+    "demolition" }
   local function run_all()
     local ended, _, said = support.run(("%s run %s --out %s"):format(quote(arg[1] .. "/hinge"), quote(all),
       quote(folder .. "/all")))
