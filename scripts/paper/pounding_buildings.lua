@@ -114,7 +114,7 @@ return hinge.scenario {
   parameters = {
     storeys = 14, side = 0.55,              -- m: outer side of the columns of the first storey, less by 0.15 at the top
     load = 40e3, yield_stress = 325e6,      -- N/m of the beams; Pa
-    rotation = 0.03,                        -- rad, of a member's half where it breaks
+    rotation = 0.03,                        -- rad, of a beam's half where it breaks; a column: at the same curvature
     gap = 0.1, softer = 1.25,               -- m; natural period of the first building over that of the others
     acceleration = 1, period = 2, cycles = 9, -- m/s2, s
     dt = 1e-3, duration = 16, quick = false,     -- s
