@@ -239,9 +239,8 @@ private:
         a(s.at_start_, s.now_);
     }
 
-    const std::vector<Connector>& declared() const {
-        return w_.structure.model().declared<Connector>(connectors_effect);
-    }
+    const std::vector<Connector>& declared() const { return declared_; }
+    const std::vector<Connector>& declared_ = w_.structure.model().declared<Connector>(connectors_effect);
     std::vector<ConnectorNow>& list() const { return w_.state.data.find<ConnectorsNow>(connectors_effect)->list; }
 
     static bool is_linear(const Connector& c) {

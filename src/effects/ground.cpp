@@ -247,9 +247,8 @@ public:
     }
 
 private:
-    const std::vector<GroundPlane>& declared() const {
-        return w_.structure.model().declared<GroundPlane>(ground_effect);
-    }
+    const std::vector<GroundPlane>& declared() const { return declared_; }
+    const std::vector<GroundPlane>& declared_ = w_.structure.model().declared<GroundPlane>(ground_effect);
     std::vector<Point>& points() const { return w_.state.data.find<Points>(ground_effect)->list; }
     const GroundPlane& plane(const Point& p) const { return declared()[p.plane]; }
     bool meets(int plane, int element) const {

@@ -296,9 +296,8 @@ public:
     }
 
 private:
-    const std::vector<GroundPlane>& declared() const {
-        return w_.structure.model().declared<GroundPlane>(ground_effect);
-    }
+    const std::vector<GroundPlane>& declared() const { return declared_; }
+    const std::vector<GroundPlane>& declared_ = w_.structure.model().declared<GroundPlane>(ground_effect);
     std::vector<Strip>& strips() const { return w_.state.data.find<Strips>(layer_data)->list; }
     const GroundPlane& plane(const Strip& s) const { return declared()[s.plane]; }
     bool is_held(int node) const { return (w_.state.held[node] & 7) == 7; }
@@ -335,8 +334,9 @@ private:
     }
 
     void find_touches() {
-        touches_.resize(strips().size());
-        for (std::size_t i = 0; i < touches_.size(); ++i) touches_[i] = look(strips()[i], w_.trial);
+        const std::vector<Strip>& all = strips();
+        touches_.resize(all.size());
+        for (std::size_t i = 0; i < all.size(); ++i) touches_[i] = look(all[i], w_.trial);
     }
 
     /// How a strip lies at a pose, on the way from where the step began.

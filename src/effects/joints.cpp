@@ -257,7 +257,8 @@ private:
         Vec3 of_end = Vec3::Zero();  ///< N, in space
     };
 
-    const std::vector<Joint>& declared() const { return w_.structure.model().declared<Joint>(joints_effect); }
+    const std::vector<Joint>& declared() const { return declared_; }
+    const std::vector<Joint>& declared_ = w_.structure.model().declared<Joint>(joints_effect);
     std::vector<JointNow>& list() const { return w_.state.data.find<JointsNow>(joints_effect)->list; }
     bool lost(int node) const { return w_.state.gone[node] && !w_.structure.elements_at(node).empty(); }
 
