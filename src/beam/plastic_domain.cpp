@@ -197,12 +197,9 @@ void PlasticDomain::add(const Edges& edges, Sums& sums) {
         const Lanes t = sign != none ? cx * ax + cy * ay : none, signed_t = weight * sign * t;
         line[0] += signed_t, line[1] += signed_t * t, line[2] += signed_t * t * t;
     }
-    const auto sum = [](const Lanes& of) {
-        return ((of[0] + of[1]) + (of[2] + of[3])) + ((of[4] + of[5]) + (of[6] + of[7]));
-    };
-    const double whole = sum(area) / 2;
-    sums.add_positive(whole, Eigen::Vector2d(sum(moment_x), sum(moment_y)) / 6 + whole * sums.origin);
-    sums.line[0] += sum(line[0]), sums.line[1] += sum(line[1]) / 2, sums.line[2] += sum(line[2]) / 3;
+    const double whole = sum_of(area) / 2;
+    sums.add_positive(whole, Eigen::Vector2d(sum_of(moment_x), sum_of(moment_y)) / 6 + whole * sums.origin);
+    sums.line[0] += sum_of(line[0]), sums.line[1] += sum_of(line[1]) / 2, sums.line[2] += sum_of(line[2]) / 3;
 }
 
 void PlasticDomain::add(const Circle& part, Sums& sums) {
@@ -252,9 +249,9 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double l
     }
     Vec3 v = about_normal(q);
     double missed = 0;
-    double h = find_gauge(q / size, v, missed, limit / size, lost);
+    double h = find_gauge(q / size, v, missed, limit / size, lost, !normal);
     if (missed > 1e-9 && !(h * size > limit || (h + missed) * size <= limit))
-        h = find_gauge(q / size, v = q / size, missed, limit / size, lost);
+        h = find_gauge(q / size, v = q / size, missed, limit / size, lost, !normal);
     if (error) *error = size * missed;
     if (normal) *normal = v / h;
     return size * h;
@@ -264,7 +261,11 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double l
 /// `missed`: the gauge of what is left of `to`, 0 where nearly nothing is.
 /// It ends where it is known on which side of `limit` the gauge is: no h is above it, and none below it by more than
 /// the gauge of what is left.
-double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost) const {
+/// `alone`: the gauge is asked for without v. Where Newton's method converges, the fall of its next step is known, and
+/// the step is not taken.
+double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost,
+                                 bool alone) const {
+    constexpr double near = 1e-6, quick = 1e-2;  // what is left of `to`, and over that before the last step
     Vec3 point;
     v.normalize();
     if (!(v.dot(to) > 0.01)) v = to;
@@ -272,7 +273,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
     double h = support(v, point, &curvature, lost);
     const Vec3 within = left_of(lost) * ellipsoid_;
     v *= to.dot(v) / (h * h), h = point.dot(v), curvature /= v.norm();
-    double F = h * h / 2 - to.dot(v), damping = 0;
+    double F = h * h / 2 - to.dot(v), damping = 0, off_before = 0;
     missed = 0;
     for (int i = 0; i < 200; ++i) {
         const Vec3 off = to - h * point;
@@ -288,6 +289,8 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
             damped.diagonal().array() += std::max(damping, 1e-13) * H.trace();
             Vec3 way = off, there;
             const bool solved = solve_positive(damped, way);
+            if (alone && solved && damping == 0 && off.norm() <= std::min(near * h, quick * off_before))
+                return missed = 0, std::sqrt(h * h + off.dot(way));
             Vec3 next = v + way;
             Mat3 bent;
             double h_next = solved ? support(next, there, &bent, lost) : 0;
@@ -299,6 +302,7 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
             // near the least value F no longer tells
             if (F_next < F || (solved && off.norm() < 1e-4 && (to - h_next * there).norm() < 0.5 * off.norm())) {
                 fell = true, v = next, h = h_next, point = there, curvature = bent, F = F_next;
+                off_before = off.norm();
                 damping = damping < 1e-10 ? 0 : 0.1 * damping;
             } else {
                 damping = damping == 0 ? 1e-4 : 8 * damping;
@@ -455,8 +459,10 @@ Vec3 PlasticDomain::about_centre(const Vec3& forces, double& side) const {
 }
 
 bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal, const Lost* lost) const {
+    const double left = left_of(lost);
+    if (!normal && forces.cwiseQuotient(ellipsoid_).squaredNorm() <= left * left) return true;
     double side;
-    const Vec3 q = about_centre(forces, side) / left_of(lost);
+    const Vec3 q = about_centre(forces, side) / left;
     const Eigen::Vector2d m = q.head<2>();
     if (normal) *normal = side * q;
     if (!(q[2] < 1 && m.allFinite())) return false;

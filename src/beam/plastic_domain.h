@@ -138,7 +138,7 @@ private:
     static void add(const Edges& edges, Sums& sums);
     static void add(const Circle& part, Sums& sums);
     void add_parts(Sums& sums) const;
-    double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost) const;
+    double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost, bool alone) const;
     void set_scale();
     struct Face;
     Face face_at(double n, const Eigen::Vector2d& m) const;

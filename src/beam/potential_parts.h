@@ -23,6 +23,12 @@ struct PotentialLaw::Work {
     Vec4 q = Vec4::Zero();
     Mat4 curvature = Mat4::Zero();
     void scale(double t) { value *= t, initial *= t, curvature /= t; }
+    /// A small change of e, where this is D alone: the curvature stays.
+    void step(const Vec4& way) {
+        const Vec4 more = curvature * way;
+        value = initial += (q + 0.5 * more).dot(way);
+        q += more;
+    }
 };
 
 /// A section that can flow, and how far it has.

@@ -11,10 +11,15 @@ namespace {
 constexpr double still_enough = 1e-9;  ///< of the trial forces: what may be missed where rounding leaves no more
 constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
 constexpr double falls = 0.95;         ///< then what is missed must fall to this part
+/// A step from so few of the strength missed, after one that left so small a part of what it began with, and that
+/// changes so small a part of the flow, misses no more than `flow_tolerance`: it is not looked at again.
+constexpr double last_step = 1e-8, quick_fall = 1e-3, small_way = 1e-5;
 constexpr int most_steps = 100, most_sweeps = 200;
 constexpr double leaves = 0.05;  ///< of its flow at first: an end whose flow shrinks to that may not flow
 constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, before each is looked for in turn
 constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
+
+bool is_small(const Vec4& way, const Vec4& of) { return way.squaredNorm() <= small_way * small_way * of.squaredNorm(); }
 
 using Mat8 = Eigen::Matrix<double, 8, 8>;
 using Vec8 = Eigen::Matrix<double, 8, 1>;
@@ -75,7 +80,7 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
     if (!along_ray(end, trial, e, at)) return Search::not_below;
     harden(end, e, at);
     const double size = 1 + trial.norm();
-    double G = 0.5 * e.dot(k.cwiseProduct(e)) - trial.dot(e) + at.value, damping = 0;
+    double G = 0.5 * e.dot(k.cwiseProduct(e)) - trial.dot(e) + at.value, damping = 0, missed_before = 0;
     for (int i = 0; i < most_steps; ++i) {
         const Vec4 off = trial - k.cwiseProduct(e) - at.q;
         const double missed = off.norm();
@@ -91,13 +96,18 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
             if (!solve_positive(H, way)) break;
             Vec4 next = e + way;
             if (!next.allFinite() || next.isZero(0)) break;
+            if (missed <= std::min(last_step, quick_fall * missed_before) && damping == 0 && keeps_strength() &&
+                is_small(way, e)) {
+                at.step(way);
+                return end.knows(e = next, at), Search::found;
+            }
             Work there = work_at(next, end.own);
             along_ray(end, trial, next, there);
             harden(end, next, there);
             const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.value,
                          left = (trial - k.cwiseProduct(next) - there.q).norm();
             if (G_next < G || (missed < g_rounds * size && left < falls * missed)) {
-                fell = true, e = next, at = there, G = G_next;
+                fell = true, e = next, at = there, G = G_next, missed_before = missed;
                 damping = damping < 1e-3 ? 0 : 0.1 * damping;
             } else {
                 damping = damping == 0 ? 1e-2 : 8 * damping;
@@ -126,16 +136,20 @@ public:
     int leaving() const { return leaving_; }
     double size() const { return size_; }
     double missed() const { return missed_; }
-    /// From the flow of both ends, neither of them 0, to where G falls no more, or for so many steps. True: it is
-    /// found.
-    bool descend(int steps = most_steps, int most_tries = 12) {
+    /// From the flow of both ends, neither of them 0, to where G falls no more. True: it is found. `quick`: for a few
+    /// steps, and not beyond one in which the flow of an end turns back: it leaves, and the flows are lost.
+    bool descend(bool quick = false) {
+        const int steps = quick ? quick_steps : most_steps, most_tries = quick ? quick_tries : 12;
         look();
         leaving_ = -1;
         const double first[2] = {ends_[0].e.norm(), ends_[1].e.norm()};
-        double damping = least_damping;
+        double damping = least_damping, missed_before = 0;
         for (int step = 0; step < steps && !found(); ++step) {
             const Vec4 before[2] = {ends_[0].e, ends_[1].e};
             const double G = G_, missed = missed_;
+            const bool last = missed <= std::min(last_step, quick_fall * missed_before) && damping <= least_damping &&
+                              law_.keeps_strength();
+            missed_before = missed;
             Mat8 H = K_;
             for (int i : {0, 1}) H.block<4, 4>(4 * i, 4 * i) += bend_[i];
             const Vec8 down = off_;
@@ -149,6 +163,9 @@ public:
                     if (!(damping < 1e6)) return false;
                 }
                 for (int i : {0, 1}) ends_[i].e = before[i] + way.segment<4>(4 * i);
+                for (int i : {0, 1})
+                    if (quick && ends_[i].e.dot(before[i]) < 0) return leaving_ = i, false;
+                if (last && small(way, before)) return know_by(way), true;
                 if (way.allFinite() && ends_[0].flows() && ends_[1].flows()) {
                     look();
                     fell = G_ < G || (missed < g_rounds * size_ && missed_ < falls * missed);
@@ -167,6 +184,17 @@ public:
 
 private:
     bool found() const { return missed_ <= flow_tolerance * size_; }
+    static bool small(const Vec8& way, const Vec4 (&of)[2]) {
+        return is_small(way.head<4>(), of[0]) && is_small(way.tail<4>(), of[1]);
+    }
+    /// The work after a small way, from what it was before.
+    void know_by(const Vec8& way) {
+        for (int i : {0, 1}) {
+            Work there = ends_[i].known;
+            there.step(way.segment<4>(4 * i));
+            ends_[i].knows(ends_[i].e, there);
+        }
+    }
     void look() {
         const Vec6 plastic = ends_[0].plastic() + ends_[1].plastic(), relieved = k_.times(plastic),
                    p = trial_ - relieved;
@@ -198,7 +226,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     Together both(*this, trial, k, ends);
     const Vec4 start[2] = {ends[0].e, ends[1].e};
     if (ends[0].flows() && ends[1].flows()) {
-        if (both.descend(quick_steps, quick_tries)) return true;
+        if (both.descend(true)) return true;
         if (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving())) return true;
         for (int i : {0, 1}) ends[i].e = start[i];
     }
@@ -270,9 +298,10 @@ bool PotentialLaw::find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
     if (n == 2 && ends[0].flows() && ends[1].flows()) {  // as before, most likely
         const Vec4 guess[2] = {ends[0].e, ends[1].e};
         if (on_ray(ends[first], trials[first]) &&
-            on_ray(ends[1 - first], ends[1 - first].carries(trial - k.times(ends[first].plastic()))) &&
-            Together(*this, trial, k, ends).descend(quick_steps, quick_tries))
-            return true;
+            on_ray(ends[1 - first], ends[1 - first].carries(trial - k.times(ends[first].plastic())))) {
+            Together both(*this, trial, k, ends);
+            if (both.descend(true) || (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving()))) return true;
+        }
         for (int i : {0, 1}) ends[i].e = guess[i];
     }
     const Vec4 guess = ends[1 - first].e;

@@ -80,21 +80,50 @@ Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, c
     return K;
 }
 
+/// The same of an element of which one section flows: half of its entries are 0, and D'' + `end.k`, the matrix in the
+/// middle, needs no choice of pivots where no strength falls.
+template <class Section>
+Mat6 one_reduced(const Stiffness& k, const Section& end, const Mat4& bend) {
+    double rows[4][6] = {{}, {}, {}, {}};  // B K
+    rows[0][0] = end.per[0] * (end.n1 * k.x11 + end.n2 * k.x12),
+    rows[0][1] = end.per[0] * (end.n1 * k.x12 + end.n2 * k.x22);
+    rows[1][2] = end.per[1] * (end.n1 * k.y11 + end.n2 * k.y12),
+    rows[1][3] = end.per[1] * (end.n1 * k.y12 + end.n2 * k.y22);
+    rows[2][4] = end.per[2] * k.axial, rows[3][5] = end.per[3] * k.twist;
+    double H[4][4];
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j <= i; ++j) H[i][j] = bend(i, j) + (i == j ? end.k[i] : 0);
+    Mat6 K = k.matrix();
+    for (int p = 0; p < 4; ++p) {
+        const double inverse = 1 / H[p][p];
+        for (int i = 0; i < 6; ++i)
+            for (int j = 0; j < 6; ++j) K(j, i) -= inverse * rows[p][i] * rows[p][j];
+        for (int i = p + 1; i < 4; ++i) {
+            const double part = inverse * H[i][p];
+            for (int j = p + 1; j <= i; ++j) H[i][j] -= part * H[j][p];
+            for (int j = 0; j < 6; ++j) rows[i][j] -= part * rows[p][j];
+        }
+    }
+    return K;
+}
+
 }  // namespace
 
 Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
                            const SectionConditions& at) const {
-    const Mat6 K = k.matrix();
-    Eigen::Matrix<double, 16, 6> B;
+    End ends[2];
     Mat4 bend[4];
     int count = 0;
     for (int i = 0; i < n; ++i) {
-        End end(sections[i], per_strength_, k);
+        if (!(flow.lambda[i] > 0)) continue;
+        End& end = ends[count] = End(sections[i], per_strength_, k);
         end.set_history(at, i, *this, so_far(flow, i, at.history_of(i, history_size_)));
-        if (!curvature_of(flow, i, end, bend[count])) continue;
-        B.middleRows<4>(4 * count++) = end.rows();
+        count += curvature_of(flow, i, end, bend[count]);
     }
-    return reduced<6>(K, B, bend, count);
+    if (count == 1 && !follows_rotation_) return one_reduced(k, ends[0], bend[0]);
+    Eigen::Matrix<double, 16, 6> B;
+    for (int i = 0; i < count; ++i) B.middleRows<4>(4 * i) = ends[i].rows();
+    return reduced<6>(k.matrix(), B, bend, count);
 }
 
 Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],

@@ -43,6 +43,13 @@ inline Lanes replace_where(Lanes a, Pick pick, F f, int = 0) {
     return a;
 }
 
+/// The sum of all lanes.
+inline double sum_of(const Lanes& a) {
+    const auto half = __builtin_shufflevector(a, a, 0, 1, 2, 3) + __builtin_shufflevector(a, a, 4, 5, 6, 7);
+    const auto two = __builtin_shufflevector(half, half, 0, 1) + __builtin_shufflevector(half, half, 2, 3);
+    return two[0] + two[1];
+}
+
 /// The value of one lane.
 inline double lane(double a, int) { return a; }
 inline double lane(const Lanes& a, int i) { return a[i]; }
