@@ -8,7 +8,8 @@ benchmark.kinds = { "elastic", "stability", "inelastic", "dynamics", "test" }
 
 local form = {
   title = { "string" }, kind = { "string", one_of = benchmark.kinds }, source = { "string" },
-  fast = { "boolean", default = false }, missing = { "string", optional = true }, run = { "function" },
+  fast = { "boolean", default = false }, missing = { "string", optional = true },
+  unconfirmed = { "boolean", default = false }, run = { "function" },
 }
 
 local row_form = {
@@ -55,7 +56,8 @@ local function results_of(self, o)
       error = row.error, tolerance = row.tolerance, right = row.right, elements = row.elements, steps = row.steps,
       seconds = row.seconds }
   end
-  return { title = o.title, kind = o.kind, source = o.source, missing = o.missing, rows = rows }
+  return { title = o.title, kind = o.kind, source = o.source, missing = o.missing, unconfirmed = o.unconfirmed,
+    rows = rows }
 end
 
 -- Says which rows are wrong. Where none is, the verdict is that of the runs: right numbers hide no run that failed.
@@ -78,7 +80,7 @@ function benchmark.new(options, ...)
   local made = scenario.new {
     run = function(_, job)
       local self = setmetatable({ rows = {}, began = os.clock() }, Benchmark)
-      print(("%s (%s)\nreference: %s"):format(o.title, o.kind, o.source))
+      print(("%s (%s)\nreference%s: %s"):format(o.title, o.kind, o.unconfirmed and ", not confirmed" or "", o.source))
       print(("  %-38s %12s %12s %-8s %11s %5s %6s %9s"):format("", "computed", "reference", "unit", "error", "elem.",
         "steps", "time"))
       o.run(self, job)
@@ -87,7 +89,8 @@ function benchmark.new(options, ...)
       return results_of(self, o)
     end,
   }
-  made.benchmark = { title = o.title, kind = o.kind, source = o.source, fast = o.fast, missing = o.missing }
+  made.benchmark = { title = o.title, kind = o.kind, source = o.source, fast = o.fast, missing = o.missing,
+    unconfirmed = o.unconfirmed }
   return made
 end
 

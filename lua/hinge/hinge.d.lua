@@ -4375,6 +4375,9 @@ function hinge.benchmark(options) end
 ---@field source string where the references come from
 ---@field fast? boolean true: it takes under a second; all.lua with fast=true runs these. Default false
 ---@field missing? string what the model leaves out; it is printed, and stands in the table of the README
+---true: its references were not found in a public text. Its rows are marked so, and are not in the medians, the largest
+---errors and the picture. Default false
+---@field unconfirmed? boolean
 ---computes, and calls b:row for each number. The second argument is that of a scenario's run, for pictures and notes
 ---@field run fun(b: hinge.benchmark, job: hinge.job)
 

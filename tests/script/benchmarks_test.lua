@@ -161,6 +161,24 @@ case("filter goes by name, kind and title; fast by what the file says", function
   expect(told:find("it holds no benchmark", 1, true), "says: %s", told)
 end)
 
+case("rows whose reference is not confirmed are marked, and count in no median, largest error and picture", function()
+  local of = [[
+    local hinge = require "hinge"
+    return hinge.benchmark { title = "%s", kind = "test", source = "a book", unconfirmed = %s, run = function(b)
+      b:row { "load", computed = 1 + %g, reference = 1, tolerance = 1, elements = 1 }
+    end }
+  ]]
+  local folder = folder_of { sure = of:format("Sure", "false", 0.01), quoted = of:format("Quoted", "true", 0.25) }
+  local status, printed, told = run_all("write=true folder=" .. quote(folder))
+  equal(status, 0, "exit status: " .. told)
+  local text = support.read(folder .. "/README.md") or ""
+  for _, wanted in ipairs { "| [Quoted](quoted.lua) | load (reference not confirmed) | 1.25 | 1 | +25",
+    "| [Sure](sure.lua) | load | 1.01 | 1 | +1", "| test | 2 | 1 % | 1 % | sure: load |" } do
+    expect(text:find(wanted, 1, true), "'%s' in\n%s", wanted, text)
+  end
+  expect(printed:find("load (reference not confirmed)", 1, true), "printed: %s", printed)
+end)
+
 case("write=true writes the table between its marks, and copies pictures", function()
   local folder = folder_of { drawn = [[
     local hinge = require "hinge"

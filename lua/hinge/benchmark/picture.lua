@@ -13,7 +13,7 @@ end
 local function sorted(rows, kind)
   local list = {}
   for _, row in ipairs(rows) do
-    if row.of.kind == kind and not row.failure and not tables.is_order(row) and math.abs(row.error) < math.huge then
+    if row.of.kind == kind and not row.failure and tables.counts(row) and math.abs(row.error) < math.huge then
       list[#list + 1] = row
     end
   end

@@ -41,7 +41,8 @@ local function description_of(path)
   if not what then
     return { problem = path .. " returns no benchmark; its last statement must be return hinge.benchmark { ... }" }
   end
-  return { title = what.title, kind = what.kind, source = what.source, missing = what.missing, fast = what.fast }
+  return { title = what.title, kind = what.kind, source = what.source, missing = what.missing, fast = what.fast,
+    unconfirmed = what.unconfirmed }
 end
 
 -- Runs tasks of a pool, one for each of `list`, which has items with name and folder. Returns false where a signal
@@ -70,7 +71,7 @@ local function describe(list, options)
     local found = outcome.results
     if outcome.verdict == "completed" and found.kind then
       one.title, one.kind, one.source = found.title, found.kind, found.source
-      one.missing, one.fast = found.missing, found.fast
+      one.missing, one.fast, one.unconfirmed = found.missing, found.fast, found.unconfirmed
     else
       one.title, one.failure = one.name, found.problem or reason_of(outcome)
     end

@@ -43,12 +43,15 @@ local function in_columns(head, rows, left)
   return table.concat(lines, "\n")
 end
 
+-- The quantity, marked where its reference is not sure.
+local function named(row) return row.quantity .. (row.of.unconfirmed and " (reference not confirmed)" or "") end
+
 local function cells_of(row)
   local one = row.of
   if row.failure then
     return { one.kind or "?", one.name, "failed", "-", "-", "-", "-", "-", "-" }
   end
-  return { one.kind, one.name, row.quantity, value_of(row.computed, row.unit), ("%.6g"):format(row.reference),
+  return { one.kind, one.name, named(row), value_of(row.computed, row.unit), ("%.6g"):format(row.reference),
     tables.percent(row.error) .. (row.right and "" or " !"), ("%d"):format(row.elements), ("%d"):format(row.steps),
     ("%.2f"):format(row.seconds) }
 end
@@ -67,14 +70,15 @@ local function size_of(row)
   return size == size and size or math.huge
 end
 
---- Whether a row is an order of convergence: by its name. It is not an error of a result.
-function tables.is_order(row)
+--- Whether a row's error is one of a result whose reference is sure. An order of convergence, by its name, is none.
+function tables.counts(row)
   local name = row.quantity or ""
-  return name:find "^order%f[^%a]" ~= nil or name:find("observed order", 1, true) ~= nil
+  local is_order = name:find "^order%f[^%a]" or name:find("observed order", 1, true)
+  return not (is_order or row.of.unconfirmed)
 end
 
---- By kind, in the order in which they come: { kind =, rows =, wrong =, median =, largest =, worst = (row) }. Orders of
---- convergence count among rows and wrong ones alone.
+--- By kind, in the order in which they come: { kind =, rows =, wrong =, median =, largest =, worst = (row) }. Rows that
+--- do not count are among rows and wrong ones alone.
 function tables.by_kind(rows)
   local list = {}
   for _, row in ipairs(rows) do
@@ -85,7 +89,7 @@ function tables.by_kind(rows)
     end
     local of, size = list[kind], size_of(row)
     of.rows, of.wrong = of.rows + 1, of.wrong + (row.right and 0 or 1)
-    if not tables.is_order(row) then
+    if tables.counts(row) then
       of.sizes[#of.sizes + 1] = size
       if size > of.largest then of.largest, of.worst = size, row end
     end
@@ -140,11 +144,12 @@ end
 --- results.csv: a line for each row.
 function tables.csv(rows)
   local names = { "kind", "problem", "title", "quantity", "computed", "reference", "unit", "error", "tolerance",
-    "right", "elements", "steps", "seconds", "source", "reason" }
+    "right", "elements", "steps", "seconds", "source", "reason", "unconfirmed" }
   local lines = { table.concat(names, ",") }
   for _, row in ipairs(rows) do
     local one, cells = row.of, {}
-    local own = { kind = one.kind, problem = one.name, title = one.title, source = one.source, reason = row.failure }
+    local own = { kind = one.kind, problem = one.name, title = one.title, source = one.source, reason = row.failure,
+      unconfirmed = one.unconfirmed or nil }
     for i, name in ipairs(names) do
       local value = own[name]
       if value == nil then value = row[name] end
@@ -163,7 +168,7 @@ local function markdown_row(row, first)
   local name = first and ("[%s](%s.lua)"):format(cell(one.title), one.name) or ""
   if row.failure then return ("| %s | **failed: %s** | | | | | | |"):format(name, cell(row.failure)) end
   local error = tables.percent(row.error)
-  return ("| %s | %s | %s | %.6g | %s | %d | %d | %.2f |"):format(name, cell(row.quantity),
+  return ("| %s | %s | %s | %.6g | %s | %d | %d | %.2f |"):format(name, cell(named(row)),
     cell(value_of(row.computed, row.unit)), row.reference, row.right and error or "**" .. error .. "**", row.elements,
     row.steps, row.seconds)
 end
