@@ -128,7 +128,7 @@ end
 function grades.steel(name, options)
   local where = "hinge.material.steel"
   local o = check.options(where, options, { thickness = thickness, density = density,
-    hardening = law, rate = law, standard = { "string", one_of = standards, optional = true },
+    hardening = law, rate = law, hot_curve = law, standard = { "string", one_of = standards, optional = true },
     expected = { "boolean", default = false } })
   local lists = {}
   for i, standard in ipairs(standards) do lists[i] = steels[standard] end
@@ -141,7 +141,7 @@ function grades.steel(name, options)
     check.fail("%s: field 'expected' is true; AISC 341 has a factor for %s alone, not for %s", where,
       table.concat(keys(steels.ASTM), ", "), name)
   end
-  return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate,
+  return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate, hot_curve = o.hot_curve,
     yield_stress = 1e6 * fy * (o.expected and rows[name].Ry or 1) }
 end
 

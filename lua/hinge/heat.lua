@@ -40,6 +40,13 @@ function heat.steel(options, ...)
   return out
 end
 
+function heat.curve(...)
+  check.no_more("hinge.heat.curve", ...)
+  local out = {}
+  for i, f in ipairs(factors) do out[i] = { f[1], f[2], f[3], f[4] } end
+  return out
+end
+
 -- Fires ---------------------------------------------------------------------------------------------------------------
 
 function heat.iso834(t, ...)

@@ -110,7 +110,7 @@ function hinge.model(options) end
 ---0.01
 ---@field elements_accuracy? number
 
----Makes a material: linear elastic, and perfectly plastic unless `hardening` or `rate` says more.
+---Makes a material: linear elastic, and perfectly plastic unless `hardening`, `rate` or `hot_curve` says more.
 ---```lua
 ---local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 325e6 }
 ---local hardens = hinge.material { E = 206e9, density = 7850, yield_stress = 325e6, hardening = { tangent = 2e9 } }
@@ -128,6 +128,9 @@ function hinge.material(options) end
 ---@field yield_stress? number Pa: without it the material never yields
 ---@field hardening? hinge.hardening default none: perfectly plastic
 ---@field rate? hinge.rate default none
+---the curved part of the stress of hot steel over its strain: what hinge.heat.curve returns. Default none: a member
+---that is heated (model:heat) is elastic up to its yield stress
+---@field hot_curve? number[][]
 
 ---How the stress grows beyond yield. Give `tangent` or `modulus`. Each end of an element stands for half of its length:
 ---with more elements a member, the plastic zone spreads as it does in the member.
@@ -238,6 +241,7 @@ function material.steel(name, options) end
 ---@class hinge.steel_options
 ---@field hardening? hinge.hardening
 ---@field rate? hinge.rate
+---@field hot_curve? number[][] what hinge.heat.curve returns
 ---thickness of the part, m: the yield stress falls with it; default: that of the thinnest parts
 ---@field thickness? number
 ---table of the yield stress: "EN 10025", "EN 1993-1-1", "ASTM" or "JIS"; default: the first of these that has the name.
@@ -1885,6 +1889,19 @@ local heat = {}
 ---@param options? { strength?: "yield"|"proportional" }
 ---@return hinge.heat_properties
 function heat.steel(options) end
+
+---The factors of carbon steel in EN 1993-1-2:2005, table 3.1, for `hot_curve` of a material: points { degrees Celsius,
+---k_y, k_p, k_E }, straight between. With them a heated section begins to yield at the proportional limit k_p f_y. Its
+---strength grows along the ellipse of figure 3.1, up to k_y f_y at a strain of 2 %, with the mean plastic strain of the
+---part of the element that yields with it. In tension that is exact. The strength of model:heat must be k_y, as it is
+---by default; below 100 degrees nothing changes. Raises an error where E is too small beside the yield stress for an
+---ellipse up to 2 %.
+---```lua
+---local steel = hinge.material.steel("S355", { hot_curve = hinge.heat.curve() })
+---print(steel.laws) -- curve of EN 1993-1-2
+---```
+---@return number[][]
+function heat.curve() end
 
 ---Temperature of the gas in the standard fire ISO 834 (EN 1991-1-2, 3.2.1): 20 + 345 log10(8 t / 60 s + 1).
 ---```lua

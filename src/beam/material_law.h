@@ -45,13 +45,22 @@ public:
     struct Factor {
         double value = 1, slope = 0;
     };
-    /// Factor on the strength of a section at the end of a step of length dt (s) in which its mean plastic strain grows
-    /// by `strain`, and its slope over `strain`.
-    virtual Factor factor(const double* history, double strain, double dt) const {
-        return (void)history, (void)strain, (void)dt, Factor{};
+    /// A step of length dt (s), and the temperature where it ends, degrees Celsius.
+    struct Moment {
+        double dt, temperature;
+    };
+    /// Factor on the strength of a section at the end of a step in which its mean plastic strain grows by `strain`, and
+    /// its slope over `strain`.
+    virtual Factor factor(const double* history, double strain, const Moment& at) const {
+        return (void)history, (void)strain, (void)at, Factor{};
+    }
+    /// The mean of the factor while the mean plastic strain grows so far. Default: that of a factor that is linear in
+    /// it. A section has one law at most whose factor is not.
+    virtual double mean_factor(const double* history, double strain, const Moment& at) const {
+        return 0.5 * (factor(history, 0, at).value + factor(history, strain, at).value);
     }
     /// True if the factor goes with the rate of the step, not with the strain that is reached. A section has one such
-    /// law at most. The factor of the others is linear in the strain of a step.
+    /// law at most, and then all others have linear factors.
     virtual bool follows_rate() const { return false; }
     struct Integrals {
         double zeroth = 0, first = 0;

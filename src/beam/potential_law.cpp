@@ -72,10 +72,10 @@ std::string PotentialLaw::words() const {
 }
 
 /// The product of the factors of all material laws. `history`: null for a section that has not flowed.
-MaterialLaw::Factor PotentialLaw::factor_at(const double* history, double strain, double dt) const {
+MaterialLaw::Factor PotentialLaw::factor_at(const double* history, double strain, const Moment& at) const {
     MaterialLaw::Factor f;
     for (const auto& m : material_.laws) {
-        const MaterialLaw::Factor own = m->factor(history, strain, dt);
+        const MaterialLaw::Factor own = m->factor(history, strain, at);
         f = {f.value * own.value, f.slope * own.value + f.value * own.slope};
         if (history) history += m->history_size();
     }
@@ -112,19 +112,19 @@ PotentialLaw::Work PotentialLaw::work_at(const Vec4& e, const double* own) const
 
 /// The mean of the factor while the mean plastic strain grows by `strain`: that of the work (`of_work`), for which the
 /// rate is that of the whole step, or that of Phi.
-double PotentialLaw::mean_factor(const double* history, double strain, double dt, bool of_work) const {
-    double start = 1, end = 1, rate = 1;  // the factors of hardening are linear in the strain of a step
+double PotentialLaw::mean_factor(const double* history, double strain, const Moment& at, bool of_work) const {
+    double start = 1, end = 1, mean = 1, rate = 1;
     MaterialLaw::Integrals more;
     for (const auto& m : material_.laws) {
         if (m->follows_rate()) {
-            rate *= m->factor(history, strain, dt).value;
-            more = m->integrals(strain, dt);
+            rate *= m->factor(history, strain, at).value;
+            more = m->integrals(strain, at.dt);
         } else {
-            start *= m->factor(history, 0, dt).value, end *= m->factor(history, strain, dt).value;
+            start *= m->factor(history, 0, at).value, end *= m->factor(history, strain, at).value;
+            mean *= m->mean_factor(history, strain, at);
         }
         if (history) history += m->history_size();
     }
-    const double mean = 0.5 * (start + end);
     if (of_work || !(strain > 0)) return rate * mean;
     return mean + (start * more.zeroth + (end - start) / strain * more.first) / strain;
 }
@@ -133,13 +133,13 @@ double PotentialLaw::mean_factor(const double* history, double strain, double dt
 void PotentialLaw::harden(const End& end, const Vec4& e, Work& w) const {
     if (material_.laws.empty()) return;
     const double energy = material_.zone.energy, D = w.initial, turned = end.turned.factor;
-    const MaterialLaw::Factor own = factor_at(end.history, D / energy, end.dt),
+    const MaterialLaw::Factor own = factor_at(end.history, D / energy, end.moment),
                               f = {turned * own.value, turned * own.slope};
     const Vec4 Ce = end.hardens.cwiseProduct(e);
     w.curvature = f.value * w.curvature + f.slope / energy * w.q * w.q.transpose();
     w.curvature.diagonal() += end.hardens;
     w.q = f.value * w.q + Ce;
-    w.value = turned * D * mean_factor(end.history, D / energy, end.dt, false) + 0.5 * e.dot(Ce);
+    w.value = turned * D * mean_factor(end.history, D / energy, end.moment, false) + 0.5 * e.dot(Ce);
 }
 
 Vec4 PotentialLaw::normalised_flow(const ElementFlow& flow, int section) const {
@@ -196,7 +196,7 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
         out.converged = find_ends(trial, k, ends, n, round == 0 ? before : &last);
         bool same = true;
         for (int i = 0; i < n; ++i) {
-            const SoFar now = add_flow(ends[i], i, at.dt, out);
+            const SoFar now = add_flow(ends[i], i, out);
             if (!rounds) continue;
             const double elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy),
                          taken = ends[i].turned.factor,
@@ -218,7 +218,7 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
 }
 
 /// Adds what an end has flowed to the flow of its element.
-PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, double dt, ElementFlow& out) const {
+PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, ElementFlow& out) const {
     if (!end.flows()) return {};
     Work w = end.e == end.known_at ? end.known : work_at(end.e, end.own);
     harden(end, end.e, w);
@@ -229,8 +229,9 @@ PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, double d
     if (material_.laws.empty()) return {0, end.e};
     const double D = w.initial, strain = D / material_.zone.energy, beyond = w.value - w.q.dot(end.e);
     out.potential += beyond;
-    out.path_work += beyond + D * (turned(end.history, end.e, D).mean * mean_factor(end.history, strain, dt, true) -
-                                   end.turned.factor * mean_factor(end.history, strain, dt, false));
+    out.path_work +=
+        beyond + D * (turned(end.history, end.e, D).mean * mean_factor(end.history, strain, end.moment, true) -
+                      end.turned.factor * mean_factor(end.history, strain, end.moment, false));
     return {strain, end.e};
 }
 
@@ -280,7 +281,7 @@ double PotentialLaw::stored(const double* history) const {
 }
 
 /// Normalised resultants against a yield surface that neither moves nor grows.
-Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) const {
+Vec4 PotentialLaw::relative(const Vec4& q, const double* history, const Moment& at) const {
     Vec4 of = q.cwiseProduct(per_strength_);
     if (material_.laws.empty()) return of;
     Vec4 back = Vec4::Zero(), hardens = Vec4::Zero();
@@ -289,18 +290,18 @@ Vec4 PotentialLaw::relative(const Vec4& q, const double* history, double dt) con
         m->add_back(material_.zone, own, 0, Vec4::Zero(), back, hardens);
         if (own) own += m->history_size();
     }
-    return (of - back) / (factor_at(history, 0, dt).value * turned(history, Vec4::Zero(), 0).factor);
+    return (of - back) / (factor_at(history, 0, at).value * turned(history, Vec4::Zero(), 0).factor);
 }
 
-double PotentialLaw::yield_function(const Vec4& q, const double* history) const {
-    return shape_function(relative(q, history, 0), own(history));
+double PotentialLaw::yield_function(const Vec4& q, const double* history, double temperature) const {
+    return shape_function(relative(q, history, {0, temperature}), own(history));
 }
 
 bool PotentialLaw::surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const {
     for (int i = 0; i < n; ++i) {
         const Vec4 q = resultants(p + at.fixed_end->at(sections[i]), sections[i]);
         const double* history = at.history_of(i, history_size_);
-        if (!surely_inside(relative(q, history, at.dt), own(history))) return false;
+        if (!surely_inside(relative(q, history, {at.dt, at.temperature}), own(history))) return false;
     }
     return true;
 }

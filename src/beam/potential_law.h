@@ -48,7 +48,8 @@ public:
     void start(bool end_of_member, double* history) const override;
     void commit(const ElementFlow& flow, int section, double dt, double* history) const override;
     double stored(const double* history) const override;
-    double yield_function(const Vec4& q, const double* history = nullptr) const override;
+    double yield_function(const Vec4& q, const double* history = nullptr,
+                          double temperature = room_temperature) const override;
     bool surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const override;
     ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                       const SectionConditions& at) const override;
@@ -94,6 +95,7 @@ protected:
     virtual bool surely_inside(const Vec4& q, const double* own) const = 0;
 
 private:
+    using Moment = MaterialLaw::Moment;
     struct End;
     struct Work;
     struct SoFar;
@@ -101,7 +103,7 @@ private:
     SoFar so_far(const ElementFlow& flow, int section, const double* history) const;
     bool back_is_found(const End& end, const SectionConditions& at, int section, const SoFar& now,
                        const Vec6& trial) const;
-    SoFar add_flow(const End& end, int section, double dt, ElementFlow& out) const;
+    SoFar add_flow(const End& end, int section, ElementFlow& out) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
     bool find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n, const ElementFlow* before) const;
@@ -121,13 +123,13 @@ private:
     Work work_at(const Vec4& e, const double* own) const;
     bool along_ray(const End& end, const Vec4& trial, Vec4& e, Work& work) const;
     void harden(const End& end, const Vec4& e, Work& work) const;
-    MaterialLaw::Factor factor_at(const double* history, double strain, double dt) const;
-    double mean_factor(const double* history, double strain, double dt, bool of_work) const;
+    MaterialLaw::Factor factor_at(const double* history, double strain, const Moment& at) const;
+    double mean_factor(const double* history, double strain, const Moment& at, bool of_work) const;
     double mean_strain(const ElementFlow& flow, int section, const double* history) const;
     MaterialLaw::Turned turned(const double* history, const Vec4& e, double work) const;
     bool curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const;
     Vec4 normalised_flow(const ElementFlow& flow, int section) const;
-    Vec4 relative(const Vec4& q, const double* history, double dt) const;
+    Vec4 relative(const Vec4& q, const double* history, const Moment& at) const;
 
     Vec4 per_strength_;
     SectionMaterial material_;

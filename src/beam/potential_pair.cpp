@@ -143,7 +143,7 @@ bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditi
     for (int i : {0, 1}) {
         ElementFlow out;
         out.p = p[i];
-        for (const int j : {0, 1}) add_flow(all[2 * i + j].end, j, at[i].dt, out);
+        for (const int j : {0, 1}) add_flow(all[2 * i + j].end, j, out);
         flow[i] = out;
     }
     return true;

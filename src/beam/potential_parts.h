@@ -40,7 +40,7 @@ struct PotentialLaw::End {
     Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
     MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
     const double *history = nullptr, *own = nullptr;  ///< own: the variables of the law itself
-    double dt = 0;
+    Moment moment{0, room_temperature};
     Vec4 e = Vec4::Zero();
     mutable Vec4 known_at = Vec4::Zero();  ///< the e, not zero, of which the search knows D(e) and its derivatives
     mutable Work known;                    ///< those
@@ -62,7 +62,8 @@ struct PotentialLaw::End {
         set_history(at, section, law, so_far);
     }
     void set_history(const SectionConditions& at, int section, const PotentialLaw& law, const SoFar& so_far) {
-        dt = at.dt, history = at.history_of(section, law.history_size_), own = law.own(history);
+        moment = {at.dt, at.temperature};
+        history = at.history_of(section, law.history_size_), own = law.own(history);
         const double strain = so_far.strain;
         turned = law.turned(history, so_far.e, strain * law.material_.zone.energy);
         Vec4 back = Vec4::Zero();

@@ -32,7 +32,7 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
     double t = (force - D) / stiffness;
     if (!material_.laws.empty()) {
         const auto left = [&](double x, double* slope = nullptr) {
-            const MaterialLaw::Factor f = factor_at(end.history, x * D / material_.zone.energy, end.dt);
+            const MaterialLaw::Factor f = factor_at(end.history, x * D / material_.zone.energy, end.moment);
             if (slope) *slope = -stiffness - end.turned.factor * f.slope * D * D / material_.zone.energy;
             return force - x * stiffness - end.turned.factor * f.value * D;
         };
@@ -56,7 +56,7 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
 /// Whether q, less the back resultants, is outside of the yield surface at the start of the step (outside).
 bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const {
     if (material_.laws.empty()) return outside(q, end.own, direction);
-    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.dt).value), end.own, direction);
+    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.moment).value), end.own, direction);
 }
 
 /// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.

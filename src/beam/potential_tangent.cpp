@@ -21,7 +21,7 @@ bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End&
     if (flow.lambda[section] < at_the_start * 0.5 * w.initial && largest > 0)
         w.curvature *= std::max(1.0, stiff * end.k.maxCoeff() / largest);
     const Vec4 surface = w.q;
-    const double slope = end.turned.slope * factor_at(end.history, w.initial / material_.zone.energy, end.dt).value;
+    const double slope = end.turned.slope * factor_at(end.history, w.initial / material_.zone.energy, end.moment).value;
     harden(end, e, w);
     out = w.curvature;
     if (follows_rotation_) out += slope * surface * surface.transpose();

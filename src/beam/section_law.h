@@ -9,13 +9,16 @@
 
 namespace hinge::beam {
 
+inline constexpr double room_temperature = 20;  ///< degrees Celsius: of what is not heated
+
 /// What the sections of an element have besides its forces.
 struct SectionConditions {
     const FixedEnd* fixed_end = &no_fixed_end;
     /// History variables of the sections at the start of the step, one section after the other
     /// (SectionLaw::history_size of each). Null: the law has none.
     const double* history = nullptr;
-    double dt = 0;  ///< length of the step, s; 0: no time passes, as in statics
+    double dt = 0;                          ///< length of the step, s; 0: no time passes, as in statics
+    double temperature = room_temperature;  ///< degrees Celsius
 
     SectionConditions() = default;
     SectionConditions(const FixedEnd& loads, const double* start = nullptr, double step = 0)
@@ -80,7 +83,8 @@ public:
 
     /// Yield function f_y of a section's Mx, My (N m), N (N) and Mz (N m): 1 on the surface. Its root is the
     /// utilisation: it grows as the forces do, where all of them grow alike. `history`: of the section, or null.
-    virtual double yield_function(const Vec4& q, const double* history = nullptr) const = 0;
+    virtual double yield_function(const Vec4& q, const double* history = nullptr,
+                                  double temperature = room_temperature) const = 0;
     /// The same at section r (-1: node 1, 0: middle, +1: node 2), for element forces with the fixed-end parts in them.
     double yield_function(const Vec6& p, double r, const double* history = nullptr) const {
         return yield_function(resultants(p, r), history);

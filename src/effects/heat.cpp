@@ -58,7 +58,7 @@ double prestrain_of(const Model& model, int member, double EA) {
 }
 
 struct Temperature {
-    double middle = room_temperature, across[2] = {0, 0};
+    double middle = beam::room_temperature, across[2] = {0, 0};
 };
 
 /// What an element of such a section has at a temperature; `properties`: null where it is not heated.
@@ -237,7 +237,7 @@ std::vector<PlanLine> heat_plan(const Structure& s, const RunKind& kind) {
 }  // namespace
 
 void Heating::times(double factor) {
-    temperature = room_temperature + factor * (temperature - room_temperature);
+    temperature = beam::room_temperature + factor * (temperature - beam::room_temperature);
     for (double& k : across) k *= factor;
 }
 

@@ -70,6 +70,4 @@ struct Prestress {
     }
 };
 
-inline constexpr double room_temperature = 20;  ///< degrees Celsius: of what is not heated
-
 }  // namespace hinge

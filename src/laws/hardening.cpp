@@ -37,7 +37,7 @@ public:
     int history_size() const override { return 5; }
     bool moves_surface() const override { return of_.kinematic > 0; }
 
-    Factor factor(const double* history, double strain, double) const override {
+    Factor factor(const double* history, double strain, const Moment&) const override {
         const double slope = of_.isotropic / yield_stress_;
         return {1 + slope * ((history ? history[4] : 0) + strain), slope};
     }

@@ -88,4 +88,13 @@ struct StrainRate {
 /// Raises InputError unless the numbers of one of the two are above 0.
 std::shared_ptr<const MaterialLaw> strain_rate_law(const StrainRate& rate);
 
+/// Hot steel at a temperature (laws/hot_curve.cpp): parts of the declared yield stress and E.
+struct HotCurvePoint {
+    double temperature;                     ///< degrees Celsius
+    double yield, proportional, stiffness;  ///< k_y, k_p, k_E of EN 1993-1-2, table 3.1
+};
+/// Straight between two points. E and yield_stress in Pa. Raises InputError unless the temperatures rise and an ellipse
+/// leads from each proportional limit to the yield stress at a strain of 2 %.
+std::shared_ptr<const MaterialLaw> hot_curve_law(std::vector<HotCurvePoint> points, double E, double yield_stress);
+
 }  // namespace hinge::beam

@@ -42,7 +42,7 @@ public:
     void commit(const ElementFlow& flow, int, double, double* history) const override { *history += flow.slack; }
     double slack(const double* history) const override { return *history; }
 
-    double yield_function(const Vec4& q, const double*) const override {
+    double yield_function(const Vec4& q, const double*, double) const override {
         const double part = std::max(0.0, sign_ * q[2]) / N0_;
         return part * part;
     }

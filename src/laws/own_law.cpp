@@ -9,9 +9,9 @@
 namespace hinge::beam {
 namespace {
 
-constexpr double difference = 1e-6;  ///< part of a step by which the slope is found
+constexpr double slope_step = 1e-6;  ///< part of a step by which the slope is found
 /// Parts of a step that the function is asked for at once: Simpson's rule, and the slope.
-constexpr std::array parts{1.0, 0.5, 1 + difference};
+constexpr std::array parts{1.0, 0.5, 1 + slope_step};
 
 class OwnLaw : public MaterialLaw {
 public:
@@ -39,7 +39,7 @@ public:
         Turned out;
         out.factor = at[0].strength;
         out.mean = (now + 4 * at[1].strength + out.factor) / 6;
-        out.slope = (at[2].strength - out.factor) / (difference * work);
+        out.slope = (at[2].strength - out.factor) / (slope_step * work);
         return out;
     }
 

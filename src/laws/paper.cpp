@@ -72,7 +72,7 @@ public:
 
     const char* name() const override { return "paper"; }
     bool ignores_shape() const override { return true; }
-    double yield_function(const Vec4& q, const double*) const override {
+    double yield_function(const Vec4& q, const double*, double) const override {
         return w_.x * q[0] * q[0] + w_.y * q[1] * q[1] + w_.n * q[2] * q[2] + w_.z * q[3] * q[3];
     }
 

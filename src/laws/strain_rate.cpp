@@ -20,7 +20,8 @@ public:
     }
     void save(Writer& to) const override { to(D_, q_, 0.0, 0.0); }
     bool follows_rate() const override { return true; }
-    Factor factor(const double*, double strain, double dt) const override {
+    Factor factor(const double*, double strain, const Moment& at) const override {
+        const double dt = at.dt;
         if (!(dt > 0 && strain > 0)) return {};
         const double more = std::pow(strain / (dt * D_), 1 / q_);
         return {1 + more, more / (q_ * strain)};
@@ -44,7 +45,8 @@ public:
     }
     void save(Writer& to) const override { to(0.0, 0.0, C_, reference_); }
     bool follows_rate() const override { return true; }
-    Factor factor(const double*, double strain, double dt) const override {
+    Factor factor(const double*, double strain, const Moment& at) const override {
+        const double dt = at.dt;
         if (!(dt > 0 && strain > 0)) return {};
         const double x = strain / (dt * reference_), square = x * x;
         return {1 + C_ / 2 * std::log1p(square), C_ / strain * (square / (1 + square))};

@@ -10,6 +10,7 @@
 #include "core/errors.h"
 #include "laws/laws.h"
 #include "model/section_laws.h"
+#include "model/shear.h"
 
 namespace hinge {
 namespace {

@@ -57,13 +57,15 @@ inline beam::Stiffness stiffness_now(const Structure& structure, const State& st
 }
 
 /// The law of an element's sections at a temperature.
-inline beam::LawAt law_now(const Element& e, const ElementHeat& heat) { return beam::LawAt(*e.law, heat.strength); }
+inline beam::LawAt law_now(const Element& e, const ElementHeat& heat) {
+    return beam::LawAt(*e.law, heat.strength, heat.temperature);
+}
 
 /// f_y of resultants q (Mx, My, N, Mz) in section r of an element, by its law where the state is; 0 without a law.
 inline double yield_function_at(const Structure& structure, const State& state, int element, double r, const Vec4& q) {
     const Element& e = structure.elements()[element];
-    return e.law ? e.law->yield_function(q / heat_of(state.heat, element).strength,
-                                         section_history(structure, state, element, r))
+    return e.law ? law_now(e, heat_of(state.heat, element))
+                       ->yield_function(q, section_history(structure, state, element, r))
                  : 0;
 }
 

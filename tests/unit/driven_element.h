@@ -50,6 +50,7 @@ struct Driven {
     Stiffness k = elastic();
     Vec6 plastic = Vec6::Zero(), p = Vec6::Zero();
     std::vector<double> history;
+    double temperature = room_temperature;
     bool converged = true;
 
     explicit Driven(const SectionLaw& of) : law(of), history(2 * std::size_t(of.history_size())) {}
@@ -58,9 +59,13 @@ struct Driven {
         for (int s : {0, 1}) sum += law.stored(history.data() + s * law.history_size());
         return sum;
     }
+    SectionConditions conditions(double dt = 0) const {
+        SectionConditions at{no_fixed_end, history.data(), dt};
+        at.temperature = temperature;
+        return at;
+    }
     ReturnMapResult to(const Vec6& d, double dt = 0) {
-        const ReturnMapResult flow =
-            law.return_to_surface(k.times(d - plastic), k, ends, 2, {no_fixed_end, history.data(), dt});
+        const ReturnMapResult flow = law.return_to_surface(k.times(d - plastic), k, ends, 2, conditions(dt));
         for (int s : {0, 1})
             if (law.history_size() > 0) law.commit(flow, s, dt, history.data() + s * law.history_size());
         plastic += flow.plastic, p = flow.p;

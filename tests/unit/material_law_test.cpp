@@ -119,6 +119,117 @@ TEST_CASE("strain rate: a bar that is pulled at a rate has the stress of the for
 
 namespace {
 
+const std::vector<HotCurvePoint> hot_points = {{20, 1, 1, 1}, {400, 1, 0.42, 0.7}, {500, 0.78, 0.36, 0.6}};
+
+/// Figure 3.1 of EN 1993-1-2, for a strain, as printed there. Pa.
+double hot_stress(double strain, double yield, double proportional, double stiffness) {
+    const double first = proportional / stiffness, last = 0.02;
+    if (strain <= first) return stiffness * strain;
+    if (strain >= last) return yield;
+    const double c = std::pow(yield - proportional, 2) / ((last - first) * stiffness - 2 * (yield - proportional)),
+                 a = std::sqrt((last - first) * (last - first + c / stiffness)),
+                 b = std::sqrt(c * (last - first) * stiffness + c * c);
+    return proportional - c + b / a * std::sqrt(a * a - std::pow(last - strain, 2));
+}
+
+}  // namespace
+
+// At 210 degrees the factors are half way between two points. A law is asked for stresses over the yield stress of the
+// temperature: SoftenedLaw has the rest. So the element's stiffness is E over that. Work is that of the curve.
+TEST_CASE("hot curve: a bar that is pulled has the stress of EN 1993-1-2, whatever the steps", "[material_law]") {
+    const double factors[3][4] = {{400, 1, 0.42, 0.7}, {500, 0.78, 0.36, 0.6}, {210, 1, 0.71, 0.85}};
+    for (const bool exact : {false, true})
+        for (const auto& [temperature, ky, kp, kE] : factors)
+            for (const int steps : {1, 6, 60}) {
+                const auto law = law_with({hot_curve_law(hot_points, E, fy)}, exact);
+                Driven bar(*law);
+                bar.temperature = temperature;
+                bar.k = (kE / ky) * bar.k;
+                double off = 0, work = 0, by_curve = 0;
+                for (int i = 1; i <= steps; ++i) {
+                    const double strain = 0.03 * i / steps;
+                    work += bar.to(stretched(strain * length)).dissipation;
+                    off = largest_of(
+                        off, std::abs(ky * bar.p[4] / (A * fy) - hot_stress(strain, ky * fy, kp * fy, kE * E) / fy));
+                }
+                for (int i = 0; i < 100000; ++i)
+                    by_curve += hot_stress(3e-7 * (i + 0.5), ky * fy, kp * fy, kE * E) * 3e-7;
+                by_curve = (by_curve - 0.5 * std::pow(ky * fy, 2) / (kE * E)) * A * length / ky;
+                CHECK(bar.converged);
+                CHECK_FIGURE("stress over fy", off, 1e-10);
+                CHECK(work == Approx(by_curve).epsilon(1e-7));
+            }
+}
+
+TEST_CASE("hot curve: random paths are found and stay on the surface, and dissipation is never negative",
+          "[material_law]") {
+    Dice dice(77);
+    double off = 0, least = 0;
+    long flows = 0, lost = 0;
+    for (int path = 0; path < 200; ++path) {
+        const auto law = law_with({hot_curve_law(hot_points, E, fy)}, path % 2);
+        Driven element(*law);
+        Vec6 d = Vec6::Zero();
+        double step = 0.1;
+        for (int i = 0; i < 200; ++i) {
+            if (dice.pick(10) == 0) step = std::exp(dice(-6, 3));
+            if (dice.pick(5) == 0) element.temperature = dice(20, 500);
+            d += random_deformation(dice, step);
+            const ReturnMapResult flow = element.to(d);
+            lost += !flow.converged;
+            flows += flow.flows();
+            least = smallest_of(least, flow.dissipation / (1 + std::abs(flow.dissipation)));
+            for (int s : {0, 1}) {
+                const Vec4 q = resultants(flow.p, ends[s]);
+                const double f =
+                    law->yield_function(q, element.history.data() + s * law->history_size(), element.temperature) - 1;
+                off = largest_of(off, flow.lambda[s] > 0 ? std::abs(f) : f);
+            }
+        }
+    }
+    CHECK(flows > 20000);
+    CHECK(lost == 0);
+    CHECK_FIGURE("beyond the surface", off, 1e-8);
+    CHECK_FIGURE("negative dissipation", -least, 1e-10);
+}
+
+TEST_CASE("hot curve: the tangent against differences", "[material_law]") {
+    double off = 0;
+    for (const bool exact : {false, true}) {
+        const auto law = law_with({hot_curve_law(hot_points, E, fy)}, exact);
+        for (const double strain : {0.002, 0.005, 0.015, 0.03}) {
+            Driven bar(*law);
+            bar.temperature = 450;
+            const Vec6 d = stretched(strain * length) + bent(strain * length / h);
+            bar.to(0.4 * d);
+            const auto returned = [&](const Vec6& to) {
+                return law->return_to_surface(bar.k.times(to - bar.plastic), bar.k, ends, 2, bar.conditions());
+            };
+            const Mat6 D = law->tangent(returned(d), bar.k, ends, 2, bar.conditions()), K = bar.k.matrix();
+            for (const int i : {0, 4}) {
+                Vec6 up = d, down = d;
+                const double step = 1e-6 * d.norm();
+                up[i] += step, down[i] -= step;
+                const Vec6 difference = (returned(up).p - returned(down).p) / (2 * step);
+                for (const int j : {0, 4})
+                    off = largest_of(off, std::abs(D(j, i) - difference[j]) / std::sqrt(K(i, i) * K(j, j)));
+            }
+        }
+    }
+    CHECK_FIGURE("tangent", off, 1e-6);
+}
+
+TEST_CASE("hot curve: what is not one is refused", "[material_law]") {
+    CHECK_THROWS_AS(hot_curve_law({}, E, fy), InputError);
+    CHECK_THROWS_AS(hot_curve_law({{20, 1, 1, 1}, {20, 1, 1, 1}}, E, fy), InputError);
+    CHECK_THROWS_AS(hot_curve_law({{20, 1, 1.1, 1}}, E, fy), InputError);
+    CHECK_THROWS_AS(hot_curve_law({{20, 1, 0, 1}}, E, fy), InputError);
+    CHECK_THROWS_AS(hot_curve_law({{std::nan(""), 1, 1, 1}}, E, fy), InputError);
+    CHECK_THROWS_AS(hot_curve_law({{20, 1, 0.5, 1}}, E, 0.02 * E), InputError);
+}
+
+namespace {
+
 std::unique_ptr<const SectionLaw> random_law(Dice& dice, bool rate) {
     MaterialLaws laws;
     const int kind = dice.pick(4);

@@ -54,6 +54,31 @@ beam::StrainRate read_rate(Options& r) {
     return {D.value_or(0), q.value_or(0), C.value_or(0), reference.value_or(0)};
 }
 
+/// The list in field hot_curve, on top of the stack.
+std::vector<beam::HotCurvePoint> read_hot_curve(Options& o) {
+    lua_State* L = o.L();
+    const std::string what = o.function() + ": field 'hot_curve'";
+    if (!lua_istable(L, -1))
+        o.complain("hot_curve", show(L, -1),
+                   "must be what hinge.heat.curve() returns, or a list of points { degrees "
+                   "Celsius, k_y, k_p, k_E }");
+    std::vector<beam::HotCurvePoint> points;
+    for (lua_Integer i = 1, n = list_length(L, -1, what); i <= n; ++i) {
+        double point[4] = {NAN, NAN, NAN, NAN};
+        lua_rawgeti(L, -1, i);
+        for (int k = 0; lua_istable(L, -1) && k < 4; ++k) {
+            if (lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER) point[k] = lua_tonumber(L, -1);
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+        for (const double x : point)
+            if (!std::isfinite(x))
+                throw InputError(what + "[" + std::to_string(i) + "] must be { degrees Celsius, k_y, k_p, k_E }");
+        points.push_back({point[0], point[1], point[2], point[3]});
+    }
+    return points;
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const beam::MaterialLaw>> read_material_laws(Options& o, const Material& m) {
@@ -71,6 +96,13 @@ std::vector<std::shared_ptr<const beam::MaterialLaw>> read_material_laws(Options
         must_yield("rate");
         laws.push_back(beam::strain_rate_law(read_rate(r)));
     });
+    if (o.push_field("hot_curve") != LUA_TNIL) {
+        must_yield("hot_curve");
+        if (!laws.empty())
+            o.complain("hot_curve", "given", "cannot stand beside hardening or rate; leave out one of them");
+        laws.push_back(beam::hot_curve_law(read_hot_curve(o), m.E, m.yield_stress));
+    }
+    lua_pop(o.L(), 1);
     return laws;
 }
 
