@@ -141,7 +141,8 @@ function grades.steel(name, options)
     check.fail("%s: field 'expected' is true; AISC 341 has a factor for %s alone, not for %s", where,
       table.concat(keys(steels.ASTM), ", "), name)
   end
-  return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate, hot_curve = o.hot_curve,
+  return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate,
+    hot_curve = o.hot_curve,
     yield_stress = 1e6 * fy * (o.expected and rows[name].Ry or 1) }
 end
 

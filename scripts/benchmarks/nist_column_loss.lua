@@ -75,7 +75,8 @@ return hinge.benchmark {
   source = "Sadek and others, NIST Technical Note 1669, 2010; the sections, the span, the largest loads and their "
     .. "deflections are quoted from memory",
   missing = "hardening; the failure of flanges and bolts, so that the load is compared at the deflection of the test; "
-    .. "slip and stiffness of the braces. Taken: heights of the columns, expected strength, usual proportions of the cut",
+    .. "slip and stiffness of the braces. Taken: heights of the columns, expected strength, usual proportions of the "
+    .. "cut",
   run = function(b, job)
     local series = {}
     for _, test in ipairs(tests) do
