@@ -127,7 +127,7 @@ local function column(name, family, sizes, options)
   end
   local made = shapes.box { width = side / 1e3, depth = side / 1e3, thickness = t / 1e3, r = ratio * t / 1e3,
     interaction = options.interaction }
-  made.kind = ("%s %gx%gx%g"):format(family, side, side, t)
+  made.kind, made.shape = ("%s %gx%gx%g"):format(family, side, side, t), made.kind
   return made
 end
 
@@ -192,7 +192,7 @@ function named.properties(name, options)
   local values = row.text:gmatch "[%d.]+"
   for field in row.kind.columns:gmatch "%S+" do dimensions[field] = unit * tonumber(values()) end
   local made = makers[row.kind.shape](dimensions)
-  made.kind = row.name
+  made.kind, made.shape = row.name, made.kind
   return made
 end
 

@@ -178,6 +178,7 @@ function shapes.h(options)
 end
 
 --- The part of an outline, moved to its centroid, and its properties in axes x and y that are principal ones.
+-- more.carries: rectangles { x0, x1, y0, y1 } that carry shear along x and along y.
 local function by_outline(kind, law, corners, more)
   local m = outline.moments(corners)
   local low_x, low_y, high_x, high_y = math.huge, math.huge, -math.huge, -math.huge
@@ -190,7 +191,7 @@ local function by_outline(kind, law, corners, more)
     size = { width = high_x - low_x, depth = high_y - low_y }, area = m.A, Ix = m.yy, Iy = m.xx, J = more.J,
     shear_area_x = outline.shear_area(more.walls, more.t, 1), shear_area_y = outline.shear_area(more.walls, more.t, 2),
     plastic = { A = m.A, Zx = outline.plastic_modulus(corners, 2), Zy = outline.plastic_modulus(corners, 1),
-      Zz = more.Zz },
+      Zz = more.Zz }, walls = more.carries,
   }
 end
 
@@ -230,6 +231,8 @@ function shapes.channel(options)
     J = (2 * b * tf ^ 3 + (d - 2 * tf) * tw ^ 3) / 3 + 2 * joint(alpha, tw, tf, r) - 0.42 * tf ^ 4,
     Zz = 2 * sand_heap(b, tf) + (d - 2 * tf) * tw ^ 2 / 2,
     walls = { { b - cx, -y }, { tw / 2 - cx, -y }, { tw / 2 - cx, y }, { b - cx, y } }, t = { tf, tw, tf },
+    carries = { x = { { -cx, b - cx, d / 2 - tf, d / 2 }, { -cx, b - cx, -d / 2, tf - d / 2 } },
+      y = { { -cx, tw - cx, tf - d / 2, d / 2 - tf } } },
   })
 end
 

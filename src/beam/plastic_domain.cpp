@@ -229,7 +229,7 @@ double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature, const
         add(walls, of_walls);
         sums.positive -= part * of_walls.positive;
         for (int i = 0; i < 3; ++i) sums.line[i] -= part * of_walls.line[i];
-        total[2] -= part * walls.area;
+        total -= part * Vec3(walls.moment.y(), -walls.moment.x(), walls.area);
     }
     const Vec3 z = (2 * sums.positive - total) / area_;
     point = z.cwiseProduct(scale_);

@@ -11,6 +11,7 @@ namespace hinge {
 namespace {
 
 constexpr double most_lost = 0.98;   ///< of the strength of what carries the shear force, so that a section keeps some
+constexpr double least_v0 = 1e-3;    ///< what torsion leaves of V0 at least
 constexpr double most_shear = 1e3;   ///< of V0: more is not told apart
 constexpr long every = 10;           ///< steps of dynamics between looks at sections that do not flow
 constexpr double small_shear = 0.5;  ///< of V0: up to that it takes nothing from the moment, EN 1993-1-1 6.2.8(2)
@@ -62,8 +63,19 @@ ShearStrength::Shear ShearStrength::shear_of(const Workspace& w, int index, int 
 }
 
 void ShearStrength::look_at(const Workspace& w, const Step& step, int index) {
+    const double t = torsion_of(w, index), left = v0_left(index, t);
     for (int axis : {0, 1})
-        if (const Shear at = shear_of(w, index, axis); at.v > small_shear) compare(w, step, index, axis, at.v, at.m);
+        if (const Shear at = shear_of(w, index, axis); at.v > small_shear * left)
+            compare(w, step, index, axis, at.v / left, at.m, t);
+}
+
+/// Mz / Mz0, and what it leaves of V0.
+double ShearStrength::torsion_of(const Workspace& w, int index) const {
+    const double strength = heat_of(w.state.heat, index).strength;
+    return std::abs(w.state.force[index][5]) * scales_[index].torsion / strength;
+}
+double ShearStrength::v0_left(int index, double torsion) const {
+    return torsion > 0 ? std::max(least_v0, shear_left_by_torsion(*scales_[index].section, torsion)) : 1;
 }
 
 namespace {
@@ -91,12 +103,11 @@ void ShearStrength::weaken(const Workspace& w, const Step& step, State& state) c
         const int sections = w.structure.conventional() ? 1 : 2;
         const double follows = w.goes_by_load_factor() ? 1 : -std::expm1(-step.dt / scales_[index].wave);
         double* history = &state.history[w.structure.history_at(index)];
-        const double t = std::abs(w.state.force[index][5]) * scales_[index].torsion,
-                     left = shear_left_by_torsion(*scales_[index].section, t);
+        const double left = v0_left(index, torsion_of(w, index));
         for (int s = 0; s < sections; ++s, history += law.history_size()) {
             double rho[2];
             for (int axis : {0, 1}) {
-                const double v = std::min(most_shear, shear_of(w, index, axis).v / std::max(left, 1e-3)),
+                const double v = std::min(most_shear, shear_of(w, index, axis).v / left),
                              share = scales_[index].share[axis], before = law.lost_by_shear(axis == 0, history);
                 if (share < 0 || !(v > 0)) rho[axis] = 0;
                 else if (flowing && flows->flow.lambda[s] > 0) rho[axis] = settled(v, share, before);
@@ -111,7 +122,8 @@ void ShearStrength::weaken(const Workspace& w, const Step& step, State& state) c
     }
 }
 
-void ShearStrength::compare(const Workspace& w, const Step& step, int index, int axis, double v, double m) {
+void ShearStrength::compare(const Workspace& w, const Step& step, int index, int axis, double v, double m,
+                            double torsion) {
     if (w.state.broken[index]) return;
     const bool taken = w.structure.elements()[index].law->takes_shear();  // then the moment cannot be too large
     const double share = scales_[index].share[axis], left = taken || share < 0 ? 1 : moment_left_by_shear(v, share);
@@ -123,7 +135,7 @@ void ShearStrength::compare(const Workspace& w, const Step& step, int index, int
     const int member = w.structure.elements()[index].member;
     if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
     unsafe_[member] = 1;
-    if (excess > worst_.excess + alike_moment) worst_ = {v, m, left, excess, w.reached(step), index, axis};
+    if (excess > worst_.excess + alike_moment) worst_ = {v, m, left, excess, w.reached(step), torsion, index, axis};
 }
 
 void ShearStrength::check_run(const Workspace& w, std::vector<RunWarning>& list) const {
@@ -137,6 +149,7 @@ void ShearStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
                        number_text(worst_.m, 2) + " of M" + about + "0 " +
                        (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
                                                 : "at t = " + number_text(worst_.at, 4) + " s");
+    if (worst_.torsion > 0.01) text += ", with what Mz / Mz0 = " + number_text(worst_.torsion, 2) + " takes from V0";
     text += is_unsafe(std::min(worst_.m, 1.0), worst_.left)
                 ? ": EN 1993-1-1 6.2.8 leaves " + number_text(worst_.left, 2) + " of M" + about +
                       "0 beside that shear force"

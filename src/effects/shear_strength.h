@@ -41,10 +41,11 @@ private:
         double v = 0, m = 0, left = 1;  ///< parts of V0 and of M0
         double excess = 0;              ///< of V over V0, or of the moment over what is left; parts of V0 or M0
         double at = 0;                  ///< s, in statics the load factor
+        double torsion = 0;             ///< part of Mz0, which takes from V0
         int element = -1, axis = 0;     ///< axis 0: bending about x, shear along y
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.v, s.m, s.left, s.excess, s.at, s.element, s.axis);
+            a(s.v, s.m, s.left, s.excess, s.at, s.torsion, s.element, s.axis);
         }
     };
     /// Of bending about x and about y.
@@ -60,7 +61,9 @@ private:
     };
     Shear shear_of(const Workspace& w, int element, int axis) const;
     void look_at(const Workspace& w, const Step& step, int element);
-    void compare(const Workspace& w, const Step& step, int element, int axis, double v, double m);
+    double torsion_of(const Workspace& w, int index) const;
+    double v0_left(int index, double torsion) const;
+    void compare(const Workspace& w, const Step& step, int element, int axis, double v, double m, double torsion);
 
     std::vector<Scales> scales_;  ///< of each element
     std::vector<int> weakened_;   ///< elements whose law takes shear

@@ -43,7 +43,8 @@ const char* word_of(Interaction interaction);         ///< the same, not of by_m
 
 /// A cross-section. x and y are its local axes, y the member's `up`; Ix bends about x (deflection along y).
 struct Section {
-    std::string kind = "general";
+    std::string kind = "general";               ///< a name
+    std::string shape = "general";              ///< "h", "box", "pipe", "solid", "round", or something else
     double area = 0, Ix = 0, Iy = 0, J = 0;     ///< m^2, m^4
     double shear_area_x = 0, shear_area_y = 0;  ///< m^2
     double mass_Ix = 0, mass_Iy = 0;            ///< m^4, of the rotary inertia; 0: Ix and Iy
@@ -53,6 +54,11 @@ struct Section {
     double width = 0, depth = 0;                               ///< m, along x and y: contact and pictures
     double web = 0, flange = 0;                                ///< m, thickness of an H's: pictures
     std::shared_ptr<const beam::SectionOutline> outline = {};  ///< null: only the properties are known
+    /// A wall that carries shear forces, from x0 to x1 and from y0 to y1, m from the centroid.
+    struct Wall {
+        double x0, x1, y0, y1;
+    };
+    std::vector<Wall> walls[2] = {};  ///< along x, along y, where they are known; else they follow from `shape`
     Interaction interaction = Interaction::by_model;
     std::string asked_at = {};  ///< the script's line, "" where none
 };

@@ -151,21 +151,21 @@ std::optional<PlasticShape> PlasticShape::by_sizes(const Section& s) {
     PlasticShape shape;
     const double b = s.width, d = s.depth, A = s.plastic_area;
     if (!(b > 0 && d > 0 && A > 0 && s.Zx > 0 && s.Zy > 0)) return {};
-    if (s.kind == "pipe" || s.kind == "round") {
+    if (s.shape == "pipe" || s.shape == "round") {
         shape.radius_ = b / 2;
         shape.bore_ = std::sqrt(std::max(0.0, b * b / 4 - A / std::numbers::pi));
-        if (s.kind == "round") shape.bore_ = 0;
+        if (s.shape == "round") shape.bore_ = 0;
         const double Z = (std::pow(shape.radius_, 3) - std::pow(shape.bore_, 3)) * 4 / 3;
         const bool known = agree(std::numbers::pi * (std::pow(shape.radius_, 2) - std::pow(shape.bore_, 2)), A);
         return known && agree(Z, s.Zx) && agree(Z, s.Zy) ? std::optional(shape) : std::nullopt;
     }
-    if (s.kind == "solid") {
+    if (s.shape == "solid") {
         shape.bands_[0] = {d / 2, d / 2, b, b};
         shape.bands_[1] = {b / 2, b / 2, d, d};
-    } else if (s.kind == "h") {
+    } else if (s.shape == "h") {
         shape.bands_[0] = {d / 2 - s.flange, d / 2, s.web, b};
         shape.bands_[1] = {s.web / 2, b / 2, d, 2 * s.flange};
-    } else if (s.kind == "box") {  // its hollow has the area b d - A and the modulus b d^2 / 4 - Zx
+    } else if (s.shape == "box") {  // its hollow has the area b d - A and the modulus b d^2 / 4 - Zx
         const double hollow_depth = (b * d * d - 4 * s.Zx) / (b * d - A), hollow_width = (b * d - A) / hollow_depth;
         shape.bands_[0] = {hollow_depth / 2, d / 2, b - hollow_width, b};
         shape.bands_[1] = {hollow_width / 2, b / 2, d - hollow_depth, d};

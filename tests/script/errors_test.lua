@@ -138,7 +138,7 @@ case("wrong materials and sections are refused", function()
   wrong("hinge.material: field 'yield_stress' is 0 Pa; must be above 0 Pa",
     function() hinge.material { E = 1, yield_stress = 0 } end)
   wrong("hinge.material: unknown field 'yeild_stress' (did you mean 'yield_stress'?); it takes E, nu, G, density, "
-    .. "yield_stress, hardening, rate",
+    .. "yield_stress, hardening, rate, hot_curve",
     function() hinge.material { E = 1, yeild_stress = 1 } end)
   wrong("material has no field 'yield'...", function() return steel.yield end)
   wrong("hinge.section.general: field 'Ix' is -1 m^4; must be above 0 m^4",

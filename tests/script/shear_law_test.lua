@@ -49,7 +49,7 @@ local clear = 0.3 - 2 * 0.0107
 case("an H about its strong axis: the web has less", function()
   local least = 1
   for _, L in ipairs { 0.42, 0.5, 0.7 } do
-    local V, v, rho = by_hand(h.Zx, 0.0071 * clear ^ 2 / 4, h.shear_area_y, L)
+    local V, v, rho = by_hand(h.Zx, 0.0071 * clear ^ 2 / 4, 0.0071 * clear, L)
     near(pushed(h, L, "uz"), V, 1e-4 * V, ("L %g, V / V0 %.3f, rho %.3f"):format(L, v, rho))
     least = support.smallest_of(least, 1 - rho)
   end
@@ -58,7 +58,7 @@ end)
 
 case("an H about its weak axis: the flanges have less, the web nothing", function()
   local L = 0.1
-  local V, v, rho = by_hand(h.Zy, 2 * 0.0107 * 0.15 ^ 2 / 4, h.shear_area_x, L)
+  local V, v, rho = by_hand(h.Zy, 2 * 0.0107 * 0.15 ^ 2 / 4, 2 * 0.0107 * 0.15, L)
   expect(rho > 0.05, "rho is %g at V / V0 %g", rho, v)
   near(pushed(h, L, "uy"), V, 1e-4 * V, "weak axis")
 end)
@@ -67,11 +67,11 @@ case("a box, solid and round sections, a pipe", function()
   local t = 0.008
   local box = hinge.section.box { width = 0.1, depth = 0.2, thickness = t, interaction = law.interaction }
   local L = 0.22
-  local V, _, rho = by_hand(box.Zx, 2 * t * (0.2 - 2 * t) ^ 2 / 4, box.shear_area_y, L)
+  local V, _, rho = by_hand(box.Zx, 2 * t * (0.2 - 2 * t) ^ 2 / 4, box.area * 2 / 3, L)
   expect(rho > 0.05, "box: rho is %g", rho)
   near(pushed(box, L, "uz"), V, 1e-4 * V, "box, strong axis")
   L = 0.3
-  V, _, rho = by_hand(box.Zy, 2 * t * (0.1 - 2 * t) ^ 2 / 4, box.shear_area_x, L)
+  V, _, rho = by_hand(box.Zy, 2 * t * (0.1 - 2 * t) ^ 2 / 4, box.area / 3, L)
   expect(rho > 0.05, "box: rho is %g", rho)
   near(pushed(box, L, "uy"), V, 1e-4 * V, "box, weak axis")
   local solid = hinge.section.solid { width = 0.1, depth = 0.2, interaction = law.interaction }
@@ -82,6 +82,28 @@ case("a box, solid and round sections, a pipe", function()
   V, _, rho = by_hand(pipe.Zx, pipe.Zx, 2 * pipe.area / math.pi, 0.25)
   expect(rho > 0.05, "pipe: rho is %g", rho)
   near(pushed(pipe, 0.25, "uz"), V, 1e-4 * V, "pipe")
+end)
+
+-- A_v of a rolled H: A - 2 b tf + (tw + 2 r) tf. The web of a channel has what lies between the flanges.
+case("named sections, by A_v of rolled ones; channels", function()
+  local heb = hinge.section.named("HEB 300", law)
+  local rolled = heb.area - 2 * 0.3 * 0.019 + (0.011 + 2 * 0.027) * 0.019
+  local V, v, rho = by_hand(heb.Zx, 0.011 * 0.262 ^ 2 / 4, rolled, 0.8)
+  expect(rho > 0.05, "HEB 300: rho is %g at V / V0 %g", rho, v)
+  near(pushed(heb, 0.8, "uz"), V, 2e-4 * V, "HEB 300")
+  local pipe = hinge.section.named("CHS 168.3x8", law)
+  V, v, rho = by_hand(pipe.Zx, pipe.Zx, 2 * pipe.area / math.pi, 0.2)
+  expect(rho > 0.05, "pipe: rho is %g at V / V0 %g", rho, v)
+  near(pushed(pipe, 0.2, "uz"), V, 1e-4 * V, "CHS 168.3x8")
+  local channel = hinge.section.channel { depth = 0.2, width = 0.08, web = 0.007, flange = 0.012,
+    interaction = law.interaction }
+  V, v, rho = by_hand(channel.Zx, 0.007 * 0.176 ^ 2 / 4, channel.shear_area_y, 0.35)
+  expect(rho > 0.05, "channel: rho is %g at V / V0 %g", rho, v)
+  near(pushed(channel, 0.35, "uz"), V, 1e-4 * V, "channel")
+  for _, wrong in ipairs { { x = { { 0, 0, 0, 1 } } }, { y = { { 0, 1, 0 } } }, { z = {} } } do
+    local good, message = pcall(hinge.section.general, { area = 1, Ix = 1, Iy = 1, J = 1, walls = wrong })
+    expect(not good and tostring(message):find("walls", 1, true), "wrong walls: %s", tostring(message))
+  end
 end)
 
 case("no shear force to speak of: the exact interaction", function()
@@ -113,7 +135,7 @@ end
 
 case("an axial force beside the shear force: by strips", function()
   local L, N = 0.4, 0.25 * fy * h.area
-  local V0 = h.shear_area_y * fy / math.sqrt(3)
+  local V0 = 0.0071 * clear * fy / math.sqrt(3)
   local low, high = 0, V0
   for _ = 1, 40 do
     local V = (low + high) / 2
@@ -126,7 +148,7 @@ end)
 case("torsion takes from V0, by 6.2.7(9), and from the section", function()
   local box = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.008, interaction = law.interaction }
   local L, t = 0.25, 0.3
-  local walls, V0 = 2 * 0.008 * 0.134 ^ 2 / 4, box.shear_area_y * fy / math.sqrt(3) * (1 - t)
+  local walls, V0 = 2 * 0.008 * 0.134 ^ 2 / 4, box.area / 2 * fy / math.sqrt(3) * (1 - t)
   local low, high = 0, V0
   for _ = 1, 100 do
     local V = (low + high) / 2
@@ -139,7 +161,7 @@ end)
 
 case("the model's option, and conventional elements", function()
   local plain = hinge.section.h { depth = 0.3, width = 0.15, web = 0.0071, flange = 0.0107 }
-  local V = by_hand(h.Zx, 0.0071 * clear ^ 2 / 4, h.shear_area_y, 0.5)
+  local V = by_hand(h.Zx, 0.0071 * clear ^ 2 / 4, 0.0071 * clear, 0.5)
   near(pushed(plain, 0.5, "uz", nil, { law = "exact with shear" }), V, 1e-4 * V, "asked of the model")
   local found = pushed(h, 0.5, "uz", nil, { formulation = "conventional" })
   expect(found > V and found < 2 * V, "a conventional element yields in its middle, at %g of %g N", found, V)

@@ -29,7 +29,7 @@ double by_strips(const std::function<double(double)>& breadth, double height, do
 
 Section h(double d, double b, double tw, double tf) {
     Section s;
-    s.kind = "h", s.depth = d, s.width = b, s.web = tw, s.flange = tf;
+    s.shape = "h", s.depth = d, s.width = b, s.web = tw, s.flange = tf;
     const double di = d - 2 * tf;
     s.area = s.plastic_area = 2 * b * tf + di * tw;
     s.Zx = b * tf * (d - tf) + tw * di * di / 4, s.Zy = tf * b * b / 2 + di * tw * tw / 4;
@@ -37,7 +37,7 @@ Section h(double d, double b, double tw, double tf) {
 }
 Section box(double d, double b, double tw, double tf) {
     Section s;
-    s.kind = "box", s.depth = d, s.width = b;
+    s.shape = "box", s.depth = d, s.width = b;
     const double di = d - 2 * tf, bi = b - 2 * tw;
     s.area = s.plastic_area = b * d - bi * di;
     s.Zx = (b * d * d - bi * di * di) / 4, s.Zy = (d * b * b - di * bi * bi) / 4;
@@ -45,7 +45,7 @@ Section box(double d, double b, double tw, double tf) {
 }
 Section pipe(double D, double t) {
     Section s;
-    s.kind = "pipe", s.depth = s.width = D;
+    s.shape = "pipe", s.depth = s.width = D;
     const double i = D - 2 * t;
     s.area = s.plastic_area = std::numbers::pi / 4 * (D * D - i * i);
     s.Zx = s.Zy = (D * D * D - i * i * i) / 6;
@@ -81,7 +81,7 @@ TEST_CASE("plastic moments beside an axial force follow from the section's strip
 
 TEST_CASE("a rectangle has 1 - n^2, about both axes") {
     Section s;
-    s.kind = "solid", s.width = 0.1, s.depth = 0.2;
+    s.shape = "solid", s.width = 0.1, s.depth = 0.2;
     s.plastic_area = 0.02, s.Zx = 0.1 * 0.04 / 4, s.Zy = 0.2 * 0.01 / 4;
     const auto shape = PlasticShape::of(s);
     REQUIRE(shape);

@@ -91,10 +91,42 @@ const char* maker_of(lua_State* L) {
     return concrete ? "hinge.section.concrete" : "hinge.section.general";
 }
 
+/// Rectangles { x0, x1, y0, y1 } of the walls along x and along y, m.
+void read_walls(Options& o, Section& s) {
+    lua_State* L = o.L();
+    if (o.push_field("walls") != LUA_TNIL) {
+        Options inner(L, -1, o.function() + ", walls");
+        for (const int axis : {0, 1}) {
+            const char* name = axis == 0 ? "x" : "y";
+            if (inner.push_field(name) != LUA_TNIL) {
+                const std::string what = inner.function() + ": field '" + name + "'";
+                for (lua_Integer i = 1, n = list_length(L, -1, what); i <= n; ++i) {
+                    double at[4] = {NAN, NAN, NAN, NAN};
+                    lua_rawgeti(L, -1, i);
+                    for (int k = 0; lua_istable(L, -1) && k < 4; ++k) {
+                        if (lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER) at[k] = lua_tonumber(L, -1);
+                        lua_pop(L, 1);
+                    }
+                    lua_pop(L, 1);
+                    const auto& [x0, x1, y0, y1] = at;
+                    if (!(x0 < x1 && y0 < y1))
+                        throw InputError(what + "[" + std::to_string(i) +
+                                         "] must be { x0, x1, y0, y1 }, m, of a rectangle within the outline");
+                    s.walls[axis].push_back({x0, x1, y0, y1});
+                }
+            }
+            lua_pop(L, 1);
+        }
+        inner.finish();
+    }
+    lua_pop(L, 1);
+}
+
 int section(lua_State* L) {
     Options o(L, 1, maker_of(L));
-    o.expect({"area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0", "My0", "Mz0",
-              "plastic", "size", "kind", "outline", "interaction", "reinforcement"});
+    o.expect({"area",    "Ix",    "Iy",    "J",       "shear_area_x", "shear_area_y", "mass_Ix",
+              "mass_Iy", "N0",    "Mx0",   "My0",     "Mz0",          "plastic",      "size",
+              "kind",    "shape", "walls", "outline", "interaction",  "reinforcement"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);
@@ -126,7 +158,9 @@ int section(lua_State* L) {
         p.finish();
     }
     lua_pop(L, 1);
-    if (const auto kind = o.text("kind")) s.kind = *kind;
+    if (const auto kind = o.text("kind")) s.kind = s.shape = *kind;
+    if (const auto shape = o.text("shape")) s.shape = *shape;
+    read_walls(o, s);
     s.outline = read_outline(o);
     if (s.outline) {
         const double area = s.outline->outline().area();

@@ -84,9 +84,9 @@ Vec3 direction_up(const Run& run, int element) {
 output::Shape shape_of(const Section& s) {
     output::Shape shape;
     const bool circles = s.outline && s.outline->outline().polygons.empty();
-    shape.kind = circles || s.kind == "pipe" || s.kind == "round" ? output::Shape::round
-                 : s.web > 0 && s.flange > 0                      ? output::Shape::h
-                                                                  : output::Shape::rectangle;
+    shape.kind = circles || s.shape == "pipe" || s.shape == "round" ? output::Shape::round
+                 : s.web > 0 && s.flange > 0                        ? output::Shape::h
+                                                                    : output::Shape::rectangle;
     shape.width = s.width > 0 ? s.width : std::sqrt(s.area);
     shape.depth = s.depth > 0 ? s.depth : std::sqrt(s.area);
     shape.web = s.web, shape.flange = s.flange;
