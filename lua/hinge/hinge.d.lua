@@ -2125,7 +2125,7 @@ function section.general(options) end
 ---@field shape? string
 ---walls that carry shear forces along x and along y, rectangles { x0, x1, y0, y1 } within the outline, m from the
 ---centroid; for interaction "exact with shear". Default: by `shape`
----@field walls? { x?: number[][], y?: number[][] }
+---@field shear_walls? { x?: number[][], y?: number[][] }
 ---the shape, m: its parts, each a polygon or a circle; hole = true takes it away. Its centroid becomes the origin, and
 ---its area may differ from `area` by 2 % at most. It is needed for interaction "exact"
 ---@field outline? { corners?: number[][], diameter?: number, centre?: number[], hole?: boolean }[]

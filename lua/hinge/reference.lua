@@ -4,13 +4,15 @@ local folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 
 local reference = { files = { "hinge.d.lua", "library.d.lua" } }
 
--- A type and what follows it: types may hold blanks inside brackets, and after the `:` of a function's result.
+-- A type and what follows it: types may hold blanks inside brackets and quotes, and after the `:` of a function's
+-- result.
 local function split_type(text)
-  local depth = 0
+  local depth, quoted = 0, false
   for at = 1, #text do
     local c = text:sub(at, at)
+    if c == '"' then quoted = not quoted end
     if c:find "[%[{(<]" then depth = depth + 1 elseif c:find "[%]})>]" then depth = depth - 1 end
-    if c == " " and depth == 0 and not text:sub(1, at - 1):find "[:,]$" then
+    if c == " " and depth == 0 and not quoted and not text:sub(1, at - 1):find "[:,]$" then
       return text:sub(1, at - 1), text:sub(at + 1)
     end
   end
@@ -56,7 +58,7 @@ local function lines_of(path)
 end
 
 --- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"): heading (text,
--- module), alias and class (name, type, doc; fields), and function (name, object, separator, arguments, params,
+-- module), alias and class (name, type, doc; fields; base, the class whose fields it has, too), and function (name, object, separator, arguments, params,
 -- returns, doc, example). A field or a param has name, optional, type, doc. An example is Lua, or nil.
 function reference.read()
   local entries = {}
@@ -94,7 +96,11 @@ function reference.read()
         example[#example + 1] = line:match "^%-%-%-(.*)$"
       elseif tag == "class" then
         local word, behind = text:match "^(%S+) ?(.*)$"
-        class = add { kind = "class", name = word, doc = behind, fields = {} }
+        local base
+        if word:find ":$" then
+          word, base, behind = word:sub(1, -2), behind:match "^%S+", behind:gsub("^%S+", "The fields of `%0`, and:")
+        end
+        class = add { kind = "class", name = word, base = base, doc = behind, fields = {} }
       elseif tag == "alias" then
         local word, rest = text:match "^(%S+) (.*)$"
         local kind, behind = split_type(rest)

@@ -191,7 +191,7 @@ local function by_outline(kind, law, corners, more)
     size = { width = high_x - low_x, depth = high_y - low_y }, area = m.A, Ix = m.yy, Iy = m.xx, J = more.J,
     shear_area_x = outline.shear_area(more.walls, more.t, 1), shear_area_y = outline.shear_area(more.walls, more.t, 2),
     plastic = { A = m.A, Zx = outline.plastic_modulus(corners, 2), Zy = outline.plastic_modulus(corners, 1),
-      Zz = more.Zz }, walls = more.carries,
+      Zz = more.Zz }, shear_walls = more.carries,
   }
 end
 

@@ -19,6 +19,8 @@
 namespace hinge {
 namespace {
 
+constexpr double on_node = 1e-9;  ///< of an element's length
+
 /// A part of a load, at a point of an element.
 struct Portion {
     int element;     ///< of the member, 0 to n - 1
@@ -32,11 +34,25 @@ Vec3 force_per_length(const MemberLoad& load, int end, const Vec3& along) {
     return load.axes != LoadAxes::projected || q.isZero(0) ? q : Vec3(q.cross(along).norm() / q.norm() * q);
 }
 
+/// The element at a place of a member of n elements, and the place in it, 0 to 1. Where two elements meet it is 0 of
+/// the second one.
+int element_at(double at, int n) { return std::min(n - 1, int(at * n + on_node)); }
+double place_in(int element, double at, int n) {
+    const double eta = at * n - element;
+    return eta < on_node ? 0 : eta > 1 - on_node ? 1 : eta;
+}
+/// True if a load acts on a node of the elements: then none of their sections has it between its ends.
+bool is_on_node(const MemberLoad& load, int n) {
+    if (load.spread()) return false;
+    const double eta = place_in(element_at(load.at, n), load.at, n);
+    return eta == 0 || eta == 1;
+}
+
 std::vector<Portion> portions(const MemberLoad& load, int n, double length, const Vec3& along) {
     std::vector<Portion> list;
     if (!load.spread()) {
-        const int element = std::min(n - 1, int(load.at * n));
-        list.push_back({element, load.at * n - element, load.at, load.force[0], load.moment[0]});
+        const int element = element_at(load.at, n);
+        list.push_back({element, place_in(element, load.at, n), load.at, load.force[0], load.moment[0]});
         return list;
     }
     const Vec3 force[2] = {force_per_length(load, 0, along), force_per_length(load, 1, along)};
@@ -189,7 +205,7 @@ public:
                 const Mat3 to_local = axes_of(element_frame(w_.structure, element, w_.state)).transpose();
                 force = to_local * force, moment = to_local * moment;
             }
-            add_share(side, factor * force, factor * moment, forces);
+            if (!l.on_node) add_share(side, factor * force, factor * moment, forces);
             if (!l.ends.whole(w_.state)) continue;
             const MemberEnds::Chord chord = l.ends.chord(w_.structure, w_.state);
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
@@ -214,8 +230,9 @@ public:
                 const Mat3 to_space = factor * (l.local ? Mat3(axes_of(element_frame(w_.structure, element, w_.state)))
                                                         : Mat3(Mat3::Identity()));
                 if (!load.spread()) {
-                    if (k != std::min(n - 1, int(load.at * n))) continue;
-                    shown.at = load.at * n - k;
+                    if (k != element_at(load.at, n)) continue;
+                    shown.at = place_in(k, load.at, n);
+                    if (l.on_node) shown.node = e.node[shown.at > 0.5], shown.element = -1, shown.at = -1;
                     shown.force[0] = to_space * load.force[0], shown.moment[0] = to_space * load.moment[0];
                     shown.force[1].setZero(), shown.moment[1].setZero();
                 } else {
@@ -281,6 +298,7 @@ private:
         double at = -1;                                                       ///< of the point load
         double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
+        bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
         StepFactor over = {};  ///< where its history may jump within a step
     };
     const std::vector<MemberLoad>& declared() const {
@@ -292,7 +310,7 @@ private:
         const int n = end - first;
         const double length = n * e.length;
         Loaded l{{first, n}, load.axes == LoadAxes::local, load.history, {}, {}, {}};
-        l.held = load.held;
+        l.held = load.held, l.on_node = is_on_node(load, n);
         l.may_jump = load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
         if (load.spread())
@@ -341,7 +359,8 @@ private:
                        beam::FixedEnd& to) const {
         const Share& share = l.shares[element - l.ends.first];
         const Vec3 along = l.local ? Vec3(0, 0, 1) : direction_of(w_.structure, element, at);
-        const bool twists = !share.moment[0].isZero(0) || !share.moment[1].isZero(0);
+        const double own_part = l.on_node ? 0 : factor;
+        const bool twists = own_part != 0 && (!share.moment[0].isZero(0) || !share.moment[1].isZero(0));
         const Mat3 to_element = l.local || !twists
                                     ? Mat3(Mat3::Identity())
                                     : Mat3(axes_of(element_frame(w_.structure, element, at)).transpose());
@@ -349,7 +368,8 @@ private:
             const double side = end == 0 ? 1 : -1;  // the section balances what its node got
             const Vec3 there = l.ends.moment_at(element, end, m),
                        own = twists ? Vec3(side * factor * (to_element * share.moment[end])) : Vec3(Vec3::Zero());
-            to.add(end, there.x() + own.x(), there.y() + own.y(), side * factor * along.dot(share.force[end]), own.z());
+            to.add(end, there.x() + own.x(), there.y() + own.y(), side * own_part * along.dot(share.force[end]),
+                   own.z());
         }
         if (!l.ends.whole(w_.state)) return;
         const Pressed by_N = pressed(l, pair_of(l, element), factor, at, w_.force_of_fixed_ends());

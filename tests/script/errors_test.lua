@@ -111,7 +111,8 @@ case("wrong nodes and supports are refused", function()
   wrong("model:node: position: component x is '0'; must be a number in m", function(s) s.model:node { "0", 0, 0 } end)
   wrong("model:node: position: component z is nil; must be a number in m", function(s) s.model:node { 0, 0 } end)
   wrong("model:node: position has 4 items; must be {x, y, z} in m", function(s) s.model:node { 0, 0, 0, 0 } end)
-  wrong("model:node: takes one argument, got also 0", function(s) s.model:node(0, 0, 0) end)
+  wrong("model:node: takes one argument, got also 0; several numbers go into one table, { x, y, z }",
+    function(s) s.model:node(0, 0, 0) end)
   wrong("model:node: position is 0; must be a table {x, y, z} in m", function(s) s.model:node(0) end)
   wrong("node has no field or method 'posx'...; it has x, y, z, index, fixed, ...", function(s) return s.tip.posx end)
   wrong("model:fix: node is 'wall'; must be a node made by model:node{x, y, z}", function(s) s.model:fix "wall" end)
@@ -237,13 +238,13 @@ case("wrong members are refused", function()
   wrong("model:member: node [1] is node 2 of another model; use one of this model",
     function(s) s.model:member { cantilever().tip, s.tip, section = bar, material = steel } end)
   wrong(
-    "model:member: field 'section' is missing; give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}",
+    "model:member: field 'section' is missing; give hinge.section.named 'HEB 300' or the like, or one made by ...",
     function(s) s.model:member { s.tip, s.far, material = steel } end)
   wrong("model:member: unknown field 'sectoin' (did you mean 'section'?); it takes section, material, ...",
     function(s) s.model:member { s.tip, s.far, sectoin = bar, material = steel, group = "new" } end)
-  wrong("model:member: field 'section' is a hinge.material; give one made by hinge.section...",
+  wrong("model:member: field 'section' is a hinge.material; give hinge.section.named...",
     function(s) s.model:member { s.tip, s.far, section = steel, material = bar } end)
-  wrong("model:member: field 'material' is missing; give one made by hinge.material{ E =, density =, ... }",
+  wrong("model:member: field 'material' is missing; give hinge.material.steel 'S355' or the like, or one made by ...",
     function(s) s.model:member { s.tip, s.far, section = bar } end)
   wrong("model:member: up is {2, 0, 0}, parallel to the member ({1, 0, 0} m); ... must point across the member",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, up = { 2, 0, 0 } } end)
@@ -363,7 +364,7 @@ case("wrong statics is refused, and a model that can move freely", function()
     .. "through that node without resistance; ...", function(s) s.model:static {} end, free_to_roll)
   wrong("model:static: the model has no members; add at least one with model:member",
     function() hinge.model():static {} end)
-  wrong("model:static: a load acts on node 4 at {2, 0, 0} m, which has no element left",
+  wrong("model:static: a load acts on node 4 at {2, 0, 0} m, which belongs to no member; put the load on the node ...",
     function(s) s.model:static {} end, function(s)
       s.model:load { node = s.far, force = { 1, 0, 0 } }
       return function() s.model:member { s.tip, s.far, section = bar, material = steel } end

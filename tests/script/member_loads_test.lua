@@ -447,6 +447,31 @@ local function wrong(message, options)
   local _, _, down = solve(s):displacement(s.node[2])
   near(down, -L ^ 3 / (3 * E * Ix) - L / (G * Ay), 1e-15, "as before: " .. message)
 end
+-- A moment M0 jumps from -Mp to Mp where it acts; of a force at a quarter the hinges are at both ends and there:
+-- P a b / L = 2 Mp with a = 1.5 m, b = 4.5 m.
+case("limit loads of loads on nodes of the elements", function()
+  local yields = hinge.material { E = 210e9, density = 7850, yield_stress = 275e6 }
+  local solid = hinge.section.solid { width = 0.1, depth = 0.2 }
+  local Mp = solid.Zx * 275e6
+  local function limit(elements, load)
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
+    model:fix(a)
+    model:fix(b, "y,z,rx,ry,rz")
+    load.member = model:member { a, b, section = solid, material = yields, up = { 0, 0, 1 }, elements = elements }
+    model:load(load)
+    return model:static { steps = 50, to_limit = true, record = false }:finish().factor
+  end
+  for _, elements in ipairs { 2, 4, 8 } do
+    near(5 * limit(elements, { at = 0.5, moment = { 0, 5 * Mp, 0 } }), 2, 2e-3,
+      ("moment in the middle, %d elements"):format(elements))
+  end
+  for _, elements in ipairs { 4, 8 } do
+    near(3 * limit(elements, { at = 0.25, force = { 0, 0, -3 * Mp } }), 2 * 6 / (1.5 * 4.5), 3e-3,
+      ("force at a quarter, %d elements"):format(elements))
+  end
+end)
+
 case("wrong loads on members are refused", function()
   wrong("model:load: field 'member' is 'beam'; must be a member made by model:member{a, b, ...}",
     { member = "beam", q = { 0, 0, 1 } })

@@ -16,7 +16,7 @@ do
     local here = e.line:match "^[^:]*"
     if here ~= file then module, file = here == "hinge.d.lua" and "hinge" or nil, here end
     if e.kind == "heading" then module = e.module or module end
-    if e.kind == "class" then classes[e.name] = e end
+    if e.kind == "class" then classes[e.name], e.fields.of = e, e end
     if e.kind == "function" then
       functions[#functions + 1] = e
       own[e.object] = own[e.object] or {}
@@ -220,6 +220,8 @@ local calls = {
   ["hinge.joint.base_plate"] = function(x) hinge.joint.base_plate(x) end,
   ["hinge.benchmark"] = function(x) hinge.benchmark(x) end,
   ["benchmark:row"] = function(x) s.benchmark:row(with({ "sag" }, x)) end,
+  ["hinge.results.envelope"] = function(x) hinge.results.envelope(with({ s.run }, x)) end,
+  ["hinge.results.utilisation"] = function(x) hinge.results.utilisation(s.run, x) end,
   ["hinge.results.members"] = function(x) hinge.results.members(s.run, x) end,
   ["hinge.results.storeys"] = function(x) hinge.results.storeys(s.run, x) end,
   ["hinge.results.base"] = function(x) hinge.results.base(s.run, x) end,
@@ -362,7 +364,10 @@ local function compare(what, fields, line)
   used[what] = true
   local there, why = taken(call)
   if not expect(there, "%s: does not name its fields: %s", what, tostring(why)) then return end
-  local declared = {}
+  local declared, base = {}, classes[fields.of and fields.of.base]
+  for _, field in ipairs(base and base.fields or {}) do
+    if not field.name:find "^%[" then declared[field.name] = true end
+  end
   for _, field in ipairs(fields) do
     if not field.name:find "^%[" then declared[field.name] = true end
     local inner = looks_like_options(field.type:match "|({.*})$" or field.type)

@@ -101,7 +101,7 @@ case("named sections, by A_v of rolled ones; channels", function()
   expect(rho > 0.05, "channel: rho is %g at V / V0 %g", rho, v)
   near(pushed(channel, 0.35, "uz"), V, 1e-4 * V, "channel")
   for _, wrong in ipairs { { x = { { 0, 0, 0, 1 } } }, { y = { { 0, 1, 0 } } }, { z = {} } } do
-    local good, message = pcall(hinge.section.general, { area = 1, Ix = 1, Iy = 1, J = 1, walls = wrong })
+    local good, message = pcall(hinge.section.general, { area = 1, Ix = 1, Iy = 1, J = 1, shear_walls = wrong })
     expect(not good and tostring(message):find("walls", 1, true), "wrong walls: %s", tostring(message))
   end
 end)

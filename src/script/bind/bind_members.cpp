@@ -72,12 +72,14 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
     if (auto* s = find<SectionBox>(L, -1)) data.section = s->value;
     else
         o.complain("section", lua_isnil(L, -1) ? "missing" : show(L, -1),
-                   "give one made by hinge.section.box{}, h{}, pipe{}, solid{} or general{}");
+                   "give hinge.section.named 'HEB 300' or the like, or one made by hinge.section.box{}, h{}, pipe{}, "
+                   "solid{} or general{}");
     o.push_field("material");
     if (auto* s = find<MaterialBox>(L, -1)) data.material = s->value;
     else
-        o.complain("material", lua_isnil(L, -1) ? "missing" : show(L, -1),
-                   "give one made by hinge.material{ E =, density =, ... }");
+        o.complain(
+            "material", lua_isnil(L, -1) ? "missing" : show(L, -1),
+            "give hinge.material.steel 'S355' or the like, or one made by hinge.material{ E =, density =, ... }");
     if (o.push_field("backbone") != LUA_TNIL) {
         const auto* backbone = find<BackboneBox>(L, -1);
         if (!backbone && lua_type(L, -1) != LUA_TFUNCTION)

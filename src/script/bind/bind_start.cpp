@@ -146,7 +146,10 @@ void refuse_lost_loads(const Model& m, const Structure& structure, const State& 
     for (const DeclaredLoad& l : declared_loads(m))
         if (!l.motion && l.node >= 0 && start.gone[l.node])
             throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
-                             ", which has no element left");
+                             (structure.elements_at(l.node).empty()
+                                  ? ", which belongs to no member; put the load on the node that a rigid link, a "
+                                    "diaphragm or a connector joins it to, with the moment that it has there"
+                                  : ", which has no element left"));
 }
 
 bool is_weightless(const Structure& structure) {
@@ -293,6 +296,7 @@ int static_run(lua_State* L) {
     try {
         std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
         for (Warning& w : floors_twice(*structure)) likely_mistakes.push_back(std::move(w));
+        for (Warning& w : loads_beside_hinges(*structure)) likely_mistakes.push_back(std::move(w));
         make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every, std::move(likely_mistakes));
         return chain.keep(L);
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
@@ -354,6 +358,7 @@ std::vector<Warning> mistakes_in_dynamics(lua_State* L, const Structure& structu
     add(idle_histories(structure.model(), model_before, start.time, s.duration, s.chosen ? 0 : s.dt));
     add(massless_loads(structure, where(L)));
     add(floors_twice(structure));
+    add(loads_beside_hinges(structure));
     if (before) add(late_gravity(structure, *before, where(L)));
     add(overlapping_bars(structure, start));
     add(damped_free_bodies(structure, start));

@@ -94,8 +94,8 @@ const char* maker_of(lua_State* L) {
 /// Rectangles { x0, x1, y0, y1 } of the walls along x and along y, m.
 void read_walls(Options& o, Section& s) {
     lua_State* L = o.L();
-    if (o.push_field("walls") != LUA_TNIL) {
-        Options inner(L, -1, o.function() + ", walls");
+    if (o.push_field("shear_walls") != LUA_TNIL) {
+        Options inner(L, -1, o.function() + ", shear_walls");
         for (const int axis : {0, 1}) {
             const char* name = axis == 0 ? "x" : "y";
             if (inner.push_field(name) != LUA_TNIL) {
@@ -126,7 +126,7 @@ int section(lua_State* L) {
     Options o(L, 1, maker_of(L));
     o.expect({"area",    "Ix",    "Iy",    "J",       "shear_area_x", "shear_area_y", "mass_Ix",
               "mass_Iy", "N0",    "Mx0",   "My0",     "Mz0",          "plastic",      "size",
-              "kind",    "shape", "walls", "outline", "interaction",  "reinforcement"});
+              "kind",    "shape", "shear_walls", "outline", "interaction",  "reinforcement"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
     s.Ix = o.number("Ix", "m^4", Range::positive);

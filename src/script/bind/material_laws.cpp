@@ -26,7 +26,7 @@ beam::Hardening read_hardening(Options& h, const Material& m) {
     const auto tangent = h.maybe_number("tangent", "Pa", Range::not_negative),
                modulus = h.maybe_number("modulus", "Pa", Range::not_negative);
     if (bool(tangent) == bool(modulus))
-        h.complain("tangent", tangent ? "is given beside modulus" : "nil",
+        h.complain("tangent", tangent ? "given beside modulus" : "missing, and so is modulus",
                    "give one of two: tangent, the slope of the stress over the strain beyond yield (Pa), or modulus, "
                    "that over the plastic strain (Pa)");
     if (tangent && *tangent >= m.E)

@@ -18,6 +18,9 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
 /// forces found, as they act before anything yields.
 std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& solution);
 
+/// Point loads of some size between the ends of an element that may yield: hinges form at the ends of elements alone.
+std::vector<Warning> loads_beside_hinges(const Structure& structure);
+
 /// Dynamic run: histories given as points that are over before it begins (of loads and motions that `before`, the model
 /// of the run that it goes on from, did not have; null where there is none), that change little in its time, or that
 /// act for less than two steps.

@@ -1,8 +1,9 @@
-// Members whose axial force makes eq 14 unsafe, from a linear solution of the loads.
+// Members whose axial force makes eq 14 unsafe, from a linear solution of the loads. Loads beside hinges.
 #include <cmath>
 
 #include "core/text.h"
 #include "effects/axial_strength.h"
+#include "effects/member_loads.h"
 #include "model/member_text.h"
 #include "script/checks/load_warnings.h"
 
@@ -54,6 +55,48 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
     w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
     w.more = members - 1, w.tells_of = members;
     return list;
+}
+
+std::vector<Warning> loads_beside_hinges(const Structure& s) {
+    constexpr double told_bump = 0.1;  // of the plastic moment: what the load adds to the moments at the element's ends
+    constexpr int most = 20;           // elements that are advised
+    const Model& model = s.model();
+    std::vector<int> first(model.members().size(), -1);
+    for (int i = 0; i < int(s.elements().size()); ++i)
+        if (int& f = first[s.elements()[i].member]; f < 0) f = i;
+    double worst = told_bump;
+    int worst_member = -1, worst_elements = 0, members = 0;
+    double worst_at = 0;
+    std::vector<char> counted(first.size(), 0);
+    for (const MemberLoad& l : model.declared<MemberLoad>(member_loads_effect)) {
+        if (l.spread() || first[l.member] < 0) continue;
+        const Element& e = s.elements()[first[l.member]];
+        if (!e.law || e.yield.elastic()) continue;
+        const int n = model.members()[l.member].elements;
+        const double place = l.at * n, eta = place - std::floor(place);
+        const Vec3 z = e.chord.normalized(), across = l.force[0] - l.force[0].dot(z) * z,
+                   bends = l.moment[0] - l.moment[0].dot(z) * z;
+        const double M0 = 1 / std::sqrt(std::max(e.yield.x, e.yield.y)),
+                     bump = eta < 1e-6 || eta > 1 - 1e-6
+                                ? 0
+                                : (across.norm() * eta * (1 - eta) * e.length + 0.5 * bends.norm()) / M0;
+        if (!(bump > told_bump)) continue;
+        if (!counted[l.member]) counted[l.member] = 1, ++members;
+        if (bump <= worst) continue;
+        worst = bump, worst_member = l.member, worst_at = l.at, worst_elements = 0;
+        for (int k = n; k <= most && worst_elements == 0; k += 2)
+            if (std::abs(l.at * k - std::round(l.at * k)) < 1e-6) worst_elements = k;
+    }
+    if (worst_member < 0) return {};
+    Warning w;
+    w.what = "the load at " + number_text(worst_at) + " of the length of " + member_text(model, worst_member) +
+             " acts between the ends of its elements, where no hinge forms";
+    w.advice = "a run may find it too strong; " +
+               (worst_elements > 0 ? "give it elements = " + std::to_string(worst_elements) + ", or a node there"
+                                   : std::string("end a member there, or give it more elements"));
+    w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
+    w.more = members - 1, w.tells_of = members;
+    return {w};
 }
 
 }  // namespace hinge::script
