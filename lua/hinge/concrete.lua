@@ -20,7 +20,8 @@ local cracked = 0.3
 local length = { "number", unit = "m", above = 0 }
 local optional_length = { "number", unit = "m", above = 0, optional = true }
 
-local function strength(kind) return { "number", unit = "Pa", above = 0, also = grades.names(kind) } end
+-- 1e5 Pa: a number below that is one in MPa.
+local function strength(kind) return { "number", unit = "Pa", at_least = 1e5, also = grades.names(kind) } end
 
 local options = {
   width = length, depth = length, concrete = strength "concrete", steel = strength "bars",

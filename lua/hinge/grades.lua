@@ -110,7 +110,7 @@ local function keys(...)
 end
 
 local density = { "number", unit = "kg/m^3", at_least = 0, optional = true }
-local thickness = { "number", unit = "m", above = 0, optional = true }
+local thickness = { "number", unit = "m", above = 0, at_most = 1, optional = true }
 local law = { "table", optional = true } -- of hinge.material, which checks what is in it
 
 -- The value of a band of thicknesses, m; without a thickness the first.

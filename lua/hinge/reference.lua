@@ -58,8 +58,9 @@ local function lines_of(path)
 end
 
 --- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"): heading (text,
--- module), alias and class (name, type, doc; fields; base, the class whose fields it has, too), and function (name, object, separator, arguments, params,
--- returns, doc, example). A field or a param has name, optional, type, doc. An example is Lua, or nil.
+-- module), alias and class (name, type, doc; fields; base, the class whose fields it has, too), and function (name,
+-- object, separator, arguments, params, returns, doc, example). A field or a param has name, optional, type, doc. An
+-- example is Lua, or nil.
 function reference.read()
   local entries = {}
   for _, name in ipairs(reference.files) do

@@ -221,8 +221,8 @@ case("floors as loads and masses, idle declarations and odd settings are warned 
     .. "alone until it has parted", "model:contact", { more = across:format("0.1", "0.1") })
   local point = "model:load { member = model:members()[2], at = %s, force = { 0, 0, %s } }"
   suspicious("a load where no hinge forms", { more = point:format(0.3, -3e5), make = "static { to_limit = true }" },
-    "the load at 0.3 of the length of member 2 acts between the ends of its elements, where no hinge forms (...); a run "
-    .. "may find it too strong; give it elements = 10, or a node there", nil,
+    "the load at 0.3 of the length of member 2 acts between the ends of its elements, where no hinge forms (...); a "
+    .. "run may find it too strong; give it elements = 10, or a node there", nil,
     { more = point:format(0.5, -3e5), make = "static { to_limit = true }" })
   local eq14 = "{ interaction = 'paper' }"
   local pressed = "for _, head in ipairs { b, c } do model:load { node = head, force = { 0, 0, %s } } end"

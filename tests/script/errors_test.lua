@@ -162,9 +162,10 @@ case("wrong sections of concrete are refused", function()
     for k, v in pairs(change) do options[k] = v end
     return function() hinge.section.concrete(options) end
   end
-  wrong("hinge.section.concrete: field 'concrete' is 'C31/37'; must be a number above 0 Pa or 'C12/15' or ...",
+  wrong("hinge.section.concrete: field 'concrete' is 'C31/37'; must be a number of at least 100000 Pa or 'C12/15' ...",
     concrete { concrete = "C31/37" })
-  wrong("hinge.section.concrete: field 'steel' is -1 Pa; must be a number above 0 Pa or ...", concrete { steel = -1 })
+  wrong("hinge.section.concrete: field 'steel' is -1 Pa; must be a number of at least 100000 Pa or ...",
+    concrete { steel = -1 })
   wrong("hinge.section.concrete: field 'effectiveness' is 1.1; must be a number above 0 and of at most 1",
     concrete { effectiveness = 1.1 })
   wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or "

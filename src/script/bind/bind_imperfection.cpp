@@ -50,6 +50,8 @@ void add_sway(Options& o, Model& m) {
         sway = sway_of_standard(of, high - base);
     } else {
         sway = o.number("sway", "", Range::any);
+        if (!(std::abs(sway) < 0.2))
+            o.complain("sway", show(sway), "is a part of the height, and must be between -0.2 and 0.2");
     }
     lua_pop(L, 1);
     const Vec3 to = o.triple("direction", "").value_or(Vec3(1, 0, 0));

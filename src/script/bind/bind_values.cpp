@@ -124,8 +124,8 @@ void read_walls(Options& o, Section& s) {
 
 int section(lua_State* L) {
     Options o(L, 1, maker_of(L));
-    o.expect({"area",    "Ix",    "Iy",    "J",       "shear_area_x", "shear_area_y", "mass_Ix",
-              "mass_Iy", "N0",    "Mx0",   "My0",     "Mz0",          "plastic",      "size",
+    o.expect({"area",    "Ix",    "Iy",          "J",       "shear_area_x", "shear_area_y", "mass_Ix",
+              "mass_Iy", "N0",    "Mx0",         "My0",     "Mz0",          "plastic",      "size",
               "kind",    "shape", "shear_walls", "outline", "interaction",  "reinforcement"});
     Section s;
     s.area = o.number("area", "m^2", Range::positive);
