@@ -152,13 +152,14 @@ int taking(lua_State* L, const char* name, int most, Body body) {
     const int own = std::strchr(name, ':') ? most - 1 : most;
     for (int i = most + 1; i <= lua_gettop(L); ++i)
         if (!lua_isnil(L, i))
-            throw InputError(
-                std::string(name) + ": takes " +
-                (own == 0   ? "no argument"
-                 : own == 1 ? "one argument"
-                            : std::to_string(own) + " arguments") +
-                ", got also " + show(L, i) +
-                (own == 1 && lua_isnumber(L, i) ? "; several numbers go into one table, { x, y, z }" : ""));
+            throw InputError(std::string(name) + ": takes " +
+                             (own == 0   ? "no argument"
+                              : own == 1 ? "one argument"
+                                         : std::to_string(own) + " arguments") +
+                             ", got also " + show(L, i) +
+                             (own == 1 && lua_isnumber(L, i) && lua_isnumber(L, i + 1)
+                                  ? "; several numbers go into one table, { x, y, z }"
+                                  : ""));
     return body(L);
 }
 
