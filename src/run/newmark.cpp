@@ -241,6 +241,7 @@ bool Newmark::correct(Step& step) {
     if (by_spin)  // a long step rotates far: what was solved for is a spin on top of the rotation so far, not a part of
                   // it
         for (std::size_t i = 0; i < change_.size(); ++i) {
+            if (change_[i].tail<3>().isZero(0)) continue;  // a node that is gone must not take up rounding
             const Vec3 before = w_.rotation_step[i];
             trial.rotation[i] = rotated(to_u * change_[i].tail<3>(), trial.rotation[i]);
             w_.rotation_step[i] = rotation_vector(trial.rotation[i] * w_.state.rotation[i].conjugate());
