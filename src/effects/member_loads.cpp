@@ -19,7 +19,7 @@
 namespace hinge {
 namespace {
 
-constexpr double on_node = 1e-9;  ///< of an element's length
+constexpr double as_one = 1e-9;  ///< of an element's length: a load so near to a node acts on it
 
 /// A part of a load, at a point of an element.
 struct Portion {
@@ -36,10 +36,10 @@ Vec3 force_per_length(const MemberLoad& load, int end, const Vec3& along) {
 
 /// The element at a place of a member of n elements, and the place in it, 0 to 1. Where two elements meet it is 0 of
 /// the second one.
-int element_at(double at, int n) { return std::min(n - 1, int(at * n + on_node)); }
+int element_at(double at, int n) { return std::min(n - 1, int(at * n + as_one)); }
 double place_in(int element, double at, int n) {
     const double eta = at * n - element;
-    return eta < on_node ? 0 : eta > 1 - on_node ? 1 : eta;
+    return eta < as_one ? 0 : eta > 1 - as_one ? 1 : eta;
 }
 /// True if a load acts on a node of the elements: then none of their sections has it between its ends.
 bool is_on_node(const MemberLoad& load, int n) {

@@ -7,7 +7,8 @@
 namespace hinge {
 namespace {
 
-constexpr double alike = 0.01;       ///< walls, and an area without fillets, as a part
+constexpr double no_fillets = 0.01;  ///< of the web's area: less is rounding of the sizes
+constexpr double alike = 0.15;       ///< walls of one thickness: rounded corners make their mean thicknesses differ
 constexpr double small_shear = 0.5;  ///< of V0: up to that it takes nothing from the moment, EN 1993-1-1 6.2.8(2)
 
 /// The hollow of a box from its area and moduli: size across x and along y, m.
@@ -22,7 +23,7 @@ Hollow hollow_of(const Section& s) {
 /// EN 1993-1-1 6.2.6(3) of an H: that of a rolled one, where `fillets` are left of its area, with their radius; else
 /// that of the web. m, m^2.
 double area_of_web(double web, double flange, double clear, double fillets) {
-    if (!(fillets > alike * web * clear)) return web * clear;
+    if (!(fillets > no_fillets * web * clear)) return web * clear;
     const double r = std::sqrt(fillets / (4 - std::numbers::pi));
     return web * clear + fillets + (web + 2 * r) * flange;
 }

@@ -95,6 +95,11 @@ case("named sections, by A_v of rolled ones; channels", function()
   V, v, rho = by_hand(pipe.Zx, pipe.Zx, 2 * pipe.area / math.pi, 0.2)
   expect(rho > 0.05, "pipe: rho is %g at V / V0 %g", rho, v)
   near(pushed(pipe, 0.2, "uz"), V, 1e-4 * V, "CHS 168.3x8")
+  local tube = hinge.section.named("RHS 200x100x8", law) -- A_v along x is A b / (b + d), in spite of its radii
+  local beyond, run = pushed(tube, 0.14, "uy")
+  local told = ("V / V0 = %.1f along x"):format(beyond / (tube.area / 3 * fy / math.sqrt(3)))
+  expect(told == "V / V0 = 1.2 along x" and support.has(run.warnings[1] or "", told), "RHS: %s in %s", told,
+    run.warnings[1])
   local channel = hinge.section.channel { depth = 0.2, width = 0.08, web = 0.007, flange = 0.012,
     interaction = law.interaction }
   V, v, rho = by_hand(channel.Zx, 0.007 * 0.176 ^ 2 / 4, channel.shear_area_y, 0.35)
