@@ -101,14 +101,8 @@ void read_walls(Options& o, Section& s) {
             if (inner.push_field(name) != LUA_TNIL) {
                 const std::string what = inner.function() + ": field '" + name + "'";
                 for (lua_Integer i = 1, n = list_length(L, -1, what); i <= n; ++i) {
-                    double at[4] = {NAN, NAN, NAN, NAN};
-                    lua_rawgeti(L, -1, i);
-                    for (int k = 0; lua_istable(L, -1) && k < 4; ++k) {
-                        if (lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER) at[k] = lua_tonumber(L, -1);
-                        lua_pop(L, 1);
-                    }
-                    lua_pop(L, 1);
-                    const auto& [x0, x1, y0, y1] = at;
+                    const std::vector<double> at = numbers_in(L, i, 4);
+                    const double x0 = at[0], x1 = at[1], y0 = at[2], y1 = at[3];
                     if (!(x0 < x1 && y0 < y1))
                         throw InputError(what + "[" + std::to_string(i) +
                                          "] must be { x0, x1, y0, y1 }, m, of a rectangle within the outline");

@@ -64,13 +64,7 @@ std::vector<beam::HotCurvePoint> read_hot_curve(Options& o) {
                    "Celsius, k_y, k_p, k_E }");
     std::vector<beam::HotCurvePoint> points;
     for (lua_Integer i = 1, n = list_length(L, -1, what); i <= n; ++i) {
-        double point[4] = {NAN, NAN, NAN, NAN};
-        lua_rawgeti(L, -1, i);
-        for (int k = 0; lua_istable(L, -1) && k < 4; ++k) {
-            if (lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER) point[k] = lua_tonumber(L, -1);
-            lua_pop(L, 1);
-        }
-        lua_pop(L, 1);
+        const std::vector<double> point = numbers_in(L, i, 4);
         for (const double x : point)
             if (!std::isfinite(x))
                 throw InputError(what + "[" + std::to_string(i) + "] must be { degrees Celsius, k_y, k_p, k_E }");

@@ -163,6 +163,17 @@ int taking(lua_State* L, const char* name, int most, Body body) {
     return body(L);
 }
 
+std::vector<double> numbers_in(lua_State* L, lua_Integer i, int count) {
+    std::vector<double> numbers(count, NAN);
+    lua_rawgeti(L, -1, i);
+    for (int k = 0; lua_istable(L, -1) && k < count; ++k) {
+        if (lua_rawgeti(L, -1, k + 1) == LUA_TNUMBER) numbers[k] = lua_tonumber(L, -1);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    return numbers;
+}
+
 lua_Integer list_length(lua_State* L, int index, const std::string& what) {
     index = lua_absindex(L, index);
     fill_probe_list(L, index);

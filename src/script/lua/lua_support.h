@@ -122,6 +122,8 @@ int takes(lua_State* L) {
 
 /// The number of items of the list at `index`: a table with items 1 to n and nothing else, or it throws naming `what`.
 lua_Integer list_length(lua_State* L, int index, const std::string& what);
+/// The first `count` numbers of the list at place i of the list on top of the stack; not a number where there is none.
+std::vector<double> numbers_in(lua_State* L, lua_Integer i, int count);
 
 // ---- tables of options --------------------------------------------------------------------------------------------
 
