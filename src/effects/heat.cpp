@@ -39,16 +39,6 @@ int heating_of(const Model& model, int member) {
     return -1;
 }
 
-double value_at(double temperature, const HeatProperties::Points& points) {
-    const auto after = std::upper_bound(points.begin(), points.end(), temperature,
-                                        [](double t, const auto& point) { return t < point.first; });
-    if (after == points.begin()) return points.front().second;
-    if (after == points.end()) return points.back().second;
-    const auto& [t1, v1] = *(after - 1);
-    const auto& [t2, v2] = *after;
-    return v1 + (temperature - t1) / (t2 - t1) * (v2 - v1);
-}
-
 /// Strain of a member by all declarations of prestress.
 double prestrain_of(const Model& model, int member, double EA) {
     double strain = 0;
@@ -69,16 +59,16 @@ ElementHeat heat_at_temperature(const Temperature& t, const HeatProperties* know
     heat.elongation = length * prestrain;
     if (!known) return heat;
     const HeatProperties& properties = *known;
-    heat.stiffness = value_at(t.middle, properties.stiffness);
-    heat.strength = value_at(t.middle, properties.strength);
-    heat.elongation += length * value_at(t.middle, properties.elongation);
+    heat.stiffness = HeatProperties::at(t.middle, properties.stiffness);
+    heat.strength = HeatProperties::at(t.middle, properties.strength);
+    heat.elongation += length * HeatProperties::at(t.middle, properties.elongation);
     heat.temperature = t.middle;
     const double size[2] = {section.depth, section.width};
     for (int side : {0, 1}) {
         heat.across[side] = t.across[side];
         if (t.across[side] == 0) continue;
-        const double half = t.across[side] / 2, more = value_at(t.middle + half, properties.elongation) -
-                                                       value_at(t.middle - half, properties.elongation);
+        const double half = t.across[side] / 2, more = HeatProperties::at(t.middle + half, properties.elongation) -
+                                                       HeatProperties::at(t.middle - half, properties.elongation);
         // a rotation about x turns z towards -y, so that a side at +y that lengthens is a curvature above 0 about x
         heat.bend[side] = (side == 0 ? 1 : -1) * length * more / size[side];
     }
@@ -235,6 +225,16 @@ std::vector<PlanLine> heat_plan(const Structure& s, const RunKind& kind) {
 }
 
 }  // namespace
+
+double HeatProperties::at(double temperature, const Points& points) {
+    const auto after = std::upper_bound(points.begin(), points.end(), temperature,
+                                        [](double t, const auto& point) { return t < point.first; });
+    if (after == points.begin()) return points.front().second;
+    if (after == points.end()) return points.back().second;
+    const auto& [t1, v1] = *(after - 1);
+    const auto& [t2, v2] = *after;
+    return v1 + (temperature - t1) / (t2 - t1) * (v2 - v1);
+}
 
 void Heating::times(double factor) {
     temperature = beam::room_temperature + factor * (temperature - beam::room_temperature);

@@ -18,6 +18,8 @@ struct HeatProperties {
     Points stiffness;   ///< E over that of the declared material
     Points strength;    ///< yield stress over the declared one
     Points elongation;  ///< strain without stress
+    /// The value at a temperature; beyond the points that of the nearest one.
+    static double at(double temperature, const Points& points);
     /// Range of temperatures that all three have, degrees Celsius.
     double least() const {
         return std::max({stiffness.front().first, strength.front().first, elongation.front().first});

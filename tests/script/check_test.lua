@@ -219,6 +219,11 @@ case("floors as loads and masses, idle declarations and odd settings are warned 
     .. "between nodes 5 and 6 overlap by 0.05 m where this run begins, at {0, 0.025, 1.5} m: contact leaves such a "
     .. "pair "
     .. "alone until it has parted", "model:contact", { more = across:format("0.1", "0.1") })
+  local fire = "model:load { node = b, force = { 1, 0, 0 } } model:heat { temperature = %s }"
+  suspicious("heat without the curve of hot steel", { more = fire:format(600), make = "static {}" },
+    "member 1... is heated to 600 degrees Celsius, and is elastic up to its yield stress, that at a strain of 2 %: "
+    .. "compressed, it would buckle at up to 80 degrees less than a run finds", "model:heat",
+    { more = fire:format(100), make = "static {}" })
   local point = "model:load { member = model:members()[2], at = %s, force = { 0, 0, %s } }"
   suspicious("a load where no hinge forms", { more = point:format(0.3, -3e5), make = "static { to_limit = true }" },
     "the load at 0.3 of the length of member 2 acts between the ends of its elements, where no hinge forms (...); a "

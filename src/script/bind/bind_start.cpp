@@ -297,6 +297,7 @@ int static_run(lua_State* L) {
         std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
         for (Warning& w : floors_twice(*structure)) likely_mistakes.push_back(std::move(w));
         for (Warning& w : loads_beside_hinges(*structure)) likely_mistakes.push_back(std::move(w));
+        for (Warning& w : heated_without_curve(*structure)) likely_mistakes.push_back(std::move(w));
         make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every, std::move(likely_mistakes));
         return chain.keep(L);
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
@@ -359,6 +360,7 @@ std::vector<Warning> mistakes_in_dynamics(lua_State* L, const Structure& structu
     add(massless_loads(structure, where(L)));
     add(floors_twice(structure));
     add(loads_beside_hinges(structure));
+    add(heated_without_curve(structure));
     if (before) add(late_gravity(structure, *before, where(L)));
     add(overlapping_bars(structure, start));
     add(damped_free_bodies(structure, start));

@@ -18,6 +18,9 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
 /// forces found, as they act before anything yields.
 std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& solution);
 
+/// Slender members that are heated, whose strength is that at 2 % strain and whose material has no curve up to it.
+std::vector<Warning> heated_without_curve(const Structure& structure);
+
 /// Point loads of some size between the ends of an element that may yield: hinges form at the ends of elements alone.
 std::vector<Warning> loads_beside_hinges(const Structure& structure);
 

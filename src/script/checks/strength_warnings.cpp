@@ -1,8 +1,11 @@
 // Members whose axial force makes eq 14 unsafe, from a linear solution of the loads. Loads beside hinges.
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/text.h"
 #include "effects/axial_strength.h"
+#include "effects/heat.h"
 #include "effects/member_loads.h"
 #include "model/member_text.h"
 #include "script/checks/load_warnings.h"
@@ -55,6 +58,53 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
     w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
     w.more = members - 1, w.tells_of = members;
     return list;
+}
+
+namespace {
+
+/// The highest temperature of a declaration, degrees Celsius.
+double hottest(const Heating& h) {
+    double most = h.temperature;
+    if (h.history && h.history.points())
+        for (const auto& [time, temperature] : *h.history.points()) most = std::max(most, temperature);
+    return most;
+}
+
+}  // namespace
+
+std::vector<Warning> heated_without_curve(const Structure& s) {
+    constexpr double hot = 200, keeps = 1.15, slender = 0.3;  // degrees Celsius; strength over stiffness; EN 1993-1-1
+    const Model& model = s.model();
+    std::vector<char> told(model.members().size(), 0);
+    int first = -1, members = 0;
+    double most = 0;
+    for (const Heating& h : model.declared<Heating>(heat_effect)) {
+        const double T = hottest(h);
+        if (T < hot ||
+            HeatProperties::at(T, h.properties->strength) < keeps * HeatProperties::at(T, h.properties->stiffness))
+            continue;
+        for (const Element& e : s.elements()) {
+            const MemberData& m = model.members()[e.member];
+            if (told[e.member] || !e.law || !e.law->keeps_strength() || e.yield.n == 0) continue;
+            const bool heated = h.member >= 0  ? h.member == e.member
+                                : h.group >= 0 ? std::find(m.groups.begin(), m.groups.end(), h.group) != m.groups.end()
+                                               : true;
+            const double length = e.length * m.elements, I = std::min(e.rigidity.EIx, e.rigidity.EIy),
+                         euler = std::pow(std::numbers::pi / length, 2) * I;
+            if (!heated || 1 / std::sqrt(e.yield.n) < slender * slender * euler) continue;
+            told[e.member] = 1, ++members;
+            if (first < 0) first = e.member, most = T;
+        }
+    }
+    if (first < 0) return {};
+    Warning w;
+    w.what = member_text(model, first) + " is heated to " + number_text(most) +
+             " degrees Celsius, and is elastic up to its yield stress, that at a strain of 2 %: compressed, it would "
+             "buckle at up to 80 degrees less than a run finds";
+    w.advice = "give its material hot_curve = hinge.heat.curve()";
+    w.asked_at = model.asked_at(heat_effect);
+    w.more = members - 1, w.tells_of = members;
+    return {w};
 }
 
 std::vector<Warning> loads_beside_hinges(const Structure& s) {
