@@ -2743,7 +2743,8 @@ function model:move(options) end
 function model:imperfection(options) end
 
 ---@class hinge.imperfection_options
----@field sway? number|{ standard?: "EN 1993-1-1", columns?: integer } horizontal over vertical; columns: default 1
+---horizontal over vertical, between -0.2 and 0.2; columns: default 1
+---@field sway? number|{ standard?: "EN 1993-1-1", columns?: integer }
 ---@field direction? vec3 of the sway, horizontal; default { 1, 0, 0 }
 ---@field base? number m, the height z that stays; default that of the lowest node
 ---part of the member's length, between -0.1 and 0.1; curve: "a0", "a", "b", "c", "d"; analysis: default "plastic"

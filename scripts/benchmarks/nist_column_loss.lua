@@ -73,7 +73,7 @@ end
 return hinge.benchmark {
   title = "Loss of a column, NIST 2010", kind = "test", fast = true, unconfirmed = true,
   source = "Sadek and others, NIST Technical Note 1669, 2010; the sections, the span, the largest loads and their "
-    .. "deflections are quoted from memory",
+    .. "deflections are quoted, and were not read in the report",
   missing = "hardening; the failure of flanges and bolts, so that the load is compared at the deflection of the test; "
     .. "slip and stiffness of the braces. Taken: heights of the columns, expected strength, usual proportions of the "
     .. "cut",

@@ -113,19 +113,20 @@ PotentialLaw::Work PotentialLaw::work_at(const Vec4& e, const double* own) const
 /// The mean of the factor while the mean plastic strain grows by `strain`: that of the work (`of_work`), for which the
 /// rate is that of the whole step, or that of Phi.
 double PotentialLaw::mean_factor(const double* history, double strain, const Moment& at, bool of_work) const {
-    double start = 1, end = 1, mean = 1, rate = 1;
+    double mean = 1, rate = 1;
     MaterialLaw::Integrals more;
+    const double* own = history;
     for (const auto& m : material_.laws) {
-        if (m->follows_rate()) {
-            rate *= m->factor(history, strain, at).value;
-            more = m->integrals(strain, at.dt);
-        } else {
-            start *= m->factor(history, 0, at).value, end *= m->factor(history, strain, at).value;
-            mean *= m->mean_factor(history, strain, at);
-        }
+        if (m->follows_rate()) rate *= m->factor(own, strain, at).value, more = m->integrals(strain, at.dt);
+        else mean *= m->mean_factor(own, strain, at);
+        if (own) own += m->history_size();
+    }
+    if (of_work || more.zeroth == 0) return rate * mean;
+    double start = 1, end = 1;  // beside a rate the other factors are linear in the strain
+    for (const auto& m : material_.laws) {
+        if (!m->follows_rate()) start *= m->factor(history, 0, at).value, end *= m->factor(history, strain, at).value;
         if (history) history += m->history_size();
     }
-    if (of_work || !(strain > 0)) return rate * mean;
     return mean + (start * more.zeroth + (end - start) / strain * more.first) / strain;
 }
 

@@ -31,14 +31,6 @@ bool is_of(const Model& model, const Declared& h, int member) {
     return h.group < 0 || std::find(groups.begin(), groups.end(), h.group) != groups.end();
 }
 
-/// The last declaration for a member, -1: none.
-int heating_of(const Model& model, int member) {
-    const auto& list = declared(model);
-    for (int i = int(list.size()) - 1; i >= 0; --i)
-        if (is_of(model, list[i], member)) return i;
-    return -1;
-}
-
 /// Strain of a member by all declarations of prestress.
 double prestrain_of(const Model& model, int member, double EA) {
     double strain = 0;
@@ -234,6 +226,13 @@ double HeatProperties::at(double temperature, const Points& points) {
     const auto& [t1, v1] = *(after - 1);
     const auto& [t2, v2] = *after;
     return v1 + (temperature - t1) / (t2 - t1) * (v2 - v1);
+}
+
+int heating_of(const Model& model, int member) {
+    const auto& list = declared(model);
+    for (int i = int(list.size()) - 1; i >= 0; --i)
+        if (is_of(model, list[i], member)) return i;
+    return -1;
 }
 
 void Heating::times(double factor) {

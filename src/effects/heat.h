@@ -55,6 +55,9 @@ struct Heating {
     }
 };
 
+/// The declaration that counts for a member, as its place in the list; -1: none.
+int heating_of(const Model& model, int member);
+
 inline constexpr const char* prestress_effect = "prestress";
 
 /// Members that were made too short or too long. Several declarations for one member add up.

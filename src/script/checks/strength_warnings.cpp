@@ -1,4 +1,5 @@
-// Members whose axial force makes eq 14 unsafe, from a linear solution of the loads. Loads beside hinges.
+// Where a run finds members too strong: eq 14 beside an axial force, from a linear solution of the loads; loads where
+// no hinge forms; heat without the curve of hot steel.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -75,26 +76,22 @@ double hottest(const Heating& h) {
 std::vector<Warning> heated_without_curve(const Structure& s) {
     constexpr double hot = 200, keeps = 1.15, slender = 0.3;  // degrees Celsius; strength over stiffness; EN 1993-1-1
     const Model& model = s.model();
-    std::vector<char> told(model.members().size(), 0);
-    int first = -1, members = 0;
+    const auto& list = model.declared<Heating>(heat_effect);
+    int first = -1, members = 0, last = -1;
     double most = 0;
-    for (const Heating& h : model.declared<Heating>(heat_effect)) {
-        const double T = hottest(h);
-        if (T < hot ||
-            HeatProperties::at(T, h.properties->strength) < keeps * HeatProperties::at(T, h.properties->stiffness))
+    for (const Element& e : s.elements()) {
+        if (list.empty() || e.member == last) continue;  // all elements of a member are alike
+        last = e.member;
+        const int which = heating_of(model, e.member);
+        if (which < 0 || !e.law || !e.law->keeps_strength() || e.yield.n == 0) continue;
+        const HeatProperties& properties = *list[which].properties;
+        const double T = hottest(list[which]), length = e.length * model.members()[e.member].elements,
+                     euler = std::pow(std::numbers::pi / length, 2) * std::min(e.rigidity.EIx, e.rigidity.EIy);
+        if (T < hot || 1 / std::sqrt(e.yield.n) < slender * slender * euler ||
+            HeatProperties::at(T, properties.strength) < keeps * HeatProperties::at(T, properties.stiffness))
             continue;
-        for (const Element& e : s.elements()) {
-            const MemberData& m = model.members()[e.member];
-            if (told[e.member] || !e.law || !e.law->keeps_strength() || e.yield.n == 0) continue;
-            const bool heated = h.member >= 0  ? h.member == e.member
-                                : h.group >= 0 ? std::find(m.groups.begin(), m.groups.end(), h.group) != m.groups.end()
-                                               : true;
-            const double length = e.length * m.elements, I = std::min(e.rigidity.EIx, e.rigidity.EIy),
-                         euler = std::pow(std::numbers::pi / length, 2) * I;
-            if (!heated || 1 / std::sqrt(e.yield.n) < slender * slender * euler) continue;
-            told[e.member] = 1, ++members;
-            if (first < 0) first = e.member, most = T;
-        }
+        ++members;
+        if (first < 0) first = e.member, most = T;
     }
     if (first < 0) return {};
     Warning w;
@@ -124,12 +121,12 @@ std::vector<Warning> loads_beside_hinges(const Structure& s) {
         if (!e.law || e.yield.elastic()) continue;
         const int n = model.members()[l.member].elements;
         const double place = l.at * n, eta = place - std::floor(place);
-        const Vec3 z = e.chord.normalized(), across = l.force[0] - l.force[0].dot(z) * z,
-                   bends = l.moment[0] - l.moment[0].dot(z) * z;
-        const double M0 = 1 / std::sqrt(std::max(e.yield.x, e.yield.y)),
-                     bump = eta < 1e-6 || eta > 1 - 1e-6
-                                ? 0
-                                : (across.norm() * eta * (1 - eta) * e.length + 0.5 * bends.norm()) / M0;
+        if (eta < 1e-6 || eta > 1 - 1e-6) continue;
+        const Mat3 to_local =
+            l.axes == LoadAxes::local ? Mat3(Mat3::Identity()) : Mat3(e.axes.toRotationMatrix().transpose());
+        const Vec3 force = to_local * l.force[0] * (eta * (1 - eta) * e.length), moment = 0.5 * to_local * l.moment[0];
+        const double bump = std::hypot(std::sqrt(e.yield.x) * (std::abs(force.y()) + std::abs(moment.x())),
+                                       std::sqrt(e.yield.y) * (std::abs(force.x()) + std::abs(moment.y())));
         if (!(bump > told_bump)) continue;
         if (!counted[l.member]) counted[l.member] = 1, ++members;
         if (bump <= worst) continue;
