@@ -1,6 +1,6 @@
 -- All that the README and its pages name and that ctest leaves out because it takes long: the main job, the hard
--- suite, the bench, the limits of the page of hinge report, the tests under ASan and UBSan, the paper's figures and
--- tables, and what accuracy costs in the scenes of scripts/cost.
+-- suite, the million paths, the bench, the limits of the page of hinge report, the tests under ASan and UBSan, the
+-- paper's figures and tables, and what accuracy costs in the scenes of scripts/cost.
 --
 -- Run     cmake --build build --target everything
 --         or: lua5.4 tests/everything.lua BUILD [only=NAME] [list] [jobs=FILE]
@@ -91,6 +91,7 @@ local function all_jobs()
   local jobs = {
     { name = "main job", command = hinge .. " run scripts/ten_storey_impact.lua --out @", look = "completed" },
     { name = "hard", command = ("LUA_CPATH=%s lua5.4 tests/hard/suite.lua"):format(quote(build .. "/?.so")) },
+    { name = "paths", command = ('HINGE_FIGURES=1 %s "[paths]"'):format(quote(build .. "/tests/hinge_tests")) },
     { name = "bench", look = "completed",
       command = ("%s run tests/bench/bench.lua build=%s --out @"):format(hinge, quote(build .. "/tests")) },
     page_job(hinge),

@@ -266,6 +266,7 @@ double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double l
 double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost,
                                  bool alone) const {
     constexpr double near = 1e-6, quick = 1e-2;  // what is left of `to`, and over that before the last step
+    constexpr double small_fall = 1e-9;          // of h^2: where the surface is nearly flat, a step may lead far
     Vec3 point;
     v.normalize();
     if (!(v.dot(to) > 0.01)) v = to;
@@ -289,7 +290,8 @@ double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double
             damped.diagonal().array() += std::max(damping, 1e-13) * H.trace();
             Vec3 way = off, there;
             const bool solved = solve_positive(damped, way);
-            if (alone && solved && damping == 0 && off.norm() <= std::min(near * h, quick * off_before))
+            if (alone && solved && damping == 0 && off.norm() <= std::min(near * h, quick * off_before) &&
+                std::abs(off.dot(way)) <= small_fall * h * h)
                 return missed = 0, std::sqrt(h * h + off.dot(way));
             Vec3 next = v + way;
             Mat3 bent;

@@ -20,7 +20,7 @@ YieldSurface screen_of(const PlasticDomain& domain, const Vec4& strength) {
     return {inverse_square(axis[0]), inverse_square(axis[1]), inverse_square(axis[2]), inverse_square(strength[3])};
 }
 
-constexpr double rounding = 1e-12;        ///< of the gauge of forces on the surface
+constexpr double rounding = 1e-11;        ///< of the gauge of forces on the surface, at the corner of N alone too
 constexpr double gauge_tolerance = 1e-7;  ///< what forces may be outside where their gauge is not found better
 
 class Exact : public PotentialLaw {
