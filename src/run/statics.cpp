@@ -45,6 +45,7 @@ bool Statics::advance() {
     if (verdict_ == Verdict::running && is_over()) {
         verdict_ = Verdict::completed;
         reason_ = reason_at_end();
+        warn_if_nothing_acts();
     }
     if (verdict_ != Verdict::failed) warn_of_missed_moments();
     return true;

@@ -68,6 +68,7 @@ private:
     std::string control_that_goes_on(bool unstable);
     std::string advice_when_driven();
     void warn_of_missed_moments();
+    void warn_if_nothing_acts();
 
     // statics_refusals.cpp: what is refused before a run begins
     std::unique_ptr<PathControl> make_path() const;

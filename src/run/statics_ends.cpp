@@ -80,6 +80,15 @@ void Statics::warn_of_missed_moments() {
         [this](int element) { return largest_moment(element); }, "at load factor " + number_text(state_.factor)));
 }
 
+/// A run whose results are all 0, since a load or a load case was forgotten.
+void Statics::warn_if_nothing_acts() {
+    for (std::size_t i = 0; i < state_.displacement.size(); ++i)
+        if (!displacement(int(i)).isZero(0)) return;
+    warn(RunWarning{"no node has moved: no load acts on a node that can move",
+                    "declare one with model:load, or the weight with model:gravity, and see that its load case is "
+                    "among those of the run"});
+}
+
 /// True where the last try was given up if the loads move the structure far more than they did at first.
 bool Statics::is_soft() const { return newton_.softness() > soft * newton_.first_softness(); }
 

@@ -123,6 +123,8 @@ case("wrong nodes and supports are refused", function()
     .. "\"rz\" for rotations",
     function(s) s.model:fix(s.tip, "xw") end)
   wrong("model:fix: what to fix is 3; give a string such as \"all\" or \"xyz\"", function(s) s.model:fix(s.tip, 3) end)
+  wrong("model:fix: what to fix is 'xyx': 'x' is there twice; rotations are \"rx\", \"ry\" and \"rz\"",
+    function(s) s.model:fix(s.tip, "xyx") end)
   wrong("model:fix: what to fix is empty; give \"all\", \"xyz\" or the like", function(s) s.model:fix(s.tip, "") end)
 end)
 

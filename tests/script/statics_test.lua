@@ -753,4 +753,23 @@ run:finish()
   expect(percent and math.abs(tonumber(percent)) < 1, "energy error: %s", complaint)
 end)
 
+case("a run in which nothing acts says so", function()
+  for _, given in ipairs { { says = true }, { held = true, says = true }, { load = true }, { moved = true } } do
+    local model = hinge.model {}
+    local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+    model:fix(foot)
+    model:member { foot, top, section = bar, material = steel }
+    if given.load then model:load { node = top, force = { 1, 0, 0 } } end
+    if given.held then model:load { node = foot, force = { 1, 0, 0 } } end
+    if given.moved then
+      model:fix(top, "x")
+      model:settle { node = top, x = 1e-3 }
+    end
+    local run = model:static { steps = 1 }:finish()
+    local told = run.warnings[1] or ""
+    expect(run.verdict == "completed" and (told:find "^no node has moved: no load" ~= nil) == (given.says or false),
+      "%s: %s", next(given) or "nothing", told)
+  end
+end)
+
 checks.done()

@@ -212,6 +212,7 @@ for i = 1, 100 do
   model:fix(a, "all")
   model:member { a, b, section = hinge.section.solid { width = 0.2, depth = 0.2 },
     material = hinge.material { E = WHICH, density = 7850 } }
+  model:load { node = b, force = { 1e-9, 0, 0 } }
   model:static { steps = 1 }:finish()
 end
 ]]

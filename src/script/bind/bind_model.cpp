@@ -23,7 +23,11 @@ std::uint8_t parse_degrees_of_freedom(const std::string& what, const std::string
             throw InputError(
                 what + " is '" + text +
                 "'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", \"rz\" for rotations");
-        mask |= 1 << (shift + axis - 'x');
+        const std::uint8_t bit = std::uint8_t(1 << (shift + axis - 'x'));
+        if (mask & bit)
+            throw InputError(what + " is '" + text + "': '" + (shift ? "r" : "") + axis +
+                             "' is there twice; rotations are \"rx\", \"ry\" and \"rz\"");
+        mask |= bit;
     }
     if (!mask) throw InputError(what + " is empty; give \"all\", \"xyz\" or the like");
     return mask;
