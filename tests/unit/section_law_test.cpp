@@ -121,6 +121,16 @@ TEST_CASE("concrete: 2e4 random returns keep the rules of associated flow", "[se
     CHECK(lost == 0);
 }
 
+// Found by random paths: the gauge stopped before the last step, where that leads far along a flat of the surface.
+TEST_CASE("concrete: the yield function at an edge of the surface", "[section_law]") {
+    const auto domain = concrete_of(3);
+    Vec4 strength;
+    strength << domain->strength(), 1e5;
+    const auto law = exact_law(domain, strength);
+    const Vec4 q(-0.0903777885404165, 0.0363506244212489, 0.228852027844529, -0.000215186992029324);
+    CHECK_FIGURE("beyond the surface", std::abs(law->yield_function(Vec4(q.cwiseProduct(strength))) - 1), 1e-7);
+}
+
 TEST_CASE("exact law: where flow is along one resultant, the answer by hand", "[section_law]") {
     Dice dice(1);
     Trial t = random_trial(dice, 1);
