@@ -83,9 +83,11 @@ void Statics::warn_of_missed_moments() {
 /// A run whose results are all 0, since a load or a load case was forgotten.
 void Statics::warn_if_nothing_acts() {
     for (std::size_t i = 0; i < state_.displacement.size(); ++i)
-        if (!displacement(int(i)).isZero(0)) return;
-    warn(RunWarning{"no node has moved: no load acts on a node that can move",
-                    "declare one with model:load, or the weight with model:gravity, and see that its load case is "
+        if (!displacement(int(i)).isZero(0) || !forces_.load(i, state_.factor).isZero(0)) return;
+    for (const Vec6& p : state_.force)
+        if (!p.isZero(0)) return;
+    warn(RunWarning{"nothing acts in this run: no load, no weight, no settlement, no heat",
+                    "declare a load with model:load, or the weight with model:gravity, and see that its load case is "
                     "among those of the run"});
 }
 
