@@ -11,6 +11,8 @@ local numbers = { yield = 1.1, cap_rotation = 0.025, cap_strength = 1.2, post_ca
 local pushed = hinge.backbone(numbers)
 numbers.wear = 1
 local worn = hinge.backbone(numbers)
+numbers.stiffness_wear = true
+local softer = hinge.backbone(numbers)
 
 -- The moment at the foot over the rotation of the chord, while the tip goes from one of `turns` (rad) to the next.
 local function bent(name, backbone, elements, turns)
@@ -43,8 +45,13 @@ end
 
 local turns = { 0.04, -0.04, 0.04, -0.04, 0.06, -0.06, 0.06, -0.06, 0.08, -0.08, 0.08, -0.08 }
 local kept, tired = bent("cycles", pushed, 2, turns), bent("with wear", worn, 2, turns)
+local soft = bent("stiffness, too", softer, 2, turns)
+-- M / Mp over the rotation, where the last half cycle begins to unload
+local function unloading(c) return (c.y[442] - c.y[441]) / (c.x[442] - c.x[441]) end
 print(("after two cycles each at 0.04, 0.06 and 0.08 rad: %.3f Mp, with wear %.3f Mp"):format(
   math.abs(kept.y[#kept.y]), math.abs(tired.y[#tired.y])))
-hinge.plot({ series = { two, kept, tired }, title = "Cantilever with a backbone at its foot",
+print(("stiffness of the last unloading, over the elastic one: with wear %.3f, with wear of the stiffness %.3f"):format(
+  unloading(tired) / unloading(kept), unloading(soft) / unloading(kept)))
+hinge.plot({ series = { two, kept, tired, soft }, title = "Cantilever with a backbone at its foot",
   x_label = "rotation of the chord (rad)", y_label = "M / Mp at the foot", width = 1000, height = 700 }, "backbone.png")
 return { elements = two.y[81], kept = math.abs(kept.y[#kept.y]), worn = math.abs(tired.y[#tired.y]) }

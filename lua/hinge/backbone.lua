@@ -15,6 +15,7 @@ local length = { "number", unit = "m", above = 0 }
 local no_length = { "number", unit = "m", at_least = 0, optional = true }
 local some_length = { "number", unit = "m", above = 0, optional = true }
 local axial = { "number", at_least = 0, below = 1, default = 0 }
+local no = { "boolean", default = false }
 local interaction = { "string", one_of = { "paper", "exact" }, optional = true }
 
 -- Sections ------------------------------------------------------------------------------------------------------------
@@ -125,9 +126,9 @@ local function add_between(to, a, b, force, depth)
 end
 
 -- The backbone through points { plastic rotation, moment over Mp }, with all strength lost after the last of them.
--- residual: moment over Mp that wear leaves; force: of under_force, or nil. Wear lowers the factor, by which the moment
--- falls faster: so that it falls as published, wear is the larger by as much.
-local function through(points, wear, residual, force)
+-- residual: moment over Mp that wear leaves; force: of under_force, or nil; stiffness_wear: wear takes stiffness, too.
+-- Wear lowers the factor, by which the moment falls faster: so that it falls as published, wear is the larger by as much.
+local function through(points, wear, residual, force, stiffness_wear)
   local to, before = {}, nil
   for i, p in ipairs(points) do
     local here = { p[1], p[2], force and force.factor(p[2]) or p[2] }
@@ -138,6 +139,7 @@ local function through(points, wear, residual, force)
   local function factor(M) return force and force.factor(M) or M end
   return core.backbone { points = to, wear = wear and force and wear * force.sensitivity(to[1][2]) or wear,
     residual = wear and residual > least and factor(residual) / to[1][2] or nil,
+    stiffness_wear = wear and stiffness_wear or nil,
     interaction = force and force.interaction }
 end
 
@@ -165,7 +167,7 @@ end
 
 -- Of rotations of the chord and moments (N m), as published, the plastic rotation, which is what is left without M / K,
 -- and the strength over Mp. All strength is lost at the chord's rotation `ultimate`.
-local function from_chord(where, chord, ultimate, K, Mp, wear, residual, force)
+local function from_chord(where, chord, ultimate, K, Mp, wear, residual, force, stiffness_wear)
   local cut = {}
   for i, p in ipairs(chord) do
     local before = chord[i - 1]
@@ -185,12 +187,12 @@ local function from_chord(where, chord, ultimate, K, Mp, wear, residual, force)
         .. "plastic rotation is left", where, check.show(p[1] - cut[1][1]), check.show((p[2] - cut[1][2]) / K))
     end
   end
-  return through(points, wear, residual, force)
+  return through(points, wear, residual, force, stiffness_wear)
 end
 
 -- What Lignos, and NIST, publish of a hinge: `row` has its laws. My: moment at yield, N m; K: of the chord, N m / rad.
 -- force: of under_force, or nil.
-local function trilinear(where, row, x, My, K, Mp, wear, force)
+local function trilinear(where, row, x, My, K, Mp, wear, force, stiffness_wear)
   local Mc = My * math.max(value(row.cap, x), row.least_cap or 0)
   local Mr = math.min(My * row.residual, Mc)
   local at_yield = My / K
@@ -201,7 +203,7 @@ local function trilinear(where, row, x, My, K, Mp, wear, force)
       where, check.show(at_cap - at_yield), check.show(fall), check.show(x.inches * inch))
   end
   local chord = { { at_yield, My }, { at_cap, Mc }, { at_cap + fall * (1 - Mr / Mc), Mr } }
-  return from_chord(where, chord, row.ultimate, K, Mp, wear, Mr / Mp, force)
+  return from_chord(where, chord, row.ultimate, K, Mp, wear, Mr / Mp, force, stiffness_wear)
 end
 
 -- a, b, c of ASCE 41. at_a: strength at a over that at yield; yield: over Mp. From a the strength falls straight over a
@@ -239,6 +241,13 @@ local function within_tests(where, o, m, x, fy)
   end
 end
 
+local function needs_wear(where, o, wears)
+  if o.stiffness_wear and not wears then
+    check.fail("%s: stiffness_wear = true needs the wear of cycles: leave `wear` and `monotonic` at their defaults",
+      where)
+  end
+end
+
 local function lignos_row(m, reduced)
   return published.lignos[reduced and "reduced" or m.d < published.depth_unit and "shallow" or "deep"]
 end
@@ -249,14 +258,15 @@ function backbone.lignos(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { section = section, material = material, shear_span = length,
     unbraced_length = length, reduced = { "boolean", default = false }, cut = no_length,
-    wear = { "boolean", default = true }, beyond_tests = { "boolean", default = false } })
+    wear = { "boolean", default = true }, stiffness_wear = no, beyond_tests = { "boolean", default = false } })
   local m, fy = measures(where, o.section), yield_of(where, o.material)
   local x = ratios_of(m, o, fy)
   within_tests(where, o, m, x, fy)
   local row, Mp = lignos_row(m, o.reduced), fy * m.Zx
   local My = row.yield * left_by_cut(where, o, m, o.reduced) * Mp
   local K = 3 * o.material.E * m.Ix / o.shear_span
-  return trilinear(where, row, x, My, K, Mp, o.wear and value(row.wear, x) or nil)
+  needs_wear(where, o, o.wear)
+  return trilinear(where, row, x, My, K, Mp, o.wear and value(row.wear, x) or nil, nil, o.stiffness_wear)
 end
 
 -- NIST ----------------------------------------------------------------------------------------------------------------
@@ -284,7 +294,7 @@ function backbone.nist(options, ...)
   local o = check.options(where, options, {
     kind = { "string", one_of = { "beam", "RBS", "column", "pre-Northridge" } }, section = section, material = material,
     monotonic = { "boolean", default = true }, shear_span = length, unbraced_length = some_length, axial_ratio = axial,
-    interaction = interaction, cut = no_length, wear = { "boolean", optional = true } })
+    interaction = interaction, cut = no_length, wear = { "boolean", optional = true }, stiffness_wear = no })
   if o.wear and not o.monotonic then
     check.fail("%s: wear = true does not go with monotonic = false: the envelope of cycles has their wear in it", where)
   end
@@ -309,6 +319,7 @@ function backbone.nist(options, ...)
     for name, law in pairs(row.deep) do laws[name] = law end
   end
   local wears = o.monotonic and o.wear ~= false
+  needs_wear(where, o, wears)
   if o.kind == "column" then
     laws.residual, laws.ultimate = row.residual[1] + row.residual[2] * g, row.ultimate[1] + row.ultimate[2] * g
     wears = wears and (g > row.wear_changes_at and row.wear_above or row.wear)
@@ -316,7 +327,8 @@ function backbone.nist(options, ...)
     wears = lignos_row(m, o.kind == "RBS").wear
   end
   local My = row.yield * left_by_cut(where, o, m, o.kind == "RBS") * moment * Mp
-  return trilinear(where, laws, x, My, K, Mp, wears and value(wears, x) or nil, under_force(where, o, g, fy))
+  return trilinear(where, laws, x, My, K, Mp, wears and value(wears, x) or nil, under_force(where, o, g, fy),
+    o.stiffness_wear)
 end
 
 -- ASCE 41 -------------------------------------------------------------------------------------------------------------

@@ -191,6 +191,11 @@ function hinge.backbone(options) end
 ---It is what is published as the reference cumulative rotation, with the exponent 1 (Lignos and Krawinkler 2011);
 ---default: none
 ---@field wear? number
+---true: cycles take stiffness in unloading, too, by the same `wear`. An end of the member comes to the part
+---1 - E / (wear My) of 6 EI / L, its stiffness in double curvature, where L is the member's length. That part stays
+---where the strength has come to the residual one, and at 0.1. `wear` must be 5 times the rotation at which the end
+---yields or more; default false: unloading is elastic
+---@field stiffness_wear? boolean
 ---interaction of N and M of the sections that the strengths are made for: a member with another one is refused. "any"
 ---(default): they hold without axial force
 ---@field interaction? "any"|"paper"|"exact"
@@ -198,6 +203,7 @@ function hinge.backbone(options) end
 ---@class hinge.backbone read-only
 ---@field points number[][] pairs { plastic rotation (rad), strength over Mp }
 ---@field wear number? rad
+---@field stiffness_wear boolean
 ---@field residual number? as given, over the strength at yield
 ---@field interaction "any"|"paper"|"exact"
 
@@ -332,6 +338,7 @@ function backbone.lignos(options) end
 ---false: without the wear of cycles, for loads that go one way: wear takes strength from the first push on; default
 ---true
 ---@field wear? boolean
+---@field stiffness_wear? boolean as of hinge.backbone_options. The published model has it; default false
 ---@field beyond_tests? boolean true: outside of the tests too; default false
 
 ---Beams and columns by NIST GCR 17-917-46 (2017). monotonic = true has the wear of cycles apart: that of Lignos for
@@ -372,6 +379,7 @@ function backbone.nist(options) end
 ---@field interaction? "paper"|"exact"
 ---@field cut? number m; of an RBS, as of hinge.lignos_options
 ---@field wear? boolean false: without the wear of cycles; default true where monotonic
+---@field stiffness_wear? boolean as of hinge.lignos_options
 
 ---Members and connections by ASCE 41: strength falls at the plastic rotation a to the residual one, and all of it is
 ---lost at b. "beam": AISC 342-22, table C2.2, to which ASCE 41-23 refers. "column": table C3.6, or table 9-7.1 of ASCE

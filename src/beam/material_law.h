@@ -93,6 +93,13 @@ public:
     virtual void commit(const PlasticZone& zone, const Vec4& e, double strain, double dt, double* history) const {
         (void)zone, (void)e, (void)strain, (void)dt, (void)history;
     }
+    /// True if hinges may lose part of their stiffness in unloading.
+    virtual bool wears_stiffness() const { return false; }
+    /// How much softer than new an end of its member is in unloading, after a step with plastic deformation e: 1 less
+    /// than the ratio of both stiffnesses, 0 or more. It does not fall.
+    virtual double softness(const PlasticZone& zone, const double* history, const Vec4& e) const {
+        return (void)zone, (void)history, (void)e, 0;
+    }
     /// Stored energy, J.
     virtual double stored(const PlasticZone& zone, const double* history) const { return (void)zone, (void)history, 0; }
 };

@@ -26,9 +26,9 @@ double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0
 /// A pair whose return is looked for.
 class PairReturn : public PairElastic {
 public:
-    PairReturn(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
-               const SectionConditions* conditions, double tolerance)
-        : k_(k), of_(of), d_(d), law_(law), conditions_(conditions), tolerance_(tolerance) {}
+    PairReturn(const ElasticPair& pair, const Vec6 (&d)[2], const SectionLaw& law, const SectionConditions* conditions,
+               double tolerance)
+        : pair_(pair), k_(pair.kind), of_(pair.of), d_(d), law_(law), conditions_(conditions), tolerance_(tolerance) {}
 
     bool find(ReturnMapResult (&flow)[2]) {
         At now = at(no_flow_, no_flow_);
@@ -61,8 +61,8 @@ public:
 
     void at(const Vec6 (&plastic)[2], Vec6 (&p)[2], Mat12& K) const override {
         const Vec6 elastic[2] = {d_[0] - plastic[0], d_[1] - plastic[1]};
-        const Vec12 beyond = pair_forces(k_, elastic[0], elastic[1]);
-        K = pair_stiffness(k_, elastic[0], elastic[1]);
+        const Vec12 beyond = pair_.forces_beyond(elastic[0], elastic[1]);
+        K = pair_.stiffness_beyond(elastic[0], elastic[1]);
         for (int i : {0, 1}) {
             p[i] = of_[i].times(elastic[i]) + beyond.segment<6>(6 * i);
             K.block<6, 6>(6 * i, 6 * i) += of_[i].matrix();
@@ -79,13 +79,13 @@ private:
     At at(const ElementFlow& one, const ElementFlow& two) const {
         At a{{one, two}, {}, 0};
         const Vec6 elastic[2] = {d_[0] - one.plastic, d_[1] - two.plastic};
-        const Vec12 beyond = pair_forces(k_, elastic[0], elastic[1], &a.N);
+        const Vec12 beyond = pair_.forces_beyond(elastic[0], elastic[1], &a.N);
         for (int i : {0, 1}) a.p[i] = of_[i].times(elastic[i]) + beyond.segment<6>(6 * i);
         return a;
     }
     double energy(const At& a) const {
         const Vec6 elastic[2] = {d_[0] - a.of[0].plastic, d_[1] - a.of[1].plastic};
-        return pair_energy(k_, elastic[0], elastic[1]) + 0.5 * elastic[0].dot(of_[0].times(elastic[0])) +
+        return pair_.energy_beyond(elastic[0], elastic[1]) + 0.5 * elastic[0].dot(of_[0].times(elastic[0])) +
                0.5 * elastic[1].dot(of_[1].times(elastic[1]));
     }
     /// D(x), less what the fixed-end parts do.
@@ -114,6 +114,7 @@ private:
             const double more = k_.b[plane] * (std::max(0.1, 0.5 * (at.S + at.A)) - 1);
             for (int i : {0, 1}) add_bending(out[i], plane, more);
         }
+        for (int i : {0, 1}) out[i] = in_series(out[i], pair_.springs[i]);
     }
     static void add_bending(Stiffness& k, int plane, double more) {
         (plane == 0 ? k.x11 : k.y11) += more;
@@ -161,10 +162,12 @@ private:
 
     /// Stiffnesses of the two elements that no change of the pair's deformation exceeds by much: what couples N with
     /// the bending of both (N = EA/l (e + bow)) is shared out between them. `firmer`: 1, and more where that is not
-    /// enough.
+    /// enough. Springs are in series with both.
     void stiffness_above(const At& a, double firmer, Stiffness (&out)[2]) const {
         double bow[2][2], together = 0, least = std::numeric_limits<double>::infinity(), flexible = 1, most[2];
-        const PairShapeNumbers y = shape_of(d_[0] - a.of[0].plastic, d_[1] - a.of[1].plastic);
+        Vec6 own[2] = {d_[0] - a.of[0].plastic, d_[1] - a.of[1].plastic};
+        pair_.take_off_springs(own[0], own[1]);
+        const PairShapeNumbers y = shape_of(own[0], own[1]);
         for (int plane : {0, 1}) {
             const StabilityFunctions<double> at = stability_functions(-k_.c[plane] * a.N);
             const double sum = at.S1 * y.sum[plane], difference = at.A1 * y.difference[plane];
@@ -184,6 +187,7 @@ private:
                 const double coupled = share > 0 ? axial * (1 + 1 / share) * bow[plane][i] * together : 0;
                 add_bending(out[i], plane, k_.b[plane] * (firmer * most[plane] - 1) + firmer * coupled);
             }
+            out[i] = in_series(out[i], (1 / firmer) * pair_.springs[i]);
         }
     }
 
@@ -239,7 +243,7 @@ private:
     At newton(const At& now, const At& next, const Stiffness (&k)[2]) const {
         // d(next)/d(now) = k^-1 (1 - D k^-1) (k - H);  H: stiffness of the pair, D: tangents of the elements by
         // themselves
-        PairMatrix H = pair_stiffness(k_, d_[0] - now.of[0].plastic, d_[1] - now.of[1].plastic);
+        PairMatrix H = pair_.stiffness_beyond(d_[0] - now.of[0].plastic, d_[1] - now.of[1].plastic);
         for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of_[i].matrix() - k[i].matrix();
         PairMatrix J = PairMatrix::Identity();
         Vec12 off;
@@ -256,6 +260,7 @@ private:
         return round(at(from.of[0], from.of[1]), k);
     }
 
+    const ElasticPair& pair_;
     const PairKind<double>& k_;
     const Stiffness (&of_)[2];
     const Vec6 (&d_)[2];
@@ -267,15 +272,15 @@ private:
 
 }  // namespace
 
-bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
-                       ReturnMapResult (&flow)[2], double tolerance, const SectionConditions* at) {
-    return PairReturn(k, of, d, law, at, tolerance).find(flow);
+bool return_to_surface(const ElasticPair& pair, const Vec6 (&d)[2], const SectionLaw& law, ReturnMapResult (&flow)[2],
+                       double tolerance, const SectionConditions* at) {
+    return PairReturn(pair, d, law, at, tolerance).find(flow);
 }
 
-PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const SectionLaw& law, const ElementFlow* const (&flow)[2], const SectionConditions* at) {
-    PairMatrix H = pair_stiffness(k, elastic[0], elastic[1]);
-    for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
+PairMatrix pair_tangent(const ElasticPair& pair, const Vec6 (&elastic)[2], const SectionLaw& law,
+                        const ElementFlow* const (&flow)[2], const SectionConditions* at) {
+    PairMatrix H = pair.stiffness_beyond(elastic[0], elastic[1]);
+    for (int i : {0, 1}) H.block<6, 6>(6 * i, 6 * i) += pair.of[i].matrix();
     if (!flow[0] && !flow[1]) return H;
     return law.pair_tangent(H, flow, at);
 }

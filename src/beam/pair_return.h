@@ -23,28 +23,25 @@
 // this neither creates nor loses energy.
 #pragma once
 
-#include "beam/beam_column.h"
+#include "beam/elastic_pair.h"
 #include "beam/section_law.h"
 
 namespace hinge::beam {
 
 /// Returns both elements of a pair to their yield surfaces; d[0] and d[1]: their deformations if the step were elastic
 /// (timoshenko.h).
-///   k          stiffness and length of the elements of the pair
-///   of         their stiffnesses k(s)
+///   pair       its elastic side
 ///   law        of their sections; both ends can yield
 ///   at         of the sections of the two elements, in this order
 ///   tolerance  on the last change of the plastic deformation, over the elastic one, in the energy norm
 /// Returns false if the iteration did not reach that tolerance: the step must then be rolled back.
-bool return_to_surface(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&d)[2], const SectionLaw& law,
-                       ReturnMapResult (&flow)[2], double tolerance = 1e-4,
-                       const SectionConditions* at = no_conditions);
+bool return_to_surface(const ElasticPair& pair, const Vec6 (&d)[2], const SectionLaw& law, ReturnMapResult (&flow)[2],
+                       double tolerance = 1e-4, const SectionConditions* at = no_conditions);
 
 /// Consistent tangent d(forces)/dd of a pair after that return, 12 x 12 (eq 10a for a pair).
 ///   elastic  elastic deformations after the flow
 ///   flow     null for an element that does not flow
-PairMatrix pair_tangent(const PairKind<double>& k, const Stiffness (&of)[2], const Vec6 (&elastic)[2],
-                        const SectionLaw& law, const ElementFlow* const (&flow)[2],
-                        const SectionConditions* at = no_conditions);
+PairMatrix pair_tangent(const ElasticPair& pair, const Vec6 (&elastic)[2], const SectionLaw& law,
+                        const ElementFlow* const (&flow)[2], const SectionConditions* at = no_conditions);
 
 }  // namespace hinge::beam

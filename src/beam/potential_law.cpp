@@ -58,6 +58,7 @@ PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, Sec
         back_follows_strain_ |= m->back_follows_strain();
         back_follows_flow_ |= m->back_follows_flow();
         follows_rotation_ |= m->follows_rotation();
+        wears_stiffness_ |= m->wears_stiffness();
     }
     flow_at_ = remembers_flow ? history_size_ : -1;
     if (remembers_flow) history_size_ += 4;
@@ -276,6 +277,16 @@ double PotentialLaw::stored(const double* history) const {
     double sum = 0;
     for (const auto& m : material_.laws) {
         sum += m->stored(material_.zone, history);
+        history += m->history_size();
+    }
+    return sum;
+}
+
+double PotentialLaw::softness(const double* history, const ElementFlow* flow, int section) const {
+    double sum = 0;
+    const Vec4 e = flow && flow->lambda[section] > 0 ? normalised_flow(*flow, section) : Vec4(Vec4::Zero());
+    for (const auto& m : material_.laws) {
+        sum += m->softness(material_.zone, history, e);
         history += m->history_size();
     }
     return sum;

@@ -48,6 +48,8 @@ public:
     void start(bool end_of_member, double* history) const override;
     void commit(const ElementFlow& flow, int section, double dt, double* history) const override;
     double stored(const double* history) const override;
+    bool wears_stiffness() const override { return wears_stiffness_; }
+    double softness(const double* history, const ElementFlow* flow, int section) const override;
     double yield_function(const Vec4& q, const double* history = nullptr,
                           double temperature = room_temperature) const override;
     bool surely_elastic(const Vec6& p, const double* sections, int n, const SectionConditions& at) const override;
@@ -135,7 +137,8 @@ private:
     SectionMaterial material_;
     // where in the history the last e is, and the law's own variables; -1: nowhere
     int history_size_ = 0, flow_at_ = -1, own_at_ = -1;
-    bool moves_surface_ = false, back_follows_strain_ = false, back_follows_flow_ = false, follows_rotation_ = false;
+    bool moves_surface_ = false, back_follows_strain_ = false, back_follows_flow_ = false, follows_rotation_ = false,
+         wears_stiffness_ = false;
 };
 
 }  // namespace hinge::beam

@@ -81,6 +81,14 @@ public:
     /// Energy that hardening has stored in a section, J: part of its plastic work. `history`: of that section.
     virtual double stored(const double* history) const { return (void)history, 0; }
 
+    /// True if hinges may lose part of their stiffness in unloading.
+    virtual bool wears_stiffness() const { return false; }
+    /// How much softer in unloading than new the end of its member is (MaterialLaw::softness): after the step with
+    /// `flow`, or with null at the start of it. `history`: of section `section`.
+    virtual double softness(const double* history, const ElementFlow* flow, int section) const {
+        return (void)history, (void)flow, (void)section, 0;
+    }
+
     /// Yield function f_y of a section's Mx, My (N m), N (N) and Mz (N m): 1 on the surface. Its root is the
     /// utilisation: it grows as the forces do, where all of them grow alike. `history`: of the section, or null.
     virtual double yield_function(const Vec4& q, const double* history = nullptr,

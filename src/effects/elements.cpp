@@ -23,8 +23,8 @@ public:
             elastic += 0.5 * d.dot(k.times(d));
             if (w_.structure.p_delta()) {
                 if (i % 2 == 1 && !state.broken[i - 1])
-                    elastic += beam::pair_energy(pair_kind_of(w_.structure.elements()[i], heat_of(state.heat, int(i))),
-                                                 before, d);
+                    elastic += elastic_pair(w_.structure, state, int(i) - 1, heat_of(state.heat, int(i)))
+                                   .energy_beyond(before, d);
                 before = d;
             }
             kinetic += kinetic_energy(w_.structure, state, int(i), axes_of(placement));

@@ -338,7 +338,7 @@ int Fracture::weaker_end(int index, const beam::ReturnMapResult* flow) const {
     if (w_.structure.p_delta() && flow && !flow->elastic.isZero(0)) return flow->elastic;
     if (w_.structure.p_delta())
         return element_deformation(w_.structure, index, w_.trial) + taken_up(w_.state, index) - plastic;
-    const Vec6 d = declared_stiffness(w_.structure, w_.state, index).solve(w_.force[index]);
+    const Vec6 d = stiffness_now(w_.structure, w_.state, index, no_heat).solve(w_.force[index]);
     return w_.trial.heat.empty() ? d : Vec6(d / w_.trial.heat[std::size_t(index)].stiffness);
 }
 

@@ -136,12 +136,13 @@ public:
                 sums["plastic"] += 0.5 * (before.strength / after.strength - 1) * flow->flow.dissipation;
             }
             supplied -= 0.5 * (w_.state.force[e] + w_.force[e]).dot(after.deformation() - before.deformation());
-            const beam::Stiffness k = declared_stiffness(w_.structure, w_.state, e);
+            const beam::Stiffness k = stiffness_now(w_.structure, w_.state, e, no_heat);
             double of_declared = 0;  // the mean of U at the two ends of the step
             for (const Vec6& elastic : d) of_declared += 0.25 * elastic.dot(k.times(elastic));
             if (in_pair(w_.structure, w_.state, e) && e % 2 == 1)
                 for (int i : {0, 1})
-                    of_declared += 0.5 * beam::pair_energy(pair_kind_of(w_.structure.elements()[e]), first[i], d[i]);
+                    of_declared +=
+                        0.5 * elastic_pair(w_.structure, w_.state, e - 1, no_heat).energy_beyond(first[i], d[i]);
             for (int i : {0, 1}) first[i] = d[i];
             supplied += of_declared * (after.stiffness - before.stiffness);
         }

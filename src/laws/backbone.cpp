@@ -9,6 +9,11 @@
 // the exponent 1). There an excursion of the plastic work dE takes dE / (Et - E) of the strength in its own direction,
 // with Et = wear My. Each direction has half of the work of a cycle, so that the strength falls by the factor
 // sqrt(1 - E / Et), down to the residual one: over the rotation in a straight line, for E falls with it.
+//
+// Their stiffness in unloading falls in the same way, but with the work of both directions: to the part 1 - E / Et of
+// 6 EI / L, the stiffness of an end of the member in double curvature. It stays where the strength is the residual one,
+// and at a tenth. What is lost is a spring in series with the member (elastic_pair.h). What the spring turns by while
+// it grows softer is part of the rotation of the step, as the plastic rotation is.
 #include <algorithm>
 #include <cmath>
 
@@ -33,18 +38,28 @@ public:
             text += (text.empty() ? "" : ", ") + number_text(p.strength) +
                     (p.rotation > 0 ? " at " + number_text(p.rotation) + " rad" : "");
         if (of_.wear > 0) text += "; wear " + number_text(of_.wear) + " rad";
+        if (of_.wears_stiffness) text += " of strength and stiffness";
         if (of_.wear > 0 && of_.residual > 0) text += " down to " + number_text(of_.residual);
         return "backbone (" + text + ")";
     }
     void save(Writer& to) const override {
         for (const auto& p : of_.points) to(p.rotation, p.strength);
         to(of_.wear, of_.residual);
+        if (of_.wears_stiffness) to(of_.wears_stiffness);
     }
 
     int history_size() const override { return 5; }
     void start(bool end_of_member, double* history) const override { history[inside] = end_of_member ? 0 : 1; }
     bool moves_surface() const override { return true; }
     double initial() const override { return of_.points.front().strength; }
+
+    bool wears_stiffness() const override { return of_.wears_stiffness; }
+    double softness(const PlasticZone& zone, const double* history, const Vec4& e) const override {
+        if (!of_.wears_stiffness || history[inside] > 0) return 0;
+        const double least = std::max(of_.residual / of_.points.front().strength, std::sqrt(least_stiffness)),
+                     left = std::max(std::min(least, 1.0), step(zone, history, e).worn_to);
+        return 1 / (left * left) - 1;
+    }
 
     bool follows_rotation() const override { return true; }
     Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
@@ -71,7 +86,7 @@ public:
 private:
     /// History variables. worn: the part of the strength that cycles have taken.
     enum { inside, about_x, about_y, largest, worn };
-    static constexpr double least_strength = 0.01;
+    static constexpr double least_strength = 0.01, least_stiffness = 0.1;
 
     struct Step {
         Eigen::Vector2d by, to;           ///< plastic rotation, rad
@@ -141,6 +156,7 @@ std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& b) {
     }
     if (!(std::isfinite(b.residual) && b.residual >= 0)) throw InputError("the residual strength must be 0 or more");
     if (!(std::isfinite(b.wear) && b.wear >= 0)) throw InputError("wear must be 0 rad or more");
+    if (b.wears_stiffness && b.wear == 0) throw InputError("wear of stiffness needs wear, in rad");
     return std::make_shared<BackboneLaw>(b);
 }
 

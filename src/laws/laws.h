@@ -47,6 +47,7 @@ struct Backbone {
     double wear = 0;               ///< plastic work over My that takes all strength, rad; 0: cycles do not wear it
     std::string interaction = "";  ///< of the sections that it is made for: "paper", "exact", "" for any
     double residual = 0;           ///< factor on the fully plastic resultants below which wear takes nothing
+    bool wears_stiffness = false;  ///< wear takes stiffness in unloading, too
 };
 /// Raises InputError unless the rotations begin at 0 and rise, and all strengths are 0.01 or more.
 std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& backbone);

@@ -9,8 +9,12 @@
 #include "core/errors.h"
 #include "core/text.h"
 #include "laws/laws.h"
+#include "model/structure.h"
 
 namespace hinge {
+
+/// Of the elastic rotation at yield: wear of the stiffness below it would make more rotation elastic than a step has.
+constexpr double least_wear = 5;
 
 void must_be_finite(const Vec3& v, const char* what, const char* unit) {
     if (!v.allFinite())
@@ -86,6 +90,20 @@ void Model::check_member(const MemberData& m) const {
                 "backbone is made for interaction '" + backbone->interaction + "' of N and M, and the " +
                 (m.section->interaction == Interaction::by_model ? "model" : "section") + " has '" + word_of(has) +
                 "'; its strengths beside an axial force would be wrong: give the same interaction to both");
+    }
+    if (const auto* backbone = m.backbone ? beam::backbone_of(*m.backbone) : nullptr;
+        backbone && backbone->wears_stiffness) {
+        const beam::YieldSurface strength = yield_surface(*m.section, *m.material);
+        double at_yield = 0;  // rotation of an end in double curvature, rad
+        for (const auto& [w, I] : {std::pair(strength.x, m.section->Ix), std::pair(strength.y, m.section->Iy)})
+            if (w > 0)
+                at_yield = std::max(
+                    at_yield, backbone->points.front().strength * length / (6 * m.material->E * I * std::sqrt(w)));
+        if (backbone->wear < least_wear * at_yield)
+            throw InputError("backbone wears the stiffness with wear = " + number_text(backbone->wear) +
+                             " rad; the member's end turns by " + number_text(at_yield) +
+                             " rad before it yields, and wear must be " + number_text(least_wear) +
+                             " times that or more: else it would give back more work than was done on it");
     }
     if (m.carries != Carries::both && (m.backbone || m.law))
         throw InputError(std::string("carries is '") + carries_word(m.carries) + "', and a " +

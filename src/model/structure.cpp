@@ -253,6 +253,7 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                       strength, law_of(member, strength, *model_, length)});
     const beam::SectionLaw* law = kinds_.back().law.get();
     laws_call_script_ |= law && law->calls_script();
+    wears_stiffness_ |= law && law->wears_stiffness();
     at->second = &kinds_.back();
     return kinds_.back();
 }

@@ -69,6 +69,8 @@ public:
     bool can_yield() const { return can_yield_; }
     /// True if the law of a section calls functions of the script.
     bool laws_call_script() const { return laws_call_script_; }
+    /// True if hinges may lose stiffness in unloading (SectionLaw::wears_stiffness).
+    bool wears_stiffness() const { return wears_stiffness_; }
     /// Mass of an element for the kind of mass matrix, in local axes.
     const beam::Inertia& inertia(int element) const { return elements_[element].inertia; }
     bool lumped() const { return mass_ == MassKind::lumped; }
@@ -125,7 +127,7 @@ private:
     };
     std::vector<JoinedEnd> joined_;                       ///< rising
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
-    bool can_yield_ = false, laws_call_script_ = false;
+    bool can_yield_ = false, laws_call_script_ = false, wears_stiffness_ = false;
 };
 
 }  // namespace hinge

@@ -148,8 +148,8 @@ void EnergyMomentum::begin_elements() {
     });
     for (int i = 0; w_.structure.p_delta() && i < int(first_.size()); i += 2) {
         const Vec12 beyond =
-            beam::pair_forces(pair_kind_of(w_.structure.elements()[i]), first_[i].d - w_.state.plastic[i],
-                              first_[i + 1].d - w_.state.plastic[i + 1]);
+            elastic_pair(w_.structure, w_.state, i, no_heat)
+                .forces_beyond(first_[i].d - w_.state.plastic[i], first_[i + 1].d - w_.state.plastic[i + 1]);
         for (int k : {0, 1}) first_[i + k].p += beyond.segment<6>(6 * k);
     }
 }
@@ -171,8 +171,8 @@ double EnergyMomentum::work_beyond_means(int first, const AtEnd (&b)[2]) const {
         work += 0.5 * (after[k].dot(stiffness.times(after[k])) - before[k].dot(stiffness.times(before[k]))) -
                 p.dot(after[k] - before[k]);
     }
-    const beam::PairKind<double> kind = pair_kind_of(w_.structure.elements()[first]);
-    return work + beam::pair_energy(kind, after[0], after[1]) - beam::pair_energy(kind, before[0], before[1]);
+    const beam::ElasticPair pair = elastic_pair(w_.structure, w_.state, first, no_heat);
+    return work + pair.energy_beyond(after[0], after[1]) - pair.energy_beyond(before[0], before[1]);
 }
 
 /// Work of the mean axial force on the slack of an element in the step, J: it is neither stored nor dissipated.

@@ -158,6 +158,30 @@ bool any_remembered(const std::vector<double>& twist, int element) {
     }
 }
 
+/// Forces of those of the eight elements whose ends have lost stiffness.
+[[gnu::noinline]] void ElementAssembly::add_springs(const Block& b, int element, const State& state,
+                                                    const Lanes (&d)[6], Lanes (&p)[6]) const {
+    const auto deformation = [&](int i) { return Vec6(d[0][i], d[1][i], d[2][i], d[3][i], d[4][i], d[5][i]); };
+    const auto set = [&](int i, const Vec6& force) {
+        for (int c = 0; c < 6; ++c) p[c][i] = force[c];
+    };
+    for (int i = 0; i < lane_count; ++i) {
+        if (!(b.whole >> i & 1)) continue;
+        const Element& e = structure_.elements()[element + i];
+        if (structure_.p_delta() && e.forms_pairs && b.whole >> (i ^ 1) & 1) {
+            const beam::ElasticPair pair = elastic_pair(structure_, state, element + i, no_heat);
+            if (pair.has_springs()) {
+                const Vec6 of[2] = {deformation(i), deformation(i + 1)};
+                const Vec12 beyond = pair.forces_beyond(of[0], of[1]);
+                for (int j : {0, 1}) set(i + j, pair.of[j].times(of[j]) + beyond.segment<6>(6 * j));
+            }
+            ++i;
+        } else if (const beam::EndSprings springs = springs_of(structure_, state, element + i); springs.any()) {
+            set(i, in_series(declared_stiffness(structure_, state, element + i), springs).times(deformation(i)));
+        }
+    }
+}
+
 /// Their forces by the stiffness that heat leaves.
 [[gnu::noinline]] void ElementAssembly::soften(int element, const ElementHeats& heats, Lanes (&p)[6]) {
     for (int i = 0; i < std::min(lane_count, int(heats.size()) - element); ++i)
@@ -188,19 +212,19 @@ bool ElementAssembly::no_section_flows(int element, int i, const State& state, c
                                                     const ElementHeats& heats, const Lanes (&d)[6], Lanes (&p)[6],
                                                     Found& found) const {
     const ElementHeat& heat = heat_of(heats, element + i);
-    beam::Stiffness k[2];
+    const Element& e = structure_.elements()[element + i];
+    beam::ElasticPair pair = {pair_kind_of(e, heat), {}};
     Vec6 elastic[2];
     for (int j : {0, 1}) {
         const int at = i + j;
-        k[j] = heat.stiffness * kind.stiffness(at);
+        pair.of[j] = heat.stiffness * kind.stiffness(at);
+        if (kind.wears_stiffness) pair.springs[j] = springs_of(structure_, state, element + at, heat);
         for (int c = 0; c < 6; ++c) elastic[j][c] = d[c][at];
     }
     beam::ReturnMapResult flow[2];
     const beam::SectionConditions at[2] = {conditions(state, element + i), conditions(state, element + i + 1)};
-    const Element& e = structure_.elements()[element + i];
     if (no_section_flows(element, i, state, heats, p) && no_section_flows(element, i + 1, state, heats, p)) return;
-    const bool converged =
-        beam::return_to_surface(pair_kind_of(e, heat), k, elastic, *law_now(e, heat), flow, return_tolerance_, at);
+    const bool converged = beam::return_to_surface(pair, elastic, *law_now(e, heat), flow, return_tolerance_, at);
     if (!converged && found.unreturned < 0) found.unreturned = element + i;
     for (int j : {0, 1}) {
         for (int c = 0; c < 6; ++c) p[c][i + j] = flow[j].p[c];
@@ -300,9 +324,12 @@ template <bool p_delta>
         }
         if (no_section_flows(element, i, state, heats, p)) continue;
         const ElementHeat& heat = heat_of(heats, element + i);
+        const beam::Stiffness k = heat.stiffness * kind.stiffness(i);
         found.yielding.push_back(
-            {element + i, law_now(e, heat)->return_to_surface(trial, heat.stiffness * kind.stiffness(i), section,
-                                                              section_count, conditions(state, element + i))});
+            {element + i,
+             law_now(e, heat)->return_to_surface(
+                 trial, kind.wears_stiffness ? in_series(k, springs_of(structure_, state, element + i, heat)) : k,
+                 section, section_count, conditions(state, element + i))});
         const beam::ReturnMapResult& flow = found.yielding.back().flow;
         if (!flow.converged && found.unreturned < 0) found.unreturned = element + i;
         for (int c = 0; c < 6; ++c) p[c][i] = flow.p[c];
@@ -416,6 +443,7 @@ void ElementAssembly::run_blocks(int first, int end, const State& state, const C
         if (!pose.heat.empty()) take_off_heat(element, pose.heat, d);
         elastic_forces(*b.kind, element, state, d, p);
         if constexpr (p_delta) add_pair_forces(b.kind->pair, b.whole, d, p);
+        if (b.kind->wears_stiffness) add_springs(b, element, state, d, p);
         if (!pose.heat.empty()) soften(element, pose.heat, p);
         if (built::plasticity && b.kind->can_yield) yield<p_delta>(b, element, state, pose.heat, d, p, found);
 

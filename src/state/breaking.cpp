@@ -58,18 +58,20 @@ double leave_alone(const Structure& structure, State& state, int index, const Ve
     const beam::Stiffness k = stiffness_now(structure, state, index);
     const Vec6 before = element_deformation(structure, index, state) - state.plastic[index];
     const bool first = index < e.partner;
-    const beam::PairKind<double> kind = pair_kind_of(e, heat_of(state.heat, index));
+    const beam::ElasticPair pair =
+        elastic_pair(structure, state, std::min(index, e.partner), heat_of(state.heat, index));
     const Vec6 &d1 = first ? before : of_partner, &d2 = first ? of_partner : before;
-    Vec6 beyond = beam::pair_forces(kind, d1, d2).segment<6>(first ? 0 : 6);
+    Vec6 beyond = pair.forces_beyond(d1, d2).segment<6>(first ? 0 : 6);
     for (int plane : {0, 1}) {
-        const double alone = kind.b[plane] * (before[2 * plane + 1] - before[2 * plane]), most = std::abs(alone),
+        const double alone = pair.kind.b[plane] * (before[2 * plane + 1] - before[2 * plane]), most = std::abs(alone),
                      more = std::clamp(alone + beyond[2 * plane + 1], -most, most) - alone;
         beyond[2 * plane] = -more, beyond[2 * plane + 1] = more;
     }
-    const Vec6 after = before + k.solve(beyond);
+    const beam::Stiffness left = in_series(k, pair.springs[first ? 0 : 1]);
+    const Vec6 after = pair.has_springs() ? left.solve(k.times(before) + beyond) : Vec6(before + k.solve(beyond));
     state.plastic[index] += before - after;
-    state.force[index] = k.times(after);
-    return beam::pair_energy(kind, d1, d2) + 0.5 * (before.dot(k.times(before)) - after.dot(k.times(after)));
+    state.force[index] = left.times(after);
+    return pair.energy_beyond(d1, d2) + 0.5 * (before.dot(k.times(before)) - after.dot(left.times(after)));
 }
 
 }  // namespace

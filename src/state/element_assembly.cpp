@@ -73,7 +73,7 @@ void ElementAssembly::update_active(const State& state) {
 const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const int* index) {
     kinds_.emplace_back();
     Kind& kind = kinds_.back();
-    kind.can_yield = kind.moves_surface = kind.takes_shear = false;
+    kind.can_yield = kind.moves_surface = kind.takes_shear = kind.wears_stiffness = false;
     for (int i = 0; i < lane_count; ++i) {
         const Element& e = structure_.elements()[index[i]];
         const beam::Stiffness k = declared_stiffness(structure_, state, index[i]);
@@ -102,6 +102,7 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
         kind.can_yield |= e.law != nullptr;
         kind.moves_surface |= e.law && e.law->moves_surface();
         kind.takes_shear |= e.law && e.law->takes_shear();
+        kind.wears_stiffness |= e.law && e.law->wears_stiffness();
     }
     return kind;
 }

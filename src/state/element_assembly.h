@@ -110,6 +110,7 @@ private:
                      Lanes (&p)[6], Found& found) const;
     static void take_off_heat(int element, const ElementHeats&, Lanes (&d)[6]);
     static void soften(int element, const ElementHeats&, Lanes (&p)[6]);
+    void add_springs(const Block& b, int element, const State&, const Lanes (&d)[6], Lanes (&p)[6]) const;
     static void weaken(int element, const ElementHeats&, Lanes (&f)[2]);
     // the stages for eight elements, in this order (assembly_stages.cpp)
     enum class Mass : char { none, linear, cubic };

@@ -27,7 +27,7 @@ struct ElementAssembly::Kind {
     Lanes mass, rotary[3];                       // rho A L/6, rho I L/6: the linear mass
     Lanes more[2], more_across, more_rotary[2];  // additional terms of the cubic mass
     beam::PairKind<Lanes> pair;                  // effect of N on the bending of pairs
-    bool can_yield, moves_surface, takes_shear;
+    bool can_yield, moves_surface, takes_shear, wears_stiffness;
 
     beam::Stiffness stiffness(int i) const {
         return {k[0][i], k[1][i], k[2][i], k[3][i], k[4][i], k[5][i], k[6][i], k[7][i]};

@@ -4,12 +4,47 @@
 
 namespace hinge {
 
+namespace {
+
+/// Springs after the step with `flow`, or where the state is.
+beam::EndSprings springs_after(const Structure& structure, const State& state, int element, const ElementHeat& heat,
+                               const beam::ElementFlow* flow) {
+    const Element& e = structure.elements()[element];
+    beam::EndSprings out;
+    if (!e.law || !e.law->wears_stiffness()) return out;
+    const double* history = history_of(structure, state, element);
+    const double whole = e.length * structure.model().members()[e.member].elements;
+    for (int i : {0, 1}) {
+        const double softness = e.law->softness(history + i * e.law->history_size(), flow, i) / heat.stiffness;
+        out.x[i] = softness * whole / (6 * e.rigidity.EIx), out.y[i] = softness * whole / (6 * e.rigidity.EIy);
+    }
+    return out;
+}
+
+}  // namespace
+
+beam::EndSprings springs_of(const Structure& structure, const State& state, int element, const ElementHeat& heat) {
+    return springs_after(structure, state, element, heat, nullptr);
+}
+
+Softening softening_of(const Structure& structure, const State& state, const PlasticIncrement& y,
+                       const ElementHeat& heat) {
+    Softening out;
+    if (!structure.wears_stiffness()) return out;
+    const Vec6 growth = springs_after(structure, state, y.element, heat, &y.flow).compliance() -
+                        springs_of(structure, state, y.element, heat).compliance();
+    out.turned = growth.cwiseProduct(y.flow.p);
+    out.stored = 0.5 * out.turned.dot(y.flow.p);
+    return out;
+}
+
 void move_point(const Structure& structure, State& state, int element, double s) {
     const Element& e = structure.elements()[element];
+    const ElementHeat& heat = heat_of(state.heat, element);
     const Vec6& p = state.force[element];
-    state.plastic[element] +=
-        stiffness_now(structure, state, element).solve(p) -
-        (heat_of(state.heat, element).stiffness * beam::stiffness(e.rigidity, e.length, s)).solve(p);
+    const beam::Stiffness after = heat.stiffness * beam::stiffness(e.rigidity, e.length, s);
+    state.plastic[element] += stiffness_now(structure, state, element).solve(p) -
+                              in_series(after, springs_of(structure, state, element, heat)).solve(p);
     state.point[element] = s;
 }
 
@@ -30,17 +65,15 @@ void elastic_deformations(const Structure& structure, const State& state, const 
 beam::PairMatrix pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
                               const ElementAssembly& assembly, int first,
                               const beam::ReturnMapResult* const (&flow)[2]) {
-    const Element* e[2] = {&structure.elements()[first], &structure.elements()[first + 1]};
     const ElementHeat& heat = heat_of(pose.heat, first);
-    const beam::Stiffness k[2] = {stiffness_now(structure, state, first, heat),
-                                  stiffness_now(structure, state, first + 1, heat)};
     Vec6 elastic[2];
     elastic_deformations(structure, state, pose, first, nullptr, elastic);
     for (int i : {0, 1})
         if (flow[i]) elastic[i] -= flow[i]->plastic;
     const beam::SectionConditions at[2] = {assembly.conditions(state, first), assembly.conditions(state, first + 1)};
     const beam::ElementFlow* flows[2] = {flow[0], flow[1]};
-    return beam::pair_tangent(pair_kind_of(*e[0], heat), k, elastic, *law_now(*e[0], heat), flows, at);
+    return beam::pair_tangent(elastic_pair(structure, state, first, heat), elastic,
+                              *law_now(structure.elements()[first], heat), flows, at);
 }
 
 beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& state, const Configuration& pose,
@@ -48,8 +81,9 @@ beam::PairMatrix elastic_pair_tangent(const Structure& structure, const State& s
     Vec6 d[2];
     elastic_deformations(structure, state, pose, first, place, d);
     const ElementHeat& heat = heat_of(pose.heat, first);
-    beam::PairMatrix K = beam::pair_stiffness(pair_kind_of(structure.elements()[first], heat), d[0], d[1]);
-    for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += stiffness_now(structure, state, first + i, heat).matrix();
+    const beam::ElasticPair pair = elastic_pair(structure, state, first, heat);
+    beam::PairMatrix K = pair.stiffness_beyond(d[0], d[1]);
+    for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += pair.of[i].matrix();
     return K;
 }
 
@@ -61,6 +95,12 @@ std::vector<int> commit_flow(const Structure& structure, State& state, const std
     for (const PlasticIncrement& y : yielding) {
         state.plastic[y.element] += y.flow.plastic;
         state.plastic_work[y.element] += y.flow.dissipation;
+        if (structure.wears_stiffness()) {
+            const Softening soft = softening_of(structure, state, y, heat_of(state.heat, y.element));
+            state.plastic[y.element] -= soft.turned;
+            state.plastic_work[y.element] -= soft.stored;
+            state.accumulated["plastic"] -= soft.stored;
+        }
         const beam::SectionLaw& law = *structure.elements()[y.element].law;
         if (const int size = law.history_size(); size > 0)
             for (int i = 0, n = structure.conventional() ? 1 : 2; i < n; ++i)

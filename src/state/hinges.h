@@ -41,16 +41,38 @@ inline beam::PairKind<double> pair_kind_of(const Element& e, const ElementHeat& 
     return heat.stiffness * beam::pair_kind(e.rigidity, e.length);
 }
 
-/// Stiffness k(s) of the element with its present integration point, of the declared material.
+/// Stiffness k(s) of the element with its present integration point, of the declared material, without springs.
 inline beam::Stiffness declared_stiffness(const Structure& structure, const State& state, int element) {
     const Element& e = structure.elements()[element];
     return state.point[element] == e.s ? e.stiffness : beam::stiffness(e.rigidity, e.length, state.point[element]);
 }
 
-/// The same at the temperature of a trial configuration, or of the state.
+/// Springs at the ends of an element, by what its hinges have lost of their stiffness in unloading.
+beam::EndSprings springs_of(const Structure& structure, const State& state, int element,
+                            const ElementHeat& heat = no_heat);
+
+/// What an element has of the rotations of its hinges in a step as elastic ones from then on, since they have become
+/// softer in unloading; its forces are the same.
+struct Softening {
+    Vec6 turned = Vec6::Zero();  ///< in the places of d, rad
+    double stored = 0;           ///< elastic energy, part of the plastic work of the step, J
+};
+Softening softening_of(const Structure& structure, const State& state, const PlasticIncrement& y,
+                       const ElementHeat& heat);
+
+/// True if the element is one of a pair whose bending follows its axial force, and both are whole.
+inline bool in_pair(const Structure& structure, const State& state, int element) {
+    const Element& e = structure.elements()[element];
+    return structure.p_delta() && !state.broken[element] && !state.broken[e.partner] && e.forms_pairs;
+}
+
+/// The same at the temperature of a trial configuration, or of the state. It has the springs at the element's ends,
+/// other than of elements in a pair, whose ElasticPair has them.
 inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element,
                                      const ElementHeat& heat) {
-    return heat.stiffness * declared_stiffness(structure, state, element);
+    const beam::Stiffness k = heat.stiffness * declared_stiffness(structure, state, element);
+    if (!structure.wears_stiffness() || in_pair(structure, state, element)) return k;
+    return in_series(k, springs_of(structure, state, element, heat));
 }
 inline beam::Stiffness stiffness_now(const Structure& structure, const State& state, int element) {
     return stiffness_now(structure, state, element, heat_of(state.heat, element));
@@ -69,10 +91,15 @@ inline double yield_function_at(const Structure& structure, const State& state, 
                  : 0;
 }
 
-/// True if the element is one of a pair whose bending follows its axial force, and both are whole.
-inline bool in_pair(const Structure& structure, const State& state, int element) {
-    const Element& e = structure.elements()[element];
-    return structure.p_delta() && !state.broken[element] && !state.broken[e.partner] && e.forms_pairs;
+/// The elastic side of the pair whose first element is `first`.
+inline beam::ElasticPair elastic_pair(const Structure& structure, const State& state, int first,
+                                      const ElementHeat& heat) {
+    beam::ElasticPair pair = {pair_kind_of(structure.elements()[first], heat),
+                              {heat.stiffness * declared_stiffness(structure, state, first),
+                               heat.stiffness * declared_stiffness(structure, state, first + 1)}};
+    if (structure.wears_stiffness())
+        for (int i : {0, 1}) pair.springs[i] = springs_of(structure, state, first + i, heat);
+    return pair;
 }
 
 /// Tangent dp/dd of such a pair, 12 x 12. `first`: first element. `flow`: of both, null if one does not flow.

@@ -19,19 +19,30 @@ double stability(double p) {
     return p > 0 ? u / std::tan(u) : u / std::tanh(u);
 }
 
-struct SomePair {
-    Stiffness of[2];
-    PairKind<double> kind;
+struct SomePair : ElasticPair {
     Vec6 d[2];
     Vec12 forces() const { return forces(d[0], d[1]); }
     Vec12 forces(const Vec6& d1, const Vec6& d2) const {
-        Vec12 p = pair_forces(kind, d1, d2);
+        Vec12 p = forces_beyond(d1, d2);
         p.head<6>() += of[0].times(d1);
         p.tail<6>() += of[1].times(d2);
         return p;
     }
+    PairMatrix stiffness() const {
+        PairMatrix K = stiffness_beyond(d[0], d[1]);
+        for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += of[i].matrix();
+        return K;
+    }
     double energy(const Vec6& d1, const Vec6& d2) const {
-        return pair_energy(kind, d1, d2) + 0.5 * d1.dot(of[0].times(d1)) + 0.5 * d2.dot(of[1].times(d2));
+        return energy_beyond(d1, d2) + 0.5 * d1.dot(of[0].times(d1)) + 0.5 * d2.dot(of[1].times(d2));
+    }
+    /// Springs at some of the ends, from much stiffer than the elements to much softer.
+    void soften(Dice& dice) {
+        for (EndSprings& s : springs)
+            for (int end : {0, 1}) {
+                const double softness = dice.pick(3) == 0 ? 0 : std::exp(dice(-4, 3));
+                s.x[end] = softness / kind.b[0], s.y[end] = softness / kind.b[1];
+            }
     }
 };
 
@@ -42,7 +53,7 @@ SomePair some_pair(Dice& dice, double bent, double most) {
     c.EA = dice(0.5, 2) * 5e8, c.GJ = dice(0.5, 2) * 7e4;
     c.GAx = dice(0.5, 2) * 1.6e8, c.GAy = dice(0.5, 2) * 1.6e8;
     const double L = dice(0.5, 2);
-    SomePair pair{{stiffness(c, L, gauss_point), stiffness(c, L, -gauss_point)}, pair_kind(c, L), {}};
+    SomePair pair{{pair_kind(c, L), {stiffness(c, L, gauss_point), stiffness(c, L, -gauss_point)}}, {}};
     const double e = dice(-most, most) / (pair.kind.axial * pair.kind.c[0]);
     for (int i : {0, 1}) {
         Vec6& d = pair.d[i];
@@ -149,11 +160,11 @@ TEST_CASE("beam-column: eight at once are the same bits as one at a time", "[bea
 TEST_CASE("beam-column: forces and stiffness are the derivatives of the energy", "[beam_column]") {
     Dice dice(7);
     double of_energy = 0, of_forces = 0, symmetric = 0;
-    for (int n = 0; n < 200; ++n) {
-        const SomePair pair = some_pair(dice, n % 2 ? 0.02 : 0.3, 5);
+    for (int n = 0; n < 400; ++n) {
+        SomePair pair = some_pair(dice, n % 2 ? 0.02 : 0.3, n < 200 ? 5 : 3);
+        if (n >= 200) pair.soften(dice);
         const Vec12 p = pair.forces();
-        PairMatrix K = pair_stiffness(pair.kind, pair.d[0], pair.d[1]);
-        for (int i : {0, 1}) K.block<6, 6>(6 * i, 6 * i) += pair.of[i].matrix();
+        const PairMatrix K = pair.stiffness();
         for (int i = 0; i < 12; ++i) {
             const double h = i % 6 == 4 ? 1e-7 : 1e-5;
             Vec6 more[2] = {pair.d[0], pair.d[1]}, less[2] = {pair.d[0], pair.d[1]};
@@ -174,13 +185,47 @@ TEST_CASE("beam-column: forces and stiffness are the derivatives of the energy",
     CHECK_FIGURE("symmetry", symmetric, 1e-15);
 }
 
+TEST_CASE("beam-column: springs at the ends are in series with the pair", "[beam_column]") {
+    Dice dice(17);
+    double of_element = 0, of_pair = 0, moments = 0;
+    for (int n = 0; n < 400; ++n) {
+        SomePair pair = some_pair(dice, n % 2 ? 0.02 : 0.3, 3);
+        const SomePair rigid = pair;
+        pair.soften(dice);
+        Vec12 c;
+        c << pair.springs[0].compliance(), pair.springs[1].compliance();
+        // each element by itself, and the pair without deformation, by their flexibilities
+        for (int i : {0, 1}) {
+            const Mat6 k = in_series(pair.of[i], pair.springs[i]).matrix(),
+                       F = pair.of[i].matrix().inverse() + Mat6(c.segment<6>(6 * i).asDiagonal());
+            of_element = largest_of(of_element, largest_entry(k * F - Mat6::Identity()));
+        }
+        SomePair still = pair, still_rigid = rigid;
+        for (int i : {0, 1}) still.d[i].setZero(), still_rigid.d[i].setZero();
+        const PairMatrix flexible = still_rigid.stiffness().inverse() + PairMatrix(c.asDiagonal());
+        of_pair = largest_of(of_pair, largest_entry(still.stiffness() * flexible - PairMatrix::Identity()));
+        // the springs turn by c m, and what is left of d has these forces
+        Vec6 own[2] = {pair.d[0], pair.d[1]};
+        REQUIRE(pair.take_off_springs(own[0], own[1]));
+        const Vec12 p = pair.forces();
+        Vec12 turned;
+        turned << pair.d[0] - own[0], pair.d[1] - own[1];
+        moments = largest_of(moments, largest_entry(turned - c.cwiseProduct(p)) / largest_entry(pair.d[0]));
+        moments = largest_of(moments, largest_entry(rigid.forces(own[0], own[1]) - p) / largest_entry(p));
+    }
+    CHECK_FIGURE("an element with springs", of_element, 1e-9);
+    CHECK_FIGURE("a pair with springs", of_pair, 1e-9);
+    CHECK_FIGURE("moments of springs", moments, 1e-9);
+}
+
 TEST_CASE("beam-column: the return to the yield surface ends on it, with forces of what is left elastic",
           "[beam_column]") {
     Dice dice(11);
     double law = 0, surface = 0, tangent = 0;
     int flows = 0, both = 0, columns = 0, unsure = 0;
-    for (int n = 0; n < 400; ++n) {
+    for (int n = 0; n < 600; ++n) {
         SomePair pair = some_pair(dice, 0.03, n % 2 ? 2 : 4);
+        if (n >= 400) pair.soften(dice);
         const Vec12 start = pair.forces();
         const Vec6 p0 = start.segment<6>(6 * dice.pick(2));
         const double m = largest_of(p0[0] * p0[0], p0[1] * p0[1], p0[2] * p0[2], p0[3] * p0[3]);
@@ -190,7 +235,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
         const double far = n % 4 < 2 ? 1.1 : 3;  // how far the trial is beyond
         const Vec6 trial[2] = {far * pair.d[0], far * pair.d[1]};
         ReturnMapResult flow[2];
-        beam::return_to_surface(pair.kind, pair.of, trial, *of_section, flow, 1e-13);
+        beam::return_to_surface(pair, trial, *of_section, flow, 1e-13);
         const Vec6 elastic[2] = {trial[0] - flow[0].plastic, trial[1] - flow[1].plastic};
         const Vec12 p = pair.forces(elastic[0], elastic[1]);
         bool flowing[2];
@@ -203,7 +248,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
         }
         flows += flowing[0] || flowing[1], both += flowing[0] && flowing[1];
         const ElementFlow* given[2] = {flowing[0] ? &flow[0] : nullptr, flowing[1] ? &flow[1] : nullptr};
-        const PairMatrix K = pair_tangent(pair.kind, pair.of, elastic, *of_section, given);
+        const PairMatrix K = pair_tangent(pair, elastic, *of_section, given);
         // Central differences with steps of h; `same` is false where a corner of the surface lies between.
         bool same = true;
         const auto differences = [&](int i, double h) {
@@ -212,7 +257,7 @@ TEST_CASE("beam-column: the return to the yield surface ends on it, with forces 
                 Vec6 there[2] = {trial[0], trial[1]};
                 there[i / 6][i % 6] += side * h;
                 ReturnMapResult moved[2];
-                beam::return_to_surface(pair.kind, pair.of, there, *of_section, moved, 1e-13);
+                beam::return_to_surface(pair, there, *of_section, moved, 1e-13);
                 for (int e : {0, 1}) {
                     column.segment<6>(6 * e) += side * moved[e].p / (2 * h);
                     for (int s : {0, 1}) same = same && (moved[e].lambda[s] > 0) == (flow[e].lambda[s] > 0);
@@ -261,7 +306,7 @@ struct YieldingPair {
         Rigidity c;
         c.EIx = E * A * rx * rx, c.EIy = E * A * ry * ry, c.EA = E * A, c.GJ = 0.01 * c.EIx;
         c.GAx = 80e9 * A * dice(0.3, 0.8), c.GAy = 80e9 * A * dice(0.3, 0.8);
-        pair = {{stiffness(c, L, gauss_point), stiffness(c, L, -gauss_point)}, pair_kind(c, L), {}};
+        pair = {{pair_kind(c, L), {stiffness(c, L, gauss_point), stiffness(c, L, -gauss_point)}}, {}};
         const double limit[2] = {2.3 * A * rx * rx / depth * stress, 3 * A * ry * ry / depth * stress}, N0 = A * stress;
         w = {1 / (limit[0] * limit[0]), 1 / (limit[1] * limit[1]), 1 / (N0 * N0), 0};
         const double e = -dice(-0.5, beyond) * N0 / pair.kind.axial;
@@ -287,7 +332,8 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
     int returns = 0, unconverged = 0, pressed = 0;
     double beyond_surface = 0, off_law = 0;
     for (int n = 0; n < 40000; ++n) {
-        const YieldingPair y(dice, n % 4 == 0 ? 2 : 1.2);
+        YieldingPair y(dice, n % 4 == 0 ? 2 : 1.2);
+        if (n % 4 == 1) y.pair.soften(dice);
         const auto of_section = paper_law(y.w);
         const Vec12 trial = y.pair.forces();
         double f = 0;
@@ -297,7 +343,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
         ++returns;
         ReturnMapResult flow[2];
         const double tolerance = n % 8 == 0 ? 1e-9 : 1e-4;
-        const bool converged = return_to_surface(y.pair.kind, y.pair.of, y.pair.d, *of_section, flow, tolerance);
+        const bool converged = return_to_surface(y.pair, y.pair.d, *of_section, flow, tolerance);
         unconverged += !converged;
         const double before = y.pair.energy(y.pair.d[0], y.pair.d[1]),
                      after = y.pair.energy(flow[0].elastic, flow[1].elastic);
@@ -306,7 +352,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
         CHECK(flow[0].dissipation + flow[1].dissipation <= before - after + 1e-9 * before);
         const Vec12 p = y.pair.forces(flow[0].elastic, flow[1].elastic);
         double N = 0;
-        pair_forces(y.pair.kind, flow[0].elastic, flow[1].elastic, &N);
+        y.pair.forces_beyond(flow[0].elastic, flow[1].elastic, &N);
         pressed += -N * largest_of(y.pair.kind.c[0], y.pair.kind.c[1]) > 3.5;
         for (int i : {0, 1}) {
             off_law = largest_of(off_law, largest_entry(p.segment<6>(6 * i) - flow[i].p) / largest_entry(flow[i].p));

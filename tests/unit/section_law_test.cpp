@@ -293,8 +293,8 @@ TEST_CASE("exact law: a pair looks first for the flow of the step before, and co
         Vec6 d[2], other[2];
         deform(d), deform(other);
         ReturnMapResult flow[2], of_other[2], again[2];
-        lost += !beam::return_to_surface(kind, of, d, *law, flow, 1e-11);
-        lost += !beam::return_to_surface(kind, of, other, *law, of_other, 1e-11);
+        lost += !beam::return_to_surface({kind, {of[0], of[1]}}, d, *law, flow, 1e-11);
+        lost += !beam::return_to_surface({kind, {of[0], of[1]}}, other, *law, of_other, 1e-11);
         if (!flow[0].flows() && !flow[1].flows()) continue;
         ++flows;
         int ends_that_flow = 0;
@@ -302,11 +302,11 @@ TEST_CASE("exact law: a pair looks first for the flow of the step before, and co
             for (double lambda : flow[i].lambda) ends_that_flow += lambda > 0;
         two_ends += ends_that_flow > 1;
         remember(flow);
-        lost += !beam::return_to_surface(kind, of, d, *law, again, 1e-4, at);
+        lost += !beam::return_to_surface({kind, {of[0], of[1]}}, d, *law, again, 1e-4, at);
         as_before = largest_of(as_before, off(flow, again));
         at_once += off(flow, again) < 1e-8;
         remember(of_other);
-        lost += !beam::return_to_surface(kind, of, d, *law, again, 1e-11, at);
+        lost += !beam::return_to_surface({kind, {of[0], of[1]}}, d, *law, again, 1e-11, at);
         from_other = largest_of(from_other, off(flow, again));
     }
     CHECK(flows > 300);

@@ -86,7 +86,7 @@ Points points_of_numbers(Options& o) {
 int backbone(lua_State* L) {
     Options o(L, 1, "hinge.backbone");
     o.expect({"points", "yield", "cap_rotation", "cap_strength", "post_cap_rotation", "residual", "ultimate_rotation",
-              "wear", "interaction"});
+              "wear", "stiffness_wear", "interaction"});
     beam::Backbone b;
     if (o.push_field("points") != LUA_TNIL) {
         b.points = read_backbone(o);
@@ -97,6 +97,8 @@ int backbone(lua_State* L) {
     if (b.points.empty()) b.points = points_of_numbers(o);
     b.wear = o.number("wear", "rad", Range::positive, 0);
     b.residual = o.number("residual", "", Range::not_negative, 0) * b.points.front().strength;
+    b.wears_stiffness = o.flag("stiffness_wear", false);
+    if (b.wears_stiffness && b.wear == 0) o.complain("stiffness_wear", "true", "needs wear (rad) beside it");
     const std::string interaction = o.word("interaction", {"any", "paper", "exact"}, "any");
     if (interaction != "any") b.interaction = interaction;
     o.finish();
@@ -108,12 +110,13 @@ int backbone_fields(lua_State* L) {
     const beam::Backbone& b = *beam::backbone_of(*self<BackboneBox>(L, "backbone").value);
     const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     if (key == "wear") return b.wear > 0 ? lua_pushnumber(L, b.wear) : lua_pushnil(L), 1;
+    if (key == "stiffness_wear") return lua_pushboolean(L, b.wears_stiffness), 1;
     if (key == "residual")
         return b.residual > 0 ? lua_pushnumber(L, b.residual / b.points.front().strength) : lua_pushnil(L), 1;
     if (key == "interaction") return lua_pushstring(L, b.interaction.empty() ? "any" : b.interaction.c_str()), 1;
     if (key != "points")
         throw InputError("backbone has no field '" + key + "'" +
-                         did_you_mean(key, {"points", "wear", "residual", "interaction"}));
+                         did_you_mean(key, {"points", "wear", "stiffness_wear", "residual", "interaction"}));
     lua_createtable(L, int(b.points.size()), 0);
     for (std::size_t i = 0; i < b.points.size(); ++i) {
         lua_createtable(L, 2, 0);
@@ -316,7 +319,7 @@ void open_backbone(lua_State* L, int module) {
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     make_metatable(L, BackboneBox::lua_name, none, guarded<backbone_fields>, collect<BackboneBox>,
                    guarded<backbone_text>, same_backbone);
-    name_fields(L, BackboneBox::lua_name, {"points", "wear", "residual", "interaction"});
+    name_fields(L, BackboneBox::lua_name, {"points", "wear", "stiffness_wear", "residual", "interaction"});
     lua_pushcfunction(L, (guarded<takes<"hinge.backbone", 1, backbone>>));
     lua_setfield(L, module, "backbone");
 }
