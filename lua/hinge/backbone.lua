@@ -127,7 +127,7 @@ end
 
 -- The backbone through points { plastic rotation, moment over Mp }, with all strength lost after the last of them.
 -- residual: moment over Mp that wear leaves; force: of under_force, or nil; stiffness_wear: wear takes stiffness, too.
--- Wear lowers the factor, by which the moment falls faster: so that it falls as published, wear is the larger by as much.
+-- Wear lowers the factor, by which the moment falls faster: for it to fall as published, wear is the larger by as much.
 local function through(points, wear, residual, force, stiffness_wear)
   local to, before = {}, nil
   for i, p in ipairs(points) do
