@@ -1,9 +1,12 @@
 -- A rectangle of reinforced concrete, from its sizes, its bars and its strengths.
 --
--- It yields by the plastic interaction of N, Mx and My of concrete and bars (src/beam/plastic_domain.h). Two numbers
--- bring that near the interaction by the ultimate strains of EN 1992-1-1, 3.1.7 and 3.2.7 (parabola and rectangle,
--- 0.002 and 0.0035): bars carry at most Es 0.002 = 400 MPa in compression, their stress where the whole section is at
--- that strain; and the concrete carries `effectiveness` of its strength, 0.95. lua/guide/concrete.md has the errors.
+-- It yields by the ultimate states of its strains (src/beam/ultimate_states.h): EN 1992-1-1, table 3.1, 3.1.7 and 3.2.7
+-- (parabola and rectangle, bars without a limit of strain), or the block of ACI 318.
+--
+-- strains = "plastic": by the plastic interaction of concrete and bars (src/beam/plastic_domain.h). Two numbers bring
+-- that near the ultimate states of EN: bars carry at most Es 0.002 = 400 MPa in compression, their stress where the
+-- whole section is at that strain; and the concrete carries `effectiveness` of its strength, 0.95.
+-- lua/guide/concrete.md has the errors.
 --
 -- Stiffness: ASCE 41-17, table 10-5: 0.3 Ec Ig for beams and for columns with N up to 0.1 Ag f'c, 0.7 for columns with
 -- 0.5 Ag f'c and more, between them by interpolation. The table's factors for N and for shear are those of no cracks.
@@ -15,7 +18,9 @@ local shapes = require "hinge.shapes"
 local concrete = {}
 local where = "hinge.section.concrete"
 
-local largest_compression = 0.002 * 200e9 -- Pa, of bars
+local Es = 200e9 -- Pa, of bars
+local largest_compression = 0.002 * Es
+local plastic_effectiveness = 0.95
 local cracked = 0.3
 local length = { "number", unit = "m", above = 0 }
 local optional_length = { "number", unit = "m", above = 0, optional = true }
@@ -25,8 +30,9 @@ local function strength(kind) return { "number", unit = "Pa", at_least = 1e5, al
 
 local options = {
   width = length, depth = length, concrete = strength "concrete", steel = strength "bars",
+  strains = { "string", one_of = { "EN 1992-1-1", "ACI 318", "plastic" }, optional = true },
   bar_compression = { "number", unit = "Pa", above = 0, optional = true },
-  effectiveness = { "number", above = 0, at_most = 1, default = 0.95 },
+  effectiveness = { "number", above = 0, at_most = 1, optional = true },
   bars = { "table", optional = true }, layers = { "table", optional = true }, cover = optional_length,
   stiffness = { "number", above = 0, at_most = 2, also = { "gross", "cracked" }, default = "gross" },
 }
@@ -86,6 +92,35 @@ local function add_layers(o, list)
   end
 end
 
+-- Strains of EN 1992-1-1, table 3.1, for a strength of cylinders, Pa; those of 90 MPa beyond it.
+local function strains_of_en(fc)
+  local f = math.min(fc / 1e6, 90)
+  if f <= 50 then return { peak = 0.002, ultimate = 0.0035, exponent = 2, bars = Es } end
+  local rest = ((90 - f) / 100) ^ 4
+  local ultimate = 0.0026 + 0.035 * rest
+  return { peak = math.min(0.002 + 0.085e-3 * (f - 50) ^ 0.53, ultimate), ultimate = ultimate,
+    exponent = 1.4 + 23.4 * rest, bars = Es }
+end
+
+-- The block of ACI 318-19, 22.2.2: 0.003 at the edge, and beta_1 of the depth of the neutral axis.
+local function strains_of_aci(fc)
+  local beta_1 = math.max(0.65, math.min(0.85, 0.85 - 0.05 * (fc / 1e6 - 28) / 7))
+  return { peak = 0.003, ultimate = 0.003, block = (1 - beta_1) * 0.003, bars = Es }
+end
+
+-- The strength of the concrete in the section, Pa, that of bars in compression, and the strains; nil: plastic.
+local function strengths(o, fc, fy)
+  local given = o.effectiveness and "effectiveness" or o.bar_compression and "bar_compression"
+  local kind = o.strains or given and "plastic" or "EN 1992-1-1"
+  if given and kind ~= "plastic" then
+    check.fail("%s: field '%s' is for strains = 'plastic' alone; strains is '%s', where ultimate strains take its "
+      .. "place", where, given, kind)
+  end
+  if kind == "EN 1992-1-1" then return fc, fy, strains_of_en(fc) end
+  if kind == "ACI 318" then return 0.85 * fc, fy, strains_of_aci(fc) end
+  return (o.effectiveness or plastic_effectiveness) * fc, o.bar_compression or math.min(fy, largest_compression)
+end
+
 --- What core.section takes.
 function concrete.properties(given)
   local o = check.options(where, given, options)
@@ -98,16 +133,15 @@ function concrete.properties(given)
     check.fail("%s: it has no bars; give 'bars' = { {x, y, diameter = d}, ... } or 'layers' = { { y =, count =, "
       .. "diameter = }, ... } with 'cover', m; without bars there is no strength in tension", where)
   end
-  for _, bar in ipairs(bars) do
-    bar.tension, bar.compression = fy, o.bar_compression or math.min(fy, largest_compression)
-  end
+  local carried, bar_compression, strains = strengths(o, fc, fy)
+  for _, bar in ipairs(bars) do bar.tension, bar.compression = fy, bar_compression end
   local s = shapes.solid { width = o.width, depth = o.depth }
   local factor = o.stiffness == "gross" and 1 or o.stiffness == "cracked" and cracked or o.stiffness
   return {
     kind = "concrete", outline = { outline.rectangle(o.width, o.depth) }, size = s.size, area = s.area,
     Ix = factor * s.Ix, Iy = factor * s.Iy, mass_Ix = s.Ix, mass_Iy = s.Iy, J = s.J,
     shear_area_x = s.shear_area_x, shear_area_y = s.shear_area_y,
-    reinforcement = { concrete = o.effectiveness * fc, bars = bars },
+    reinforcement = { concrete = carried, bars = bars, strains = strains },
   }
 end
 

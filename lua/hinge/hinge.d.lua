@@ -2040,10 +2040,10 @@ function section.solid(options) end
 ---@return hinge.section
 function section.round(options) end
 
----A rectangle of reinforced concrete. It yields by the plastic interaction of N, Mx and My of concrete and bars:
----concrete carries nothing in tension. Its strengths are its own, so that its material has none:
----hinge.material.concrete. The guide's page on concrete says how far that is from the ultimate strains of EN 1992-1-1.
----Shear, torsion, bond, and the loss of strength by crushing are not in it.
+---A rectangle of reinforced concrete. It yields where N, Mx and My come to an ultimate state of its strains: concrete
+---crushes at its edge, or all bars yield; concrete carries nothing in tension. The surface is a smooth and convex one
+---through these states, within 2 % (5 % for ACI 318). Its strengths are its own, so that its material has none:
+---hinge.material.concrete. Shear, torsion, bond, and the loss of strength by crushing are not in it.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
@@ -2061,11 +2061,15 @@ function section.concrete(options) end
 ---@field depth number m, along y
 ---@field concrete number|string compressive strength, Pa, or a grade (hinge.material.names "concrete"): its f_ck
 ---@field steel number|string yield stress of the bars, Pa, or a grade (hinge.material.names "bars")
----Pa, of the bars in compression; default: that of `steel`, but at most 400 MPa, which is 200 GPa times the strain
----0.002 of concrete under N alone
+---ultimate strains. "EN 1992-1-1" (default): parabola and rectangle with those of table 3.1, for the strength as f_ck;
+---bars of 200 GPa without a limit of strain. "ACI 318": 0.003 at the edge, a block of 0.85 of the strength. "plastic":
+---none; each part carries its strength. The default where one of the next two is given
+---@field strains? "EN 1992-1-1"|"ACI 318"|"plastic"
+---of "plastic". Pa, of the bars in compression; default: that of `steel`, but at most 400 MPa, which is 200 GPa times
+---the strain 0.002 of concrete under N alone
 ---@field bar_compression? number
----part of its strength that concrete carries, above 0 and at most 1, default 0.95: the stress block of ideal plasticity
----is larger than that of EN 1992-1-1. 0.8 for columns that are bent about both axes
+---of "plastic". Part of its strength that concrete carries, above 0 and at most 1, default 0.95: the stress block of
+---ideal plasticity is larger than that of EN 1992-1-1. 0.8 for columns that are bent about both axes
 ---@field effectiveness? number
 ---bars: {x, y} from the middle, m, with diameter (m) or area (m^2). A bar is a disc of its area
 ---@field bars? { diameter?: number, area?: number }[]
@@ -2151,8 +2155,23 @@ function section.general(options) end
 ---of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y}
 ---in the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete
 ---carries nothing in tension, nor where bars displace it. N0, Mx0 and My0 follow. hinge.section.concrete makes this
----table
----@field reinforcement? { concrete: number, bars: { area: number, tension: number, compression?: number }[] }
+---table. Without `strains` each part carries its strength, whatever its strain
+---@field reinforcement? { concrete: number, bars: hinge.bar[], strains?: hinge.concrete_strains }
+
+---@class hinge.bar
+---@field area number m^2
+---@field tension number yield stress, Pa
+---@field compression? number yield stress in compression, Pa: default as tension
+
+---The stress of concrete rises to its strength at the strain `peak`, as 1 - (1 - strain / peak)^exponent, and stays
+---there. The section is at its ultimate state with the strain `ultimate` at the pressed edge; where all of it is
+---pressed, with `peak` at the part 1 - peak / ultimate of the depth (EN 1992-1-1, 3.1.7 and figure 6.1).
+---@class hinge.concrete_strains
+---@field peak number
+---@field ultimate number at least peak, below 0.1
+---@field exponent? number 1 or more: default 2
+---@field block? number instead: the stress is the strength from this strain on, and 0 below; below peak
+---@field bars? number E of the bars, Pa: default 200e9
 
 ---@class hinge.section read-only
 ---@field kind string

@@ -16,6 +16,7 @@ constexpr int levels = 24, rays = 96;  ///< of the polyhedron: axial forces from
 constexpr double coarse = 0.04;        ///< largest side of a contour from which a level is made
 constexpr double pressed_axis = 0.6;   ///< half axis N of the ellipsoid; its other axes follow
 constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double all_round = 200;  ///< e over |k|: near the end of N of a smooth domain
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
@@ -101,6 +102,12 @@ struct PlasticDomain::Sums {
 double Reinforcement::Bar::radius() const { return std::sqrt(area / std::numbers::pi); }
 
 PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concrete) {
+    if (concrete && concrete->strains) {
+        set_states(outline, *concrete);
+        for (double side : {1, -1}) make_polyhedron(side);
+        make_ellipsoid_of_concrete();
+        return;
+    }
     for (const Outline::Polygon& p : outline.polygons) add_polygon(p.corners, p.hole, edges_);
     pad(edges_);
     for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
@@ -128,9 +135,29 @@ PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concre
     const Eigen::Vector2d share(halved[0] ? 1 : slice(0, 0)[0], halved[1] ? 1 : slice(0, full_turn / 4)[1]);
     modulus_ = modulus_.cwiseProduct(share);
     set_scale();
-    make_polyhedron();
+    make_polyhedron(1);
     if (concrete) make_ellipsoid_of_concrete();
     else make_ellipsoid();
+}
+
+/// The scale of the states is that of their largest moments; that of the domain is the moments beyond the centre's.
+void PlasticDomain::set_states(const Outline& outline, const Reinforcement& concrete) {
+    states_ = std::make_shared<const UltimateStates>(outline, concrete, *concrete.strains);
+    for (const Outline::Polygon& p : outline.polygons) add_polygon(p.corners, p.hole, edges_);
+    for (const Outline::Circle& c : outline.circles) circles_.push_back({c.centre, c.radius, c.hole ? -1.0 : 1.0});
+    stress_ = concrete.concrete / 2;
+    Vec3 tension, compression;
+    const auto find_ends = [&] {
+        support({0, 0, 1}, tension), support({0, 0, -1}, compression);
+        centre_ = 0.5 * (tension + compression), end_ = tension.head<2>() - centre_.head<2>();
+    };
+    find_ends();
+    const Vec3 share(slice(0, 0)[0], slice(0, full_turn / 4)[1], tension[2] - centre_[2]),
+        strength = states_->strength().cwiseProduct(share);
+    of_states_ = share.cwiseInverse();
+    find_ends();
+    area_ = strength[2] / stress_, modulus_ = strength.head<2>() / stress_;
+    scale_ = Vec3(area_ / modulus_[0], area_ / modulus_[1], 1);
 }
 
 void PlasticDomain::set_scale() {
@@ -218,6 +245,12 @@ void PlasticDomain::add(const Circle& part, Sums& sums) {
 }
 
 double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature, const Lost* lost) const {
+    if (states_) {
+        const double h = states_->support(v.cwiseProduct(of_states_), point, curvature);
+        point = point.cwiseProduct(of_states_);
+        if (curvature) *curvature = of_states_.asDiagonal() * *curvature * of_states_.asDiagonal();
+        return h;
+    }
     Sums sums(v.cwiseProduct(scale_));
     add_parts(sums);
     Vec3 total = total_;
@@ -326,6 +359,7 @@ double PlasticDomain::farthest() const {
 Eigen::Vector2d PlasticDomain::contour(double n, double angle) const {
     const double c = std::cos(angle), s = std::sin(angle);
     double low = -1.001 * farthest() * std::hypot(c * scale_[0], s * scale_[1]), high = -low, e = 0;
+    if (states_) low = -all_round, high = all_round;
     Vec3 point;
     Mat3 curvature;
     for (int i = 0; i < 100; ++i) {
@@ -400,18 +434,21 @@ int ray_before(const Eigen::Vector2d& m) {
 }  // namespace
 
 /// The radius of each level in the direction of each ray, of polygons whose corners are on the surface.
-void PlasticDomain::make_polyhedron() {
+/// `side`: of the centre, by the sign of N; points of the other one are taken to this one, through the centre.
+void PlasticDomain::make_polyhedron(double side) {
     constexpr int first = 16;
-    inverse_.assign(std::size_t(levels) * rays, 0.0);
+    const std::size_t before = inverse_.size();
+    inverse_.resize(before + std::size_t(levels) * rays, 0.0);
+    const auto of_side = [&](double at, double angle) -> Eigen::Vector2d { return side * slice(side * at, angle); };
     for (int level = 0; level < levels; ++level) {
         const double n = double(level) / levels;
         std::vector<Eigen::Vector2d> points;
         Eigen::Vector2d start[first + 1];
-        for (int k = 0; k < first; ++k) start[k] = slice(n, full_turn * k / first);
+        for (int k = 0; k < first; ++k) start[k] = of_side(n, full_turn * k / first);
         start[first] = start[0];
         for (int k = 0; k < first; ++k)
-            add_points([this](double at, double angle) { return slice(at, angle); }, n, full_turn * k / first,
-                       full_turn * (k + 1) / first, start[k], start[k + 1], 12, points);
+            add_points(of_side, n, full_turn * k / first, full_turn * (k + 1) / first, start[k], start[k + 1], 12,
+                       points);
         for (int ray = 0; ray < rays; ++ray) {
             const Eigen::Vector2d to = all_rays()[ray].to;
             double radius = 0;
@@ -422,7 +459,7 @@ void PlasticDomain::make_polyhedron() {
                 const double along = cross(to, p) / -across;
                 if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * side));
             }
-            inverse_[std::size_t(level) * rays + ray] =
+            inverse_[before + std::size_t(level) * rays + ray] =
                 radius > 0 ? 1 / ((1 - 1e-6) * radius) : std::numeric_limits<double>::infinity();
         }
     }
@@ -437,14 +474,14 @@ struct PlasticDomain::Face {
     double part = 0;
 };
 
-PlasticDomain::Face PlasticDomain::face_at(double n, const Eigen::Vector2d& m) const {
+PlasticDomain::Face PlasticDomain::face_at(double n, const Eigen::Vector2d& m, double side) const {
     Face f;
     const double at = levels * n;
-    const int level = int(at), ray = ray_before(m), next = (ray + 1) % rays;
+    const int level = int(at), ray = ray_before(m), next = (ray + 1) % rays, first = states_ && side < 0 ? levels : 0;
     f.part = at - level;
     const auto& [to, by_alpha, by_beta] = all_rays()[ray];
     for (int i = 0; i < (level + 1 < levels ? 2 : 1); ++i) {
-        const double* row = &inverse_[std::size_t(level + i) * rays];
+        const double* row = &inverse_[std::size_t(first + level + i) * rays];
         f.slope[i] = row[ray] * by_alpha + row[next] * by_beta;
         f.radius[i] = 1 / f.slope[i].dot(m);
     }
@@ -469,7 +506,7 @@ bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal, const Lost* 
     if (normal) *normal = side * q;
     if (!(q[2] < 1 && m.allFinite())) return false;
     if (m.isZero(0)) return true;
-    const Face f = face_at(q[2], m);
+    const Face f = face_at(q[2], m, side);
     if (normal) {
         Eigen::Vector2d of_m = (1 - f.part) * f.radius[0] * f.radius[0] * f.slope[0];
         if (f.radius[1] > 0) of_m += f.part * f.radius[1] * f.radius[1] * f.slope[1];
@@ -489,12 +526,12 @@ Vec3 PlasticDomain::about_normal(const Vec3& forces) const {
     Vec3 normal = forces;
     if (concrete() || m.isZero(0) || !q.allFinite()) return surely_inside(forces, &normal), normal;
     const double most_t = q[2] > 0 ? 1 / q[2] : std::numeric_limits<double>::infinity();
-    double low = 0, left = face_at(0, m).times, high = std::min(most_t, left), over = -high;
-    if (high < most_t) over = face_at(high * q[2], m).times - high;
+    double low = 0, left = face_at(0, m, side).times, high = std::min(most_t, left), over = -high;
+    if (high < most_t) over = face_at(high * q[2], m, side).times - high;
     for (int i = 0; i < most; ++i) {
         t = low + (high - low) * left / (left - over);
         if (!(t > low && t < high)) break;
-        const double off = face_at(t * q[2], m).times - t;
+        const double off = face_at(t * q[2], m, side).times - t;
         if (std::abs(off) < 0.01 * t) break;
         if (off > 0) low = t, left = off, over *= 0.5;
         else high = t, over = off, left *= 0.5;

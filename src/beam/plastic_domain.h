@@ -24,6 +24,9 @@
 // A bar is a disc of its area. A line without breadth would make flat faces on the surface, where the flow could not
 // tell the point. The concrete that bars displace carries nothing. N0 is half of the range of N, and Mx0 and My0 are
 // the moments beyond those of the centre at its N.
+//
+// Concrete with strains has the support function of ultimate_states.h instead. Its domain is not symmetric about the
+// centre, the middle of the line between both ends of N.
 #pragma once
 
 #include <array>
@@ -33,6 +36,7 @@
 #include <optional>
 #include <vector>
 
+#include "beam/ultimate_states.h"
 #include "core/types.h"
 
 namespace hinge::beam {
@@ -66,6 +70,8 @@ struct Reinforcement {
     };
     double concrete = 0;    ///< compression
     std::vector<Bar> bars;  ///< each is stronger in compression than the concrete, and lies within the outline
+    /// Its ultimate states bound the forces; without: ideal plasticity does.
+    std::optional<ConcreteStrains> strains = {};
 };
 
 class PlasticDomain {
@@ -117,7 +123,7 @@ public:
     bool concrete() const { return stress_ > 0; }
     /// Of concrete: Mx0, My0 (N m), N0 (N), by which its forces are normalised.
     Vec3 strength() const { return stress_ * Vec3(modulus_[0], modulus_[1], area_); }
-    /// The point about which the domain is symmetric: (Mx, My, N), zero but for concrete.
+    /// The point about which the domain of ideal plasticity is symmetric: (Mx, My, N), zero but for concrete.
     const Vec3& centre() const { return centre_; }
 
 private:
@@ -140,11 +146,12 @@ private:
     void add_parts(Sums& sums) const;
     double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost, bool alone) const;
     void set_scale();
+    void set_states(const Outline& outline, const Reinforcement& concrete);
     struct Face;
-    Face face_at(double n, const Eigen::Vector2d& m) const;
+    Face face_at(double n, const Eigen::Vector2d& m, double side) const;
     Vec3 about_centre(const Vec3& forces, double& side) const;
     Eigen::Vector2d slice(double n, double angle) const;
-    void make_polyhedron();
+    void make_polyhedron(double side);
     void make_ellipsoid();
     void make_ellipsoid_of_concrete();
     double farthest() const;  ///< of the outline from the centroid, m
@@ -157,10 +164,12 @@ private:
     double stress_ = 0;             ///< Pa, half of the concrete's strength; 0: no concrete
     Eigen::Vector2d modulus_ = Eigen::Vector2d::Zero();
     Vec3 scale_ = Vec3::Ones();    ///< from normalised strains to 1/m, and from moments to normalised ones
-    std::vector<double> inverse_;  ///< 1 over the radius, of each ray of each level
+    std::vector<double> inverse_;  ///< 1 over the radius, of each ray of each level; of each side that is not alike
     Vec3 ellipsoid_ = Vec3::Zero();
     Vec3 centre_ = Vec3::Zero();
     Eigen::Vector2d end_ = Eigen::Vector2d::Zero();  ///< moments beyond the centre's at pure tension
+    std::shared_ptr<const UltimateStates> states_;   ///< null: the domain of ideal plasticity
+    Vec3 of_states_ = Vec3::Ones();                  ///< strength of the states over that of the domain
 };
 
 /// Walls that carry shear forces, within the outline of their section: those along x, those along y.

@@ -67,6 +67,8 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
           section.My0, section.Mz0, section.width, section.depth, section.interaction);
         if (!section.outline || !section.outline->concrete()) return;
         a(section.outline->concrete()->concrete);
+        if (const auto& strains = section.outline->concrete()->strains)
+            a(strains->peak, strains->ultimate, strains->exponent, strains->block, strains->bars);
         for (const auto& bar : section.outline->concrete()->bars)
             a(bar.centre.x(), bar.centre.y(), bar.area, bar.tension, bar.compression);
     }));

@@ -120,9 +120,90 @@ case("grades by their names; the effectiveness; the bars in compression", functi
   local less = section(3, 3, { effectiveness = 0.9 })
   near(section(3, 3).N0 - less.N0, 0.1 * fc * (b * d - 6 * As), 1, "effectiveness 0.9")
   near(section(3, 3, { bar_compression = 500e6 }).N0 - section(3, 3).N0, 100e6 * 6 * As, 1, "bars of 500 MPa")
-  local default = hinge.section.concrete { width = b, depth = d, concrete = fc, steel = fy,
+  local plastic = hinge.section.concrete { width = b, depth = d, concrete = fc, steel = fy, strains = "plastic",
     bars = { { 0, 0, area = 6 * As } } }
-  near(default.N0 / (0.95 * fc * (b * d - 6 * As) + fyc * 6 * As), 1, 1e-9, "the defaults")
+  near(plastic.N0 / (0.95 * fc * (b * d - 6 * As) + fyc * 6 * As), 1, 1e-9, "the defaults of strains = 'plastic'")
+end)
+
+-- A section whose ultimate states are known by hand: `top` and `bottom` bars in two layers. Strains of table 3.1.
+local function ultimate(grade, strains)
+  local bars = {}
+  for _, side in ipairs { 1, -1 } do
+    for i = -1, 1 do bars[#bars + 1] = { 0.15 * i, side * (d / 2 - edge), diameter = 0.02 } end
+  end
+  return hinge.section.concrete { width = b, depth = d, concrete = grade, steel = fy, strains = strains, bars = bars }
+end
+
+-- N and M of the neutral axis at the depth x, by 4000 strips.
+local function state(f, x, peak, last, n)
+  local N, M = 0, 0
+  local function strain(down)
+    if x <= d then return last * (x - down) / x end
+    return peak * (x - down) / (x - (1 - peak / last) * d)
+  end
+  local function stress(e) return e <= 0 and 0 or e >= peak and f or f * (1 - (1 - e / peak) ^ n) end
+  for i = 1, 4000 do
+    local down = (i - 0.5) / 4000 * d
+    local force = stress(strain(down)) * b * d / 4000
+    N, M = N - force, M + force * (d / 2 - down)
+  end
+  for _, down in ipairs { edge, d - edge } do
+    local e = strain(down)
+    local bar = 200e9 * e
+    bar = bar > fy and fy or bar < -fy and -fy or bar
+    local force = 3 * As * (bar - stress(e))
+    N, M = N - force, M + force * (d / 2 - down)
+  end
+  return N, M
+end
+
+case("ultimate strains of EN 1992-1-1, up to C90/105: moments beside N", function()
+  for _, c in ipairs { { "C30/37", 30e6, 0.002, 0.0035, 2 }, { "C50/60", 50e6, 0.002, 0.0035, 2 },
+    { "C70/85", 70e6, 0.002 + 0.085e-3 * 20 ^ 0.53, 0.0026 + 0.035 * 0.2 ^ 4, 1.4 + 23.4 * 0.2 ^ 4 },
+    { "C90/105", 90e6, 0.0026, 0.0026, 1.4 } } do
+    local of = ultimate(c[1])
+    for _, x in ipairs { 0.07, 0.12, 0.2, 0.3, 0.4, 0.5, 0.7 } do
+      local N, M = state(c[2], x, c[3], c[4], c[5])
+      -- along N and M together, from the middle of N
+      local middle = (3 * 2 * As * fy - of.N0) / 2
+      local low, high = 0.8, 1.2
+      for _ = 1, 30 do
+        local t = (low + high) / 2
+        local ok, Mx = pcall(of.plastic_moments, of, middle + t * (N - middle), math.pi)
+        if ok and -Mx > t * M then low = t else high = t end
+      end
+      near(low, 1, 0.02, ("%s, x %g m"):format(c[1], x))
+    end
+    local N = state(c[2], 1e6, c[3], c[4], c[5])
+    near(of.N0 / -N, 1, 1e-6, c[1] .. ": N0")
+  end
+end)
+
+case("ultimate strains by runs, and by the block of ACI 318", function()
+  for _, of in ipairs { ultimate "C30/37", ultimate("C90/105"), ultimate(30e6, "ACI 318") } do
+    for _, N in ipairs { 2e5, -5e5, -2e6 } do
+      local Mx = of:plastic_moments(N, math.pi)
+      local factor, run = limit(cantilever(of, N, { 0, -1.2 * Mx / L }))
+      near(1.2 * factor, 1, 1e-3, ("a run beside %g N"):format(N))
+      near(run.energy_error, 0, 1e-3, "energy error")
+    end
+  end
+  -- ACI 318-19, 22.2 and 22.4: N0 is 0.85 f'c of the concrete and the yield stress of the bars
+  near(ultimate(30e6, "ACI 318").N0 / (0.85 * 30e6 * (b * d - 6 * As) + fy * 6 * As), 1, 1e-9, "N0 of ACI 318")
+end)
+
+case("strains: what does not go together", function()
+  local function refused(what, more)
+    local ok, message = pcall(section, 2, 2, more)
+    expect(not ok and tostring(message):find(what, 1, true), "'%s' in: %s", what, message)
+  end
+  refused("strains = 'plastic' alone", { strains = "EN 1992-1-1" })
+  refused("must be one of", { strains = "EN" })
+  local ok, message = pcall(hinge.section.general, { area = 0.2, Ix = 1e-3, Iy = 1e-3, J = 1e-3,
+    outline = { { corners = { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.5 }, { 0, 0.5 } } } },
+    reinforcement = { concrete = 30e6, bars = { { 0.1, 0.1, area = 1e-3, tension = 500e6 } },
+      strains = { peak = 0.004, ultimate = 0.003 } } })
+  expect(not ok and tostring(message):find("at least `peak`", 1, true), "peak beyond ultimate: %s", message)
 end)
 
 case("layers stand behind their cover", function()

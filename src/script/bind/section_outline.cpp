@@ -97,11 +97,33 @@ bool holds(const beam::Outline& outline, const Eigen::Vector2d& at, double radiu
     return in;
 }
 
+/// Strains of concrete, and E of the bars (beam/ultimate_states.h).
+beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
+    if (!lua_istable(L, -1)) throw InputError(what + " is " + show(L, -1) + "; must be a table");
+    Options s(L, -1, what);
+    s.expect({"peak", "ultimate", "exponent", "block", "bars"});
+    beam::ConcreteStrains out;
+    out.peak = s.number("peak", "", Range::positive);
+    out.ultimate = s.number("ultimate", "", Range::positive);
+    out.exponent = s.number("exponent", "", Range::positive, out.exponent);
+    out.block = s.number("block", "", Range::not_negative, 0);
+    out.bars = s.number("bars", "Pa", Range::positive, out.bars);
+    s.finish();
+    if (!(out.ultimate >= out.peak && out.ultimate < 0.1))
+        s.complain("ultimate", show(out.ultimate), "must be at least `peak`, " + show(out.peak) + ", and below 0.1");
+    if (!(out.exponent >= 1)) s.complain("exponent", show(out.exponent), "must be 1 or more");
+    if (!(out.block < out.peak))
+        s.complain("block", show(out.block), "must be below `peak`, " + show(out.peak) + ", where all is pressed");
+    return out;
+}
+
 beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
     lua_State* L = r.L();
     beam::Reinforcement out;
-    r.expect({"concrete", "bars"});
+    r.expect({"concrete", "bars", "strains"});
     out.concrete = r.number("concrete", "Pa", Range::positive);
+    if (r.push_field("strains") != LUA_TNIL) out.strains = read_strains(L, r.function() + ", strains");
+    lua_pop(L, 1);
     const bool list = r.push_field("bars") == LUA_TTABLE;
     const int count = list ? int(lua_rawlen(L, -1)) : 0;
     if (count == 0)
