@@ -48,6 +48,7 @@ ShearProperties shear_properties(const Section& s) {
     }
     if (s.shape == "solid" || s.shape == "round") all_in_it(A);
     if (s.shape == "pipe") all_in_it(2 * A / std::numbers::pi);
+    if (s.shape == "angle") out.share[0] = out.share[1] = 1;  // both legs carry the shear along either axis
     if (s.shape == "h" && s.Zx > 0) {
         const double clear = d - 2 * s.flange, flanges = 2 * b * s.flange;
         out.area[0] = flanges;
@@ -78,7 +79,8 @@ std::optional<beam::ShearCarried> shear_carried(const Section& s) {
         out.walls[axis].push_back(rectangle(x0, x1, y0, y1));
         out.walls[axis].push_back(rectangle(-x1, -x0, -y1, -y0));
     };
-    if (s.shape == "solid" || s.shape == "round" || s.shape == "pipe") return out.whole = true, out;
+    for (const char* whole : {"solid", "round", "pipe", "angle"})
+        if (s.shape == whole) return out.whole = true, out;
     if (s.shape == "h" && s.web > 0 && s.flange > 0) {
         const double inner = d / 2 - s.flange;
         out.walls[1].push_back(rectangle(-s.web / 2, s.web / 2, -inner, inner));

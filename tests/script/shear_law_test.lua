@@ -105,6 +105,13 @@ case("named sections, by A_v of rolled ones; channels", function()
   V, v, rho = by_hand(channel.Zx, 0.007 * 0.176 ^ 2 / 4, channel.shear_area_y, 0.35)
   expect(rho > 0.05, "channel: rho is %g at V / V0 %g", rho, v)
   near(pushed(channel, 0.35, "uz"), V, 1e-4 * V, "channel")
+  local angle = hinge.section.named("L 100x100x10", law) -- both legs carry the shear, and the moment
+  V, v, rho = by_hand(angle.Zx, angle.Zx, angle.shear_area_y, 0.13)
+  expect(rho > 0.05, "angle: rho is %g at V / V0 %g", rho, v)
+  near(pushed(angle, 0.13, "uz", {}, { steps = 300 }), V, 1e-4 * V, "angle, strong axis")
+  V, v, rho = by_hand(angle.Zy, angle.Zy, angle.shear_area_x, 0.07)
+  expect(rho > 0.05, "angle: rho is %g at V / V0 %g", rho, v)
+  near(pushed(angle, 0.07, "uy", {}, { steps = 300 }), V, 1e-4 * V, "angle, weak axis")
   for _, wrong in ipairs { { x = { { 0, 0, 0, 1 } } }, { y = { { 0, 1, 0 } } }, { z = {} } } do
     local good, message = pcall(hinge.section.general, { area = 1, Ix = 1, Iy = 1, J = 1, shear_walls = wrong })
     expect(not good and tostring(message):find("walls", 1, true), "wrong walls: %s", tostring(message))
