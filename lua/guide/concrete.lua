@@ -77,11 +77,11 @@ end
 local N0 = -ultimate(column, 1e6) -- all is pressed
 print "                M (kN m)                             over the own integration"
 print "N (kN)    a run    surface    own integration    surface    plastic"
-local at, plastic_at = {}, {}
+local at = {}
 for i = 0, 9 do
   local N = -i / 10 * N0
   local M, Mu, Mp = moment(column.of, N), ultimate_moment(column, N), moment(column.plastic, N)
-  at[i], plastic_at[i] = M / Mu, Mp / Mu
+  at[i] = M / Mu
   print(("%6.0f %8.1f %10.1f %18.1f %10.3f %10.3f"):format(N / 1e3, carried(column, N) / 1e3, M / 1e3, Mu / 1e3,
     M / Mu, Mp / Mu))
 end

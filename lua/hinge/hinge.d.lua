@@ -2146,11 +2146,11 @@ function section.general(options) end
 ---distribution at full yield: all of it in tension on one side of the neutral axis, in compression on the other. Mz
 ---takes from all of them alike: g^2 + (Mz / Mz0)^2 = 1, g: utilisation by N, Mx and My. Shear does not count.
 ---exact with shear: shear forces count by EN 1993-1-1 6.2.8. What carries a shear force V has the yield stress
----(1 - rho) fy, rho = (2 V / V0 - 1)^2 beyond V0 / 2 and at most 0.98: of an H or a channel the web between the
----flanges or the flanges, of a box its walls without the corners, of pipes, angles and solid sections all. V0 is fy / sqrt(3)
----times A_v of 6.2.6(3) with eta = 1; of shapes that are not there the shear area of the section. Torsion takes from
----V0 by 6.2.7(9). V is that at the end of the step before: shorter steps follow it more closely. Other shapes are as
----with "exact". A run warns where V is beyond V0
+---(1 - rho) fy, rho = (2 V / V0 - 1)^2 beyond V0 / 2 and at most 0.98: of an H or a channel the web between the flanges
+---or the flanges, of a box its walls without the corners, of pipes, angles and solid sections all. V0 is fy / sqrt(3)
+---times A_v of 6.2.6(3) with eta = 1; of shapes that are not there the shear area of the section. Torsion takes from V0
+---by 6.2.7(9). V is that at the end of the step before: shorter steps follow it more closely. Other shapes are as with
+---"exact". A run warns where V is beyond V0
 ---@field interaction? "paper"|"exact"|"exact with shear"
 ---of a section of reinforced concrete with this `outline`: strength of the concrete in compression, Pa, and bars {x, y}
 ---in the outline's coordinates, m, with area, m^2, and strengths, Pa (compression: default as tension). Concrete

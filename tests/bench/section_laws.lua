@@ -22,6 +22,9 @@ local laws = {
   { "exact, both kinds of hardening", material = { hardening = { tangent = 2.1e9, kinematic = 0.5 } } },
   { "exact, strain rate", material = { rate = { D = 40.4, q = 5 } } },
   { "exact, backbone", backbone = hinge.backbone { points = { { 0, 1 }, { 0.03, 1.1 }, { 0.1, 0.4 } } } },
+  { "the same, with wear", backbone = hinge.backbone { points = { { 0, 1 }, { 0.03, 1.1 }, { 0.1, 0.4 } }, wear = 1 } },
+  { "and with wear of stiffness", backbone = hinge.backbone { points = { { 0, 1 }, { 0.03, 1.1 }, { 0.1, 0.4 } },
+    wear = 1, stiffness_wear = true } },
 }
 
 -- Seconds of two seconds of motion, and the run.

@@ -72,8 +72,8 @@ inline Trial random_trial(Dice& dice, double largest) {
     return t;
 }
 
-/// Concrete with bars: four in the corners, two layers of a beam, a round column, a few bars at any place, one bar. From 5
-/// on the same by their ultimate states.
+/// Concrete with bars: four in the corners, two layers of a beam, a round column, a few bars at any place, one bar.
+/// From 5 on the same by their ultimate states.
 inline std::shared_ptr<const PlasticDomain> concrete_of(int kind) {
     static std::map<int, std::shared_ptr<const PlasticDomain>> made;
     auto& known = made[kind];

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <mutex>
 
 namespace hinge::script {
 namespace {
@@ -160,6 +162,34 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
     return out;
 }
 
+/// All numbers of an outline with its bars.
+std::vector<double> numbers_of(const beam::Outline& outline, const beam::Reinforcement& concrete) {
+    std::vector<double> all = {concrete.concrete};
+    for (const auto& p : outline.polygons) {
+        all.insert(all.end(), {double(p.corners.size()), double(p.hole)});
+        for (const auto& c : p.corners) all.insert(all.end(), {c.x(), c.y()});
+    }
+    for (const auto& c : outline.circles)
+        all.insert(all.end(), {-1.0, c.centre.x(), c.centre.y(), c.radius, double(c.hole)});
+    for (const auto& b : concrete.bars)
+        all.insert(all.end(), {-2.0, b.centre.x(), b.centre.y(), b.area, b.tension, b.compression});
+    if (const auto& s = concrete.strains)
+        all.insert(all.end(), {-3.0, s->peak, s->ultimate, s->exponent, s->block, s->bars});
+    return all;
+}
+
+/// An outline with bars: the same object for equal ones that are in use. Its domain takes most of a tenth of a second.
+std::shared_ptr<const beam::SectionOutline> share(beam::Outline outline, beam::Reinforcement concrete) {
+    static std::mutex mutex;
+    static std::map<std::vector<double>, std::weak_ptr<const beam::SectionOutline>> made;
+    const std::lock_guard lock(mutex);
+    std::erase_if(made, [](const auto& entry) { return entry.second.expired(); });
+    auto& known = made[numbers_of(outline, concrete)];
+    auto found = known.lock();
+    if (!found) known = found = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
+    return found;
+}
+
 std::shared_ptr<const beam::SectionOutline> with_bars(Options& section, beam::Outline outline) {
     lua_State* L = section.L();
     Options r(L, -1, section.function() + ", reinforcement");
@@ -167,7 +197,7 @@ std::shared_ptr<const beam::SectionOutline> with_bars(Options& section, beam::Ou
     const Eigen::Vector2d centroid = outline.centroid();
     outline.move(-centroid);
     for (auto& bar : concrete.bars) bar.centre -= centroid;
-    auto made = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
+    const auto made = share(std::move(outline), std::move(concrete));
     const Vec3 left = made->domain()->ellipsoid();
     if (!(left.minCoeff() > least_strength))
         section.complain("reinforcement", "too little",
