@@ -8,7 +8,8 @@ namespace hinge::beam {
 namespace {
 
 constexpr int most_steps = 60;
-constexpr double found = 1e-13;  ///< of the rotations of the springs, in the energy norm: what the last step may be
+// of the last step and of one near the end, in the energy norm, over that of the elements
+constexpr double found = 1e-7, close = 1e-3;
 
 using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
 using FewSquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
@@ -89,7 +90,8 @@ bool ElasticPair::take_off_springs(Vec6& d1, Vec6& d2) const {
     };
     const auto whole = [&](const Few& t) { return energy(*this, at(t)) + 0.5 * t.dot(rigid * t); };
     Few t = (firm + rigid).llt().solve(sprung.of(forces(*this, d)));
-    double U = whole(t);
+    double scale = std::numeric_limits<double>::min();  // of the energy
+    for (int i : {0, 1}) scale += 0.5 * d.segment<6>(6 * i).dot(of[i].times(d.segment<6>(6 * i)));
     for (int step = 0; step < most_steps; ++step) {
         const Vec12 own = at(t);
         const PairMatrix K = own_matrix(*this) + pair_stiffness(kind, own.head<6>(), own.tail<6>());
@@ -97,22 +99,19 @@ bool ElasticPair::take_off_springs(Vec6& d1, Vec6& d2) const {
         Eigen::LLT<FewSquare> factor(sprung.of(K) + rigid);
         if (factor.info() != Eigen::Success) factor.compute(firm + rigid);
         Few way = factor.solve(off);
-        const double small = found * std::sqrt(std::abs(U)), size = std::sqrt(off.dot(way));
+        const double size = std::sqrt(off.dot(way) / scale);
         if (!std::isfinite(size)) return false;
-        if (size <= small) {
+        if (size <= found) {
             const Vec12 last = at(t + way);
             d1 = last.head<6>(), d2 = last.tail<6>();
             return true;
         }
-        const bool close = size <= 1e-6 * std::sqrt(std::abs(U));  // rounding hides what U falls by
-        for (int halved = 0;; ++halved, way *= 0.5) {
-            const double there = whole(t + way);
-            if (close || there <= U) {
-                t += way, U = there;
-                break;
-            }
-            if (halved == 40) return false;
+        if (size > close) {  // else rounding hides what U falls by
+            const double U = whole(t);
+            for (int halved = 0; !(whole(t + way) <= U); ++halved, way *= 0.5)
+                if (halved == 40) return false;
         }
+        t += way;
     }
     return false;
 }

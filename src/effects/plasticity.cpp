@@ -30,8 +30,6 @@ public:
     }
 
     void after_commit(const Step& step) override {
-        if (w_.structure.wears_stiffness())
-            for (const PlasticIncrement& y : w_.yielding) host_.stiffness_changed(y.element);
         if (!w_.yielding.empty())
             record_flow(w_.structure, w_.yielding, w_.reached(step), w_.goes_by_load_factor(), records());
         for (int e : commit_flow(w_.structure, w_.state, w_.yielding, w_.assembly.step(), flowing_)) {
