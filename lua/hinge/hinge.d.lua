@@ -2042,8 +2042,9 @@ function section.round(options) end
 
 ---A rectangle of reinforced concrete. It yields where N, Mx and My come to an ultimate state of its strains: concrete
 ---crushes at its edge, or all bars yield; concrete carries nothing in tension. The surface is a smooth and convex one
----through these states, within 2 % of the largest (5 % for ACI 318). Its strengths are its own, so that its material
----has none: hinge.material.concrete. Shear, torsion, bond, and the loss of strength by crushing are not in it.
+---through these states, mostly within 2 % (5 % for ACI 318); sections with very unequal bars may carry up to 17 % too
+---much in their weak direction. Its strengths are its own, so that its material has none: hinge.material.concrete.
+---Shear, torsion, bond, and the loss of strength by crushing are not in it.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
