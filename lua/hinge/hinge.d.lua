@@ -194,7 +194,7 @@ function hinge.backbone(options) end
 ---true: cycles take stiffness in unloading, too, by the same `wear`. An end of the member comes to the part
 ---1 - E / (wear My) of 6 EI / L, its stiffness in double curvature, where L is the member's length. That part stays
 ---where the strength has come to the residual one, and at 0.1. `wear` must be 5 times the rotation at which the end
----yields or more; default false: unloading is elastic
+---yields about its weaker axis, or more; default false: unloading is elastic
 ---@field stiffness_wear? boolean
 ---interaction of N and M of the sections that the strengths are made for: a member with another one is refused. "any"
 ---(default): they hold without axial force
@@ -2042,9 +2042,9 @@ function section.round(options) end
 
 ---A rectangle of reinforced concrete. It yields where N, Mx and My come to an ultimate state of its strains: concrete
 ---crushes at its edge, or all bars yield; concrete carries nothing in tension. The surface is a smooth and convex one
----through these states, mostly within 2 % (5 % for ACI 318); sections with very unequal bars may carry up to 17 % too
----much in their weak direction. Its strengths are its own, so that its material has none: hinge.material.concrete.
----Shear, torsion, bond, and the loss of strength by crushing are not in it.
+---through these states, at most 2 % beyond them (5 % for ACI 318). A moment that is small beside the others may be up
+---to 7 % less than that of the states. Its strengths are its own, so that its material has none:
+---hinge.material.concrete. Shear, torsion, bond, and the loss of strength by crushing are not in it.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
@@ -2212,14 +2212,16 @@ local any_section = {}
 ---  no two axes of symmetry
 function any_section:reduced_moments(n) end
 
----The moments Mx and My at which a section of concrete is fully plastic beside the axial force N.
+---The moments Mx and My at which a section of concrete yields beside the axial force N: of all of its yield surface
+---those that do the most work on a curvature in the direction `angle`. That is not the direction of the neutral axis of
+---an ultimate state, unless it is one of symmetry.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = 30e6, steel = 500e6, cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = "bottom", count = 3, diameter = 0.02 } } }
 ---local Mx, My = column:plastic_moments(-1e6) -- beside a compression of 1 MN
 ---```
 ---@param N number N, tension positive
----@param angle? number rad, of the curvature: 0 (default) about x, pi / 2 about y
+---@param angle? number rad, of the plastic curvature: 0 (default) about x, pi / 2 about y
 ---@return number? Mx, number? My N m; nil for a section of another kind
 function any_section:plastic_moments(N, angle) end
 

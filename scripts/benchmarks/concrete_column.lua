@@ -4,7 +4,7 @@
 -- Shows   hinge.section.concrete: N alone, and M beside N, up to the limit load
 -- Expect  nominal strengths of a column of 14 x 24 in with three bars No. 9 at 2.5 in from each short side, f'c 4000
 --         psi, fy 60 000 psi: the strain 0.003 at the edge and the stress block 0.85 f'c (strains = "ACI 318"). The
---         yield surface is a smooth one through the states. It is 1.3 % from the book in pure bending, where the bars
+--         yield surface is a smooth one through the states. It is 0.8 % from the book in pure bending, where the bars
 --         that are pressed leave the block.
 local hinge = require "hinge"
 

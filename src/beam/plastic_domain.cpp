@@ -355,22 +355,23 @@ double PlasticDomain::farthest() const {
     return most;
 }
 
-/// N rises with e: Newton's method within what is known to hold the answer.
+/// N rises with e: Newton's method within what is known to hold the answer, which is halved where a step does not bring
+/// half of what is off. So it ends.
 Eigen::Vector2d PlasticDomain::contour(double n, double angle) const {
     const double c = std::cos(angle), s = std::sin(angle);
     double low = -1.001 * farthest() * std::hypot(c * scale_[0], s * scale_[1]), high = -low, e = 0;
     if (states_) low = -all_round, high = all_round;
     Vec3 point;
     Mat3 curvature;
-    for (int i = 0; i < 100; ++i) {
+    double before = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 200; ++i) {
         support({c, s, e}, point, &curvature);
-        const double off = point[2] - n;
-        if (std::abs(off) < 1e-13) break;
+        const double off = point[2] - n, middle = 0.5 * ((off < 0 ? e : low) + (off < 0 ? high : e));
+        if (std::abs(off) < 1e-13 || middle == e) break;
         (off < 0 ? low : high) = e;
-        double next = e - off / curvature(2, 2);
-        if (!(next > low && next < high)) next = 0.5 * (low + high);
-        if (next == e) break;
-        e = next;
+        const double next = e - off / curvature(2, 2);
+        e = next > low && next < high && std::abs(off) < 0.5 * before ? next : middle;
+        before = std::abs(off);
     }
     return point.head<2>();
 }

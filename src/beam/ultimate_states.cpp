@@ -11,13 +11,17 @@
 namespace hinge::beam {
 namespace {
 
-constexpr int turns = 72, depths = 96;  ///< of the states that are looked at
-constexpr int around = 32, belts = 20;  ///< of the strains that are fitted
-constexpr int most_blocks = 128;
-constexpr double exponent = 64;  ///< support: six squares and six roots
+constexpr int turns = 144, depths = 192;  ///< of the states that are looked at
+constexpr int around = 48, belts = 32;    ///< of the strains that are fitted
+constexpr int most_blocks = 192;
+static_assert(around * (belts - 1) + 2 <= most_blocks * lane_count);
+constexpr double exponent = 128;  ///< support: seven squares and seven roots
+/// Where the norm has its middle, on the way from no force to the middle of N. Errors are parts of the work about that
+/// point: near no force, small moments have small ones.
+constexpr double middle_of_norm = 0.3;
 constexpr int rounds = 20;
 constexpr double step_of_weights = 0.7;  ///< of their logarithm; 1 would go too far, since strains share points
-constexpr double counts = 0.6;           ///< of the largest work: 0.6^64 is rounding
+constexpr double counts = 0.77;          ///< of the largest work: 0.77^128 is rounding
 constexpr double full_turn = 2 * std::numbers::pi;
 
 /// Gauss's points and weights for the mean from -1 to 1: exact for polynomials of degree 11.
@@ -173,7 +177,7 @@ UltimateStates::UltimateStates(const Outline& outline, const Reinforcement& conc
         for (int k = 0; k < depths; ++k)
             states.push_back(forces(outline, concrete, strains, full_turn * i / turns,
                                     reach * std::tan(std::numbers::pi / 2 * (k + 0.5) / depths)));
-    centre_ = 0.5 * (tension + compression);
+    centre_ = middle_of_norm * 0.5 * (tension + compression);
     strength_.setZero();
     for (Vec3& q : states) q -= centre_, strength_ = strength_.cwiseMax(q.cwiseAbs());
     for (Vec3& q : states) q = q.cwiseQuotient(strength_);
@@ -190,7 +194,7 @@ UltimateStates::UltimateStates(const Outline& outline, const Reinforcement& conc
         for (std::vector<double>* list : {&x_, &y_, &n_, &weight_}) list->push_back(0);
     find_middles();
     fit(to, work);
-    match_ends(tension[2] / strength_[2], compression[2] / strength_[2]);
+    match_ends(centre_[2] + work[work.size() - 2], centre_[2] - work.back());
 }
 
 void UltimateStates::find_middles() {
@@ -244,7 +248,7 @@ double UltimateStates::support(const Vec3& v, Vec3& point, Mat3* curvature) cons
         for (int k = 0; k < lane_count; ++k) bound[i + k] = most[k], largest = std::max(largest, work[k]);
     }
     const Lanes by = c(1 / largest), least = c(counts);
-    // sums of w t^64; of w t^63 q; of w t^62 q q^T
+    // sums of w t^128; of w t^127 q; of w t^126 q q^T
     Lanes S = none, Gx = none, Gy = none, Gn = none, Hxx = none, Hxy = none, Hxn = none, Hyy = none, Hyn = none,
           Hnn = none;
     for (int block = 0; block < blocks; ++block) {
@@ -252,16 +256,16 @@ double UltimateStates::support(const Vec3& v, Vec3& point, Mat3* curvature) cons
         const int i = block * lane_count;
         const Lanes x = load(&x_[i]), y = load(&y_[i]), n = load(&n_[i]);
         const Lanes over = (x * vx + y * vy + n * vn) * by, t = over > least ? over : none;
-        const Lanes t2 = t * t, t4 = t2 * t2, t8 = t4 * t4, t16 = t8 * t8, t32 = t16 * t16;
-        const Lanes to_62 = load(&weight_[i]) * t2 * t4 * t8 * t16 * t32, to_63 = to_62 * t;
-        S += to_63 * t;
-        Gx += to_63 * x, Gy += to_63 * y, Gn += to_63 * n;
-        const Lanes of_x = to_62 * x, of_y = to_62 * y;
-        Hxx += of_x * x, Hxy += of_x * y, Hxn += of_x * n, Hyy += of_y * y, Hyn += of_y * n, Hnn += to_62 * n * n;
+        const Lanes t2 = t * t, t4 = t2 * t2, t8 = t4 * t4, t16 = t8 * t8, t32 = t16 * t16, t64 = t32 * t32;
+        const Lanes to_126 = load(&weight_[i]) * t2 * t4 * t8 * t16 * t32 * t64, to_127 = to_126 * t;
+        S += to_127 * t;
+        Gx += to_127 * x, Gy += to_127 * y, Gn += to_127 * n;
+        const Lanes of_x = to_126 * x, of_y = to_126 * y;
+        Hxx += of_x * x, Hxy += of_x * y, Hxn += of_x * n, Hyy += of_y * y, Hyn += of_y * n, Hnn += to_126 * n * n;
     }
     const double sum = sum_of(S);
     double root = sum;
-    for (int i = 0; i < 6; ++i) root = std::sqrt(root);
+    for (int i = 0; i < 7; ++i) root = std::sqrt(root);
     const Vec3 slope = root / sum * Vec3(sum_of(Gx), sum_of(Gy), sum_of(Gn));
     point = centre_ + slope;
     if (curvature) {

@@ -8,9 +8,9 @@
 //
 // The surface: the support function of flow is
 //
-//   h(v) = centre . v + (sum of w_i max(0, q_i . v)^64)^(1/64)
+//   h(v) = centre . v + (sum of w_i max(0, q_i . v)^128)^(1/128)
 //
-// with q_i the states, about the centre, that do the most work on 610 strains v_i, and weights w_i that make h(v_i)
+// with q_i the states, about the centre, that do the most work on 1490 strains v_i, and weights w_i that make h(v_i)
 // this work. It is convex and smooth for any weights. Its exponent rounds the surface by less than 1 %.
 #pragma once
 

@@ -101,7 +101,7 @@ void Model::check_member(const MemberData& m) const {
                     at_yield, backbone->points.front().strength * length / (6 * m.material->E * I * std::sqrt(w)));
         if (backbone->wear < least_wear * at_yield)
             throw InputError("backbone wears the stiffness with wear = " + number_text(backbone->wear) +
-                             " rad; the member's end turns by " + number_text(at_yield) +
+                             " rad; about its weaker axis the member's end turns by " + number_text(at_yield) +
                              " rad before it yields, and wear must be " + number_text(least_wear) +
                              " times that or more: else it would give back more work than was done on it");
     }

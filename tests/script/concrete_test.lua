@@ -200,10 +200,16 @@ case("strains: what does not go together", function()
   end
   refused("strains = 'plastic' alone", { strains = "EN 1992-1-1", effectiveness = 0.9 })
   refused("must be one of", { strains = "EN" })
-  local ok, message = pcall(hinge.section.general, { area = 0.2, Ix = 1e-3, Iy = 1e-3, J = 1e-3,
-    outline = { { corners = { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.5 }, { 0, 0.5 } } } },
-    reinforcement = { concrete = 30e6, bars = { { 0.1, 0.1, area = 1e-3, tension = 500e6 } },
-      strains = { peak = 0.004, ultimate = 0.003 } } })
+  local function general(strength, more)
+    local reinforcement = with({ concrete = strength, bars = { { 0.1, 0.1, area = 1e-3, tension = 500e6 } } }, more)
+    return pcall(hinge.section.general, { area = 0.2, Ix = 1e-3, Iy = 1e-3, J = 1e-3, reinforcement = reinforcement,
+      outline = { { corners = { { 0, 0 }, { 0.4, 0 }, { 0.4, 0.5 }, { 0, 0.5 } } } } })
+  end
+  local in_mpa, told = general(30)
+  expect(not in_mpa and tostring(told):find("1 MPa is 1e6", 1, true), "concrete in MPa: %s", told)
+  in_mpa, told = general(30e6, { strains = { peak = 0.002, ultimate = 0.0035, bars = 200e3 } })
+  expect(not in_mpa and tostring(told):find("E of the bars", 1, true), "bars in MPa: %s", told)
+  local ok, message = general(30e6, { strains = { peak = 0.004, ultimate = 0.003 } })
   expect(not ok and tostring(message):find("at least `peak`", 1, true), "peak beyond ultimate: %s", message)
 end)
 

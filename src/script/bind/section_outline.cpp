@@ -99,6 +99,13 @@ bool holds(const beam::Outline& outline, const Eigen::Vector2d& at, double radiu
     return in;
 }
 
+/// A number of at least 1e5 Pa: one below that is in MPa.
+double strength(Options& o, const char* field) {
+    const double stress = o.number(field, "Pa", Range::positive);
+    if (stress < 1e5) o.complain(field, show(stress) + " Pa", "must be 100000 Pa or more: 1 MPa is 1e6");
+    return stress;
+}
+
 /// Strains of concrete, and E of the bars (beam/ultimate_states.h).
 beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
     if (!lua_istable(L, -1)) throw InputError(what + " is " + show(L, -1) + "; must be a table");
@@ -111,6 +118,7 @@ beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
     out.block = s.number("block", "", Range::not_negative, 0);
     out.bars = s.number("bars", "Pa", Range::positive, out.bars);
     s.finish();
+    if (out.bars < 1e9) s.complain("bars", show(out.bars) + " Pa", "is E of the bars: must be 1e9 Pa or more");
     if (!(out.ultimate >= out.peak && out.ultimate < 0.1))
         s.complain("ultimate", show(out.ultimate), "must be at least `peak`, " + show(out.peak) + ", and below 0.1");
     if (!(out.exponent >= 1)) s.complain("exponent", show(out.exponent), "must be 1 or more");
@@ -123,7 +131,7 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
     lua_State* L = r.L();
     beam::Reinforcement out;
     r.expect({"concrete", "bars", "strains"});
-    out.concrete = r.number("concrete", "Pa", Range::positive);
+    out.concrete = strength(r, "concrete");
     if (r.push_field("strains") != LUA_TNIL) out.strains = read_strains(L, r.function() + ", strains");
     lua_pop(L, 1);
     const bool list = r.push_field("bars") == LUA_TTABLE;
@@ -141,7 +149,7 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
         bar.centre = pair(L, what);
         Options b(L, -1, what);
         bar.area = b.number("area", "m^2", Range::positive);
-        bar.tension = b.number("tension", "Pa", Range::positive);
+        bar.tension = strength(b, "tension");
         bar.compression = b.number("compression", "Pa", Range::positive, bar.tension);
         b.finish(2);
         if (!(bar.compression >= out.concrete))
