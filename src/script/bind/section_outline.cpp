@@ -186,7 +186,7 @@ std::vector<double> numbers_of(const beam::Outline& outline, const beam::Reinfor
     return all;
 }
 
-/// An outline with bars: the same object for equal ones that are in use. Its domain takes most of a tenth of a second.
+/// An outline with bars: the same object for equal ones that are in use. Its domain takes up to 0.2 s.
 std::shared_ptr<const beam::SectionOutline> share(beam::Outline outline, beam::Reinforcement concrete) {
     static std::mutex mutex;
     static std::map<std::vector<double>, std::weak_ptr<const beam::SectionOutline>> made;
