@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "beam/beam_column.h"
+#include "beam/pair_bow.h"
 #include "beam/tangent.h"
 #include "state/hinges.h"
 
@@ -92,11 +92,13 @@ void MemberEnds::add_section_forces(int element, int end, double length, const V
     forces.Qx += sum.y(), forces.Qy -= sum.x();
 }
 
-PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>& force) : l_(0), p_{0, 0} {
+PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>& force, const ElementHeats& heat)
+    : l_(0), p_{0, 0} {
     const Element& e = s.elements()[first];
     if (!s.p_delta() || e.partner != first + 1 || first + 1 >= int(force.size()) || !e.forms_pairs) return;
     l_ = e.length;
-    const double N = 0.5 * (force[first][4] + force[first + 1][4]), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
+    const double N = 0.5 * (force[first][4] + force[first + 1][4]) / heat_of(heat, first).stiffness,
+                 EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
     if (!std::isfinite(N)) return;  // a step that has failed
     for (int plane : {0, 1}) p_[plane] = counted(-N * l_ * l_ / EI[plane]);
 }
@@ -139,6 +141,13 @@ double PressedPair::of_force(int end, int plane, double x) const {
     symmetric -= 0.5 * (1 - x * x);
     antisymmetric -= 0.5 * x * (x * x - 1);
     return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
+}
+
+double PressedPair::middle_of_spread(int plane, double q) const {
+    return p_[plane] == 0 ? 0 : -sign[plane] * q * l_ * l_ * beam::bow_of_even_load(p_[plane]);
+}
+double PressedPair::middle_of_force(int plane, double x) const {
+    return p_[plane] == 0 ? 0 : -sign[plane] * l_ * beam::bow_of_force(p_[plane], x);
 }
 
 Vec3 direction_of(const Structure& s, int element, const ConfigurationView& at) {

@@ -109,11 +109,12 @@ template <class Real>
 ///
 /// in tension the same with hyperbolic functions. Closed form for beams that are stiff in shear. p counts up to 6, as
 /// in the law of pairs; below 0.02 it is taken as none, where the moments change by less than 0.2 %, and in full from
-/// 0.04 on. The axial force does not follow from an energy with these moments in it: their work is the load's.
+/// 0.04 on. The axial force does not follow from an energy with these moments in it: their work is the load's. The
+/// moment in the middle of the pair has a part of the load, too (beam/pair_bow.h).
 class PressedPair {
 public:
-    /// `force`: p of all elements.
-    PressedPair(const Structure& structure, int first, const std::vector<Vec6>& force);
+    /// `force`: p of all elements; `heat`: of all elements, or empty.
+    PressedPair(const Structure& structure, int first, const std::vector<Vec6>& force, const ElementHeats& heat);
     bool counts() const { return p_[0] != 0 || p_[1] != 0; }
     /// The change at an end (0, 1) about the axis of the plane (0: x, 1: y), N m: by a load per length, q[0] at the
     /// first and q[1] at the second end, N/m, linear between, along y (plane 0) or x.
@@ -122,6 +123,10 @@ public:
     double of_even(int plane, double q) const;
     /// By a unit force there, m; x: -1 to 1 over the pair.
     double of_force(int end, int plane, double x) const;
+    /// What the moment in the middle has beyond that at the node, with the section's sign, N m: by the mean q, N/m, of a
+    /// load per length; by a unit force, m.
+    double middle_of_spread(int plane, double q) const;
+    double middle_of_force(int plane, double x) const;
 
 private:
     double l_, p_[2];

@@ -211,7 +211,9 @@ public:
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
             l.ends.add_section_forces(element, end, chord.span.norm(), m, forces);
             const Pressed by_N = pressed(l, pair_of(l, element), factor, w_.state, w_.state.force);
-            if (by_N.counts) by_N.pair.add_section_forces(element, end, by_N.chord.span.norm(), by_N.m, forces);
+            if (!by_N.counts) continue;
+            by_N.pair.add_section_forces(element, end, by_N.chord.span.norm(), by_N.m, forces);
+            if (by_N.is_middle(element, end)) forces.Mx += by_N.middle[0], forces.My += by_N.middle[1];
         }
     }
 
@@ -376,15 +378,18 @@ private:
         for (int end = 0; end < 2 && by_N.counts; ++end) {
             const Vec3 there = by_N.pair.moment_at(element, end, by_N.m);
             to.add(end, there.x(), there.y(), 0, 0);
+            if (by_N.is_middle(element, end)) to.add(end, by_N.middle[0], by_N.middle[1], 0, 0);
         }
     }
 
-    /// What N changes in the moments at a pair's two ends, in its axes.
+    /// What N changes in the moments at a pair's two ends, in its axes, and in the section between its elements.
     struct Pressed {
         bool counts = false;
         MemberEnds pair;
         MemberEnds::Chord chord = {};
         Vec3 m[2] = {Vec3::Zero(), Vec3::Zero()};
+        double middle[2] = {0, 0};
+        bool is_middle(int element, int end) const { return (element == pair.first) == (end == 1); }
     };
     int pair_of(const Loaded& l, int element) const { return l.ends.first + (element - l.ends.first) / 2 * 2; }
     /// `first`: of the pair's elements; `force`: p of all elements, of which N is taken.
@@ -392,7 +397,7 @@ private:
                     const std::vector<Vec6>& force) const {
         Pressed is{false, {first, 2}};
         if (!w_.structure.p_delta() || first + 1 >= l.ends.first + l.ends.count) return is;
-        const PressedPair by_N(w_.structure, first, force);
+        const PressedPair by_N(w_.structure, first, force, w_.trial.heat);
         if (!by_N.counts()) return is;
         const int n = l.ends.count;
         const double begin = double(first - l.ends.first) / n, end = begin + 2.0 / n;
@@ -411,6 +416,9 @@ private:
                 is.m[of][plane] = l.at < 0 ? by_N.of_spread(of, plane, q)
                                   : P == 0 ? 0.0
                                            : P * by_N.of_force(of, plane, x);
+            is.middle[plane] = l.at < 0 ? by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]))
+                               : P == 0 ? 0.0
+                                        : P * by_N.middle_of_force(plane, x);
         }
         return is;
     }

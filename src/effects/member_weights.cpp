@@ -133,19 +133,30 @@ Lanes MemberWeights::find_span(const Block& b, bool large, const ConfigurationVi
 }
 
 Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force,
-                                int member) const {
+                                const ElementHeats& heat, int member) const {
     Vec3 sum = Vec3::Zero();
     const MemberEnds& ends = ends_[member];
     if (!s.p_delta()) return sum;
     const double mass = s.elements()[ends.first].rigidity.rhoA;
     for (int i = 0; i < ends.count; i += 2) {
-        const PressedPair pair(s, ends.first + i, force);
+        const PressedPair pair(s, ends.first + i, force, heat);
         for (int plane : {0, 1}) sum[plane] += pair.of_even(plane, mass * local[1 - plane]);
     }
     return 2.0 / ends.count * sum;
 }
 
-bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, Lanes (&of)[2]) const {
+Vec3 MemberWeights::middle_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force,
+                                const ElementHeats& heat, int element) const {
+    Vec3 m = Vec3::Zero();
+    const Element& e = s.elements()[element];
+    if (!s.p_delta() || e.partner < 0) return m;
+    const PressedPair pair(s, std::min(element, e.partner), force, heat);
+    for (int plane : {0, 1}) m[plane] = pair.middle_of_spread(plane, e.rigidity.rhoA * local[1 - plane]);
+    return m;
+}
+
+bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat,
+                              Lanes (&of)[2]) const {
     of[0] = of[1] = Lanes{};
     bool any = false;
     for (int k = 0; k < b.most_pairs && !force.empty(); ++k) {
@@ -153,7 +164,7 @@ bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, La
         for (int i = 0; i < lane_count; ++i) {
             if (k >= b.pairs[i]) continue;
             const Vec6* p = &force[b.first[i] + 2 * k];
-            N[i] = 0.5 * (p[0][4] + p[1][4]);
+            N[i] = 0.5 * (p[0][4] + p[1][4]) / heat_of(heat, b.first[i] + 2 * k).stiffness;
         }
         N = N - N == 0 ? N : Lanes{};  // a step that has failed
         for (int plane : {0, 1}) {
@@ -190,7 +201,7 @@ void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Config
         const auto& [x, y, z] = axes_[i].axis;
         Lanes local[3], by_N[2];
         axes_[i].to_members(g, local);
-        find_by_N(b, force, by_N);
+        find_by_N(b, force, at.heat, by_N);
         const Lanes mx = (b.c + by_N[0]) * local[1], my = (by_N[1] - b.c) * local[0];
         put(b, {mx * x[0] + my * y[0], mx * x[1] + my * y[1], mx * x[2] + my * y[2]});
     }
@@ -229,8 +240,10 @@ beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const
     const Vec3 local = ends.axes(s, at).transpose() * g;
     beam::FixedEnd part = kinds_[kind_[member]].by_gravity[element - ends.first];
     for (int i : {0, 1}) part.moment[i] *= local.y(), part.moment[2 + i] *= local.x(), part.N[i] *= local.z();
-    const Vec3 more = moment_by_N(s, local, force, member);
+    const Vec3 more = moment_by_N(s, local, force, at.heat, member);
     for (int end : {0, 1}) part.add(end, more.x(), more.y(), 0, 0);
+    const Vec3 middle = middle_by_N(s, local, force, at.heat, element);
+    part.add((element - ends.first) % 2 == 0 ? 1 : 0, middle.x(), middle.y(), 0, 0);
     return part;
 }
 
@@ -250,7 +263,7 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
             const Lanes components[lane_count] = {local[1], local[1], local[0], local[0], local[2], local[2], {}, {}};
             Lanes of[lane_count], more[lane_count];  // each member's own, in the places of FixedEnd
             transpose(components, of);
-            const bool pressed = find_by_N(b, force, by_N);
+            const bool pressed = find_by_N(b, force, at.heat, by_N);
             if (pressed) {
                 const Lanes mx = by_N[0] * local[1], my = by_N[1] * local[0];
                 const Lanes parts[lane_count] = {-mx, mx, -my, my};
@@ -265,6 +278,12 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
                     Lanes part = by_gravity[k] * of[i];
                     if (pressed) part += more[i];
                     to[k] = anew ? part : to[k] + part;
+                }
+                if (!pressed) continue;
+                const Vec3 g_here(local[0][i], local[1][i], local[2][i]);
+                for (int k = 0; k + 1 < ends.count; k += 2) {
+                    const Vec3 middle = middle_by_N(s, g_here, force, at.heat, ends.first + k);
+                    for (int side : {0, 1}) all[ends.first + k + 1 - side].add(side, middle.x(), middle.y(), 0, 0);
                 }
             }
         }
@@ -284,8 +303,12 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     forces.Mx += bow * gy, forces.My -= bow * gx;
     const Vec3 first(kind.c * gy, -kind.c * gx, 0), m[2] = {first, -first};
     ends.add_section_forces(element, end, chord.span.norm(), m, forces);
-    const Vec3 more = moment_by_N(s, ends.axes(s, state).transpose() * g, state.force, member);
+    const Vec3 local = ends.axes(s, state).transpose() * g,
+               more = moment_by_N(s, local, state.force, state.heat, member);
     forces.Mx += more.x(), forces.My += more.y();
+    if (((element - ends.first) % 2 == 0) != (end == 1)) return;
+    const Vec3 middle = middle_by_N(s, local, state.force, state.heat, element);
+    forces.Mx += middle.x(), forces.My += middle.y();
 }
 
 std::vector<char> carried_members(const Structure& s, const State& state, const MemberWeights& weights, const Vec3& g) {

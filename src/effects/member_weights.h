@@ -72,11 +72,15 @@ private:
     void find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
     /// moment_by_N of its members, in two planes, by gravity of 1 m/s^2 across each. False: they are all zero.
-    bool find_by_N(const Block& b, const std::vector<Vec6>& force, Lanes (&of)[2]) const;
+    bool find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat, Lanes (&of)[2]) const;
     /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
     /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel. `local`:
     /// gravity in these axes.
-    Vec3 moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, int member) const;
+    Vec3 moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, const ElementHeats& heat,
+                     int member) const;
+    /// What N adds to the moments in the middle of the pair of an element, in the member's axes.
+    Vec3 middle_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, const ElementHeats& heat,
+                     int element) const;
 
     std::vector<Kind> kinds_;
     std::vector<int> kind_;           ///< of each member

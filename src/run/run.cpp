@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/rotation.h"
+#include "beam/pair_bow.h"
 #include "effects/effect_list.h"
 #include "run/effect_forces.h"
 #include "state/hinges.h"
@@ -139,6 +140,16 @@ SectionForces Run::section_forces(int element, double side) const {
                          p[5], -(p[2] + p[3]) / e.length,         (p[0] + p[1]) / e.length};
     for (const auto& source : effects_->section_forces) source->add_section_forces(element, side, forces);
     return forces;
+}
+
+Eigen::Vector2d Run::compression(int element) const {
+    const Element& e = structure_->elements()[element];
+    if (!structure_->p_delta() || !e.forms_pairs || state_.broken[element] || state_.broken[e.partner])
+        return Eigen::Vector2d::Zero();
+    const double P = -0.5 * (section_forces(element, -1).N + section_forces(element, 1).N),
+                 E = heat_of(state_.heat, element).stiffness;
+    const auto along = [&](double EI, double GA) { return beam::bow_compression(P / E, e.length, EI, GA); };
+    return {along(e.rigidity.EIx, e.rigidity.GAy), along(e.rigidity.EIy, e.rigidity.GAx)};
 }
 
 std::vector<ShownLoad> Run::shown_loads() const {

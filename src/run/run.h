@@ -78,6 +78,9 @@ public:
     Vec6 reaction(int node) const;      ///< forces (N) and moments (N m) that the supports exert on the node
     /// At an end of an element, side -1 or 1; zero in a broken one. Loads between its nodes are in them.
     SectionForces section_forces(int element, double side) const;
+    /// P l^2 / EI of an element about x and about y, P positive in compression, where the axial force acts on the bow
+    /// of its pair (p_delta = "member"); else 0. Sets the course of moments between its ends (BarBending).
+    Eigen::Vector2d compression(int element) const;
     /// Loads that act where the state is.
     std::vector<ShownLoad> shown_loads() const;
     double yield_value(int element) const;            ///< f_y of eq 14, the larger of its sections; 0 when broken

@@ -28,6 +28,8 @@ ElementResultants resultants_of(const Run& run, int element, const std::vector<S
                         {{a.My, b.My}, {a.Qx, b.Qx}, -1, length},
                         {{0, 0}, {a.N, b.N}, 1, length},
                         {{0, 0}, {a.Mz, b.Mz}, 1, length}};
+    const Eigen::Vector2d compression = run.compression(element);
+    r.about_x.compression = compression.x(), r.about_y.compression = compression.y();
     for (const ShownLoad& load : loads) {
         if (load.element != element) continue;
         const auto add = [&](BarBending& to, const Vec3& force, const Vec3& moment) {
@@ -65,11 +67,8 @@ std::vector<double> places_in(const ElementResultants& r, const std::vector<doub
         const double from = jumps[i], to = jumps[i + 1];
         if (i > 0) at.push_back(from), at.push_back(std::min(1.0, from + beside));
         if (!(to - from > 4 * beside)) continue;
-        for (const BarBending* b : {&r.about_x, &r.about_y}) {
-            double v[4];
-            for (int k = 0; k < 4; ++k) v[k] = b->moment(from + beside + (to - from - beside) * k / 3);
-            for (const double t : peaks_of_cubic(v, from, to)) at.push_back(t);
-        }
+        for (const BarBending* b : {&r.about_x, &r.about_y})
+            for (const double t : b->peaks(from + beside, to)) at.push_back(t);
     }
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end(), [](double s, double t) { return t - s < 0.5 * beside; }), at.end());

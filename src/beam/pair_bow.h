@@ -1,0 +1,72 @@
+// Moment in the middle of a pair of elements whose bending follows its axial force (beam_column.h).
+//
+// Between its ends such a pair is the exact beam-column, but its middle node is not on that curve: where both ends
+// rotate by K against the chord, the node deflects by a K l and the beam by T/p K l (l: length of one element; p, u, v,
+// C, S and a of beam_column.h):
+//
+//   T = u tan(u/2);   in tension T = -v tanh(v/2);   T = p/2 + p^2/24 + ...
+//
+// The moments of the elements at that node are in balance on their chords. They lack N times the difference of the two
+// deflections. In parts of EI/l for K, and of q l^2 for an even load q:
+//
+//   middle of the beam   D K + (T - 1 + C)/p q l^2     D = C + T = u / sin u
+//   at the node          (C + a p) K + (1/2 - (1 - C)/p) q l^2
+//
+// Under a force P at x (-1 to 1 over the pair, xi = 1 - |x|) on a beam with clamped ends the two are, in P l/2,
+//
+//   middle of the beam   (1 - cos(u xi)) / (u sin u)
+//   at the node          xi - (cos(u x) - cos u) / (u sin u)
+//
+// K follows from the mean moment at the two integration points, EI/l S K.
+#pragma once
+
+#include "beam/beam_column.h"
+
+namespace hinge::beam {
+
+/// T and D of a pair.
+template <class Real>
+struct BowFunctions {
+    Real T, D;
+};
+/// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2; beyond, as at the end of
+/// that range.
+template <class Real>
+[[gnu::always_inline]] inline BowFunctions<Real> bow_functions(const Real& p) {
+    const auto c = [&](double v) { return spread(v, p); };
+    Real t = p < c(pair_least) ? c(pair_least) : p;
+    t = t > c(pair_most) ? c(pair_most) : t;
+    const Real x = c(0.25) * t,
+               tan_h = (c(10395) + x * (c(21) * x - c(1260))) / (c(10395) + x * (x * (c(210) - x) - c(4725)));
+    return {c(0.5) * t * tan_h, (c(1) + x * tan_h * tan_h) / tan_h};
+}
+
+/// What a rotation K of both ends makes in the middle beyond the moment at the node, in parts of EI/l K.
+template <class Real>
+[[gnu::always_inline]] inline Real bow_of_rotation(const Real& p) {
+    const auto c = [&](double v) { return spread(v, p); };
+    constexpr double a = 0.5 * (1 - gauss_point);
+    const StabilityFunctions<Real> of = stability_functions(p);
+    return bow_functions(p).D - of.S + c(a * a - a) * p;
+}
+
+/// Where K follows from the moments at the integration points: beyond it S is small or negative.
+inline constexpr double bow_by_moments = 2.8;
+/// The same in parts of the mean moment at the two integration points; p up to bow_by_moments.
+template <class Real>
+[[gnu::always_inline]] inline Real bow_of_moment(const Real& p) {
+    return bow_of_rotation(p) / stability_functions(p).S;
+}
+
+/// The same of an even load, in q l^2, and of a force at x, in P l.
+double bow_of_even_load(double p);
+double bow_of_force(double p, double x);
+
+/// P l^2 / EI of an element of length l, m, for a compression P, N. Shear makes a bow softer: P / (1 - P / GA) in the
+/// place of P (Engesser 1891).
+inline double bow_compression(double P, double l, double EI, double GA) {
+    const double part = P / GA;
+    return P * l * l / EI / (1 - (part < 0.5 ? part : 0.5));
+}
+
+}  // namespace hinge::beam

@@ -1,0 +1,160 @@
+// Moments in the span of compressed members: what the middle section of each pair of elements has beyond the balance on
+// the chords of its elements, since the axial force acts on the bow of the beam between its ends (beam/pair_bow.h).
+//
+// The forces on the nodes do not change. Yield, fracture and all that reads section forces take the moment. The part of
+// loads between the ends is in the effects of those loads (PressedPair, clamped_member.h).
+#include "beam/pair_bow.h"
+#include "core/lanes.h"
+#include "effects/clamped_member.h"
+#include "effects/kinds.h"
+#include "state/hinges.h"
+
+namespace hinge {
+namespace {
+
+class Bow : public Effect, public SectionForceSource {
+public:
+    Bow(Workspace& w, Host& host) : Effect("bow", w, host, {.mean_forces = true}) {
+        const auto& elements = w.structure.elements();
+        blocks_.resize((elements.size() + lane_count - 1) / lane_count);
+        for (std::size_t i = 0; i < elements.size(); ++i) {
+            const Element& e = elements[i];
+            Block& b = blocks_[i / lane_count];
+            const double length = e.forms_pairs ? e.length : 0;
+            b.flexible[0][i % lane_count] = length * length / e.rigidity.EIx;
+            b.flexible[1][i % lane_count] = length * length / e.rigidity.EIy;
+        }
+    }
+
+    bool has_fixed_ends() const override {
+        for (std::size_t block = 0; block < blocks_.size(); ++block)
+            if (counts(blocks_[block], compression(int(block), w_.force_of_fixed_ends()))) return true;
+        return false;
+    }
+    void add_fixed_ends(const ConfigurationView&, double, std::vector<beam::FixedEnd>& all) const override {
+        const std::vector<Vec6>& force = w_.force_of_fixed_ends();
+        w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
+            for (int block = first; block < end; ++block) {
+                const Lanes P = compression(block, force);
+                if (counts(blocks_[block], P)) add_to_block(block, P, force, all);
+            }
+        });
+    }
+
+    /// The forces of the elements flow less than the section does: the rest is work of the axial force on the bow.
+    void accumulate_energy(const Step&, Accounts& sums) const override {
+        for (const PlasticIncrement& y : w_.yielding) {
+            beam::FixedEnd part;
+            add_to(y.element, middle_moment(first_of(y.element), w_.force_of_fixed_ends(), place()), part);
+            sums["work"] += work_on_flow(y, part);
+        }
+    }
+
+    void add_section_forces(int element, double side, SectionForces& forces) const override {
+        const int first = first_of(element);
+        if ((side > 0) != (element == first)) return;
+        const Eigen::Vector2d m = middle_moment(first, w_.state.force, w_.state);
+        forces.Mx += m.x(), forces.My += m.y();
+    }
+
+private:
+    /// Eight elements, which are four pairs.
+    struct Block {
+        Lanes flexible[2] = {};  ///< l^2/EI in the two planes, 1/N; 0 where it is in no pair
+    };
+    static int first_of(int element) { return element & ~1; }
+    /// Where `force_of_fixed_ends` belongs to.
+    ConfigurationView place() const {
+        return w_.kind.dynamic ? ConfigurationView(w_.state) : ConfigurationView(w_.trial);
+    }
+    bool whole(int first) const { return !w_.state.broken[first] && !w_.state.broken[first + 1]; }
+
+    /// Compression of the pairs of a block over what heat leaves of E, N; 0 where one is broken.
+    Lanes compression(int block, const std::vector<Vec6>& force) const {
+        Lanes P = {};
+        const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
+        for (int i = 0; i + 1 < count; i += 2) {
+            if (!whole(from + i)) continue;
+            const double N = 0.5 * (force[from + i][4] + force[from + i + 1][4]);
+            P[i] = P[i + 1] = -N / heat_of(w_.trial.heat, from + i).stiffness;
+        }
+        return P;
+    }
+    static bool counts(const Block& b, const Lanes& P) {
+        for (const Lanes& flexible : b.flexible) {
+            const Lanes p = flexible * P;
+            if (any_above(p < 0 ? -p : p, counts_from)) return true;
+        }
+        return false;
+    }
+
+    void add_to_block(int block, const Lanes& P, const std::vector<Vec6>& force,
+                      std::vector<beam::FixedEnd>& all) const {
+        const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
+        Lanes more[2] = {};
+        for (int plane : {0, 1}) {
+            const Lanes p = blocks_[block].flexible[plane] * P;
+            if (!any_above(p < 0 ? -p : p, counts_from)) continue;
+            Lanes G = {};
+            for (int i = 0; i < count; ++i) G[i] = 0.5 * moment_at_point(from + i, plane, force);
+            more[plane] = (G + neighbours(G)) * beam::bow_of_moment<Lanes>(counted(p));
+        }
+        for (int i = 0; i + 1 < count; i += 2) {
+            Eigen::Vector2d m(more[0][i], more[1][i]);
+            const double most = std::max(blocks_[block].flexible[0][i], blocks_[block].flexible[1][i]) * P[i];
+            if (most > beam::bow_by_moments) m = middle_moment(from + i, force, place());
+            for (int k : {0, 1}) add_to(from + i + k, m, all[from + i + k]);
+        }
+    }
+
+    /// The moment at an element's integration point, of those that its forces have, N m.
+    double moment_at_point(int element, int plane, const std::vector<Vec6>& force) const {
+        const Vec6& p = force[element];
+        return beam::moment_at(p[2 * plane], p[2 * plane + 1], -w_.structure.elements()[element].s);
+    }
+
+    /// What the middle section of a pair has beyond its elements' moments there, about x and about y, N m.
+    Eigen::Vector2d middle_moment(int first, const std::vector<Vec6>& force, const ConfigurationView& at) const {
+        Eigen::Vector2d m = Eigen::Vector2d::Zero();
+        const auto& elements = w_.structure.elements();
+        if (first + 1 >= int(elements.size()) || elements[first].partner != first + 1 || !whole(first)) return m;
+        const Block& b = blocks_[first / lane_count];
+        const Lanes P = compression(first / lane_count, force);
+        const int lane = first % lane_count;
+        for (int plane : {0, 1}) {
+            const double p = counted(b.flexible[plane][lane] * P[lane]);
+            if (p == 0 || !std::isfinite(p)) continue;
+            if (p <= beam::bow_by_moments) {
+                const double G = 0.5 * (moment_at_point(first, plane, force) + moment_at_point(first + 1, plane, force));
+                m[plane] = G * beam::bow_of_moment(p);
+                continue;
+            }
+            double K = 0;
+            for (int i : {first, first + 1}) {
+                const Vec6 d = element_deformation(w_.structure, i, at) - w_.state.plastic[i];
+                K += 0.5 * (d[2 * plane + 1] - d[2 * plane]);
+            }
+            const double EI = plane == 0 ? elements[first].rigidity.EIx : elements[first].rigidity.EIy;
+            m[plane] = heat_of(at.heat, first).stiffness * EI / elements[first].length * K * beam::bow_of_rotation(p);
+        }
+        return m;
+    }
+
+    /// At the end that an element has in the middle of its pair.
+    static void add_to(int element, const Eigen::Vector2d& m, beam::FixedEnd& to) {
+        to.add(element % 2 == 0 ? 1 : 0, m.x(), m.y(), 0, 0);
+    }
+
+    std::vector<Block> blocks_;
+};
+
+}  // namespace
+
+EffectKind bow_kind() {
+    return {.name = "bow", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!w.structure.p_delta()) return nullptr;
+                return std::make_unique<Bow>(w, host);
+            }};
+}
+
+}  // namespace hinge
