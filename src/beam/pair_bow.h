@@ -24,10 +24,10 @@
 
 namespace hinge::beam {
 
-/// T and D of a pair.
+/// T/p and D of a pair.
 template <class Real>
 struct BowFunctions {
-    Real T, D;
+    Real share, D;
 };
 /// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2; beyond, as at the end of
 /// that range.
@@ -38,7 +38,7 @@ template <class Real>
     t = t > c(pair_most) ? c(pair_most) : t;
     const Real x = c(0.25) * t,
                tan_h = (c(10395) + x * (c(21) * x - c(1260))) / (c(10395) + x * (x * (c(210) - x) - c(4725)));
-    return {c(0.5) * t * tan_h, (c(1) + x * tan_h * tan_h) / tan_h};
+    return {c(0.5) * tan_h, (c(1) + x * tan_h * tan_h) / tan_h};
 }
 
 /// What a rotation K of both ends makes in the middle beyond the moment at the node, in parts of EI/l K.

@@ -84,10 +84,14 @@ public:
         place_.assign(s.position().size(), -1);
         for (const MemberLoad& load : declared()) {
             const auto [first, end] = elements_of[load.member];
-            loads_.push_back(taken_up(load, first, end));
+            const std::size_t known = loads_.size();
+            take_up(load, first, end);
             traits_.calls_script = traits_.calls_script || (load.has_history && !load.history.points());
-            traits_.forces_vanish = traits_.forces_vanish || loads_.back().may_jump;
-            on_member_[load.member].push_back(int(loads_.size()) - 1);
+            for (std::size_t i = known; i < loads_.size(); ++i) {
+                const Loaded& l = loads_[i];
+                traits_.forces_vanish = traits_.forces_vanish || l.may_jump;
+                for (int k = 0; k < l.ends.count; ++k) on_element_[l.ends.first + k].push_back(int(i));
+            }
             for (int i = first; i < end; ++i)
                 for (int node : s.elements()[i].node)
                     if (place_[node] < 0) place_[node] = int(nodes_.size()), nodes_.push_back(node);
@@ -111,8 +115,9 @@ public:
 
     /// Of those with a history as in Loads::add_static_loads.
     void begin_statics() override {
-        for (Loaded& l : loads_) {
-            const double factor = l.history ? l.history(0) : 1;
+        for (std::size_t i = 0; i < loads_.size(); ++i) {
+            Loaded& l = loads_[i];
+            const double factor = is_next_pair(i) ? loads_[i - 1].factor : l.history ? l.history(0) : 1;
             l.factor = l.kept_factor = factor == 0 ? 1 : factor;
         }
     }
@@ -129,8 +134,13 @@ public:
     /// The factors at the end of the step. Where a history has jumped, the acceleration is found anew.
     void begin(const Step& step) override {
         bool jumped = false;
-        for (Loaded& l : loads_) {
+        for (std::size_t i = 0; i < loads_.size(); ++i) {
+            Loaded& l = loads_[i];
             if (!l.may_jump) continue;
+            if (is_next_pair(i)) {
+                l.over.begin = loads_[i - 1].over.begin, l.over.end = loads_[i - 1].over.end;
+                continue;
+            }
             const History::Over over = l.history.over(step.begin, step.end());
             l.over.begin = over.begin, l.over.end = over.end;
             jumped = jumped || l.over.jumps();
@@ -164,8 +174,8 @@ public:
     /// By the trapezium rule; of the fixed-end part on what flows, with that which it flowed by.
     void accumulate_energy(const Step&, Accounts& sums) const override {
         for (const PlasticIncrement& y : w_.yielding) {
-            const auto on = on_member_.find(w_.structure.elements()[y.element].member);
-            if (on == on_member_.end()) continue;
+            const auto on = on_element_.find(y.element);
+            if (on == on_element_.end()) continue;
             beam::FixedEnd part;
             for (const int i : on->second) {
                 Vec3 m[2];
@@ -193,8 +203,8 @@ public:
 
     /// The fixed-end part: an element's forces balance what its nodes got of the load and of the correction.
     void add_section_forces(int element, double side, SectionForces& forces) const override {
-        const auto on = on_member_.find(w_.structure.elements()[element].member);
-        if (on == on_member_.end()) return;
+        const auto on = on_element_.find(element);
+        if (on == on_element_.end()) return;
         for (const int i : on->second) {
             const Loaded& l = loads_[i];
             const double factor = kept_factor(l);
@@ -210,7 +220,7 @@ public:
             const MemberEnds::Chord chord = l.ends.chord(w_.structure, w_.state);
             const Vec3 m[2] = {factor * end_moment(l, 0, chord.axes), factor * end_moment(l, 1, chord.axes)};
             l.ends.add_section_forces(element, end, chord.span.norm(), m, forces);
-            const Pressed by_N = pressed(l, pair_of(l, element), factor, w_.state, w_.state.force);
+            const Pressed by_N = pressed(l, factor, w_.state, w_.state.force);
             if (!by_N.counts) continue;
             by_N.pair.add_section_forces(element, end, by_N.chord.span.norm(), by_N.m, forces);
             if (by_N.is_middle(element, end)) forces.Mx += by_N.middle[0], forces.My += by_N.middle[1];
@@ -218,14 +228,13 @@ public:
     }
 
     void show_loads(std::vector<ShownLoad>& to) const override {
-        for (std::size_t i = 0; i < loads_.size(); ++i) {
-            const Loaded& l = loads_[i];
-            const MemberLoad& load = declared()[i];
+        for (const Loaded& l : loads_) {
+            const MemberLoad& load = declared()[l.declared];
             const double factor = kept_factor(l);
             if (factor == 0) continue;
-            const int n = l.ends.count;
-            for (int k = 0; k < n; ++k) {
-                const int element = l.ends.first + k;
+            const int n = l.member.count;
+            for (int element = l.ends.first; element < l.ends.first + l.ends.count; ++element) {
+                const int k = element - l.member.first;
                 const Element& e = w_.structure.elements()[element];
                 if (w_.state.broken[element]) continue;
                 ShownLoad shown{-1, element, -1, {}, {}};
@@ -260,8 +269,9 @@ public:
                 }
     }
     bool changes_within(double now, std::span<const double> after) const override {
-        for (const Loaded& l : loads_) {
-            if (!l.history) continue;
+        for (std::size_t i = 0; i < loads_.size(); ++i) {
+            const Loaded& l = loads_[i];
+            if (!l.history || is_next_pair(i)) continue;
             if (l.history.bends_within(now, now + after.back())) return true;
             const double factor = l.history(now);
             for (const double t : after)
@@ -288,16 +298,19 @@ private:
     struct Share {
         Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
     };
+    /// A load on the elements between two ends: the member's, or where its pairs of elements are beam-columns those of
+    /// each pair.
     struct Loaded {
-        MemberEnds ends;
+        MemberEnds ends, member;
+        int declared;  ///< its place in the list of the model
         bool local;
         History history;
         std::vector<Share> shares;  ///< of the member's elements
         /// The correction's moment at each end about x and about y is linear in the load's components across: of the
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
-        Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero();  ///< N/m at the member's ends; N
-        double at = -1;                                                       ///< of the point load
+        Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero();  ///< N/m at these ends; N
+        double at = -1;                                                       ///< of the point load, 0 to 1 between them
         double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
         bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
@@ -307,22 +320,42 @@ private:
         return w_.structure.model().declared<MemberLoad>(member_loads_effect);
     }
 
-    Loaded taken_up(const MemberLoad& load, int first, int end) const {
+    /// Adds a load of the script on the elements from `first` to `end`.
+    void take_up(const MemberLoad& load, int first, int end) {
         const Element& e = w_.structure.elements()[first];
-        const int n = end - first;
-        const double length = n * e.length;
-        Loaded l{{first, n}, load.axes == LoadAxes::local, load.history, {}, {}, {}};
-        l.held = load.held, l.on_node = is_on_node(load, n);
+        const int n = end - first, at_once = w_.structure.p_delta() && e.forms_pairs ? 2 : n;
+        const std::vector<Portion> all = portions(load, n, n * e.length, e.chord.normalized());
+        for (int k = 0; k < n; k += at_once) {
+            std::vector<Portion> here;
+            for (Portion p : all) {
+                if (p.element < k || p.element >= k + at_once) continue;
+                p.element -= k, p.xi = (p.xi * n - k) / at_once;
+                here.push_back(p);
+            }
+            if (!here.empty()) loads_.push_back(taken_up(load, {first, n}, {first + k, at_once}, here));
+        }
+    }
+    Loaded taken_up(const MemberLoad& load, const MemberEnds& member, const MemberEnds& ends,
+                    const std::vector<Portion>& parts) const {
+        const int first = ends.first, n = ends.count, all = member.count;
+        const Element& e = w_.structure.elements()[first];
+        Loaded l{ends, member, int(&load - declared().data()), load.axes == LoadAxes::local, load.history, {}, {}, {}};
+        l.held = load.held, l.on_node = is_on_node(load, all);
         l.may_jump = load.history && load.history.may_jump_in(steep * w_.kind.dt);
         if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w_.state.time);
-        if (load.spread())
-            for (int of : {0, 1}) l.spread[of] = force_per_length(load, of, e.chord.normalized());
-        else l.at = load.at, l.point = load.force[0];
+        const double begin = double(first - member.first) / all;
+        for (int of : {0, 1}) {
+            if (!load.spread()) break;
+            const double xi = begin + double(of * n) / all;
+            const auto at_end = [&](int end) { return force_per_length(load, end, e.chord.normalized()); };
+            l.spread[of] = (1 - xi) * at_end(0) + xi * at_end(1);
+        }
+        if (!load.spread()) l.at = std::clamp((load.at - begin) * all / n, 0.0, 1.0), l.point = load.force[0];
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
-        const ClampedMember clamped(w_.structure, first, end);
-        for (const Portion& p : portions(load, n, length, e.chord.normalized())) {
+        const ClampedMember clamped(w_.structure, first, first + n);
+        for (const Portion& p : parts) {
             const double lever[2] = {1 - p.eta, p.eta};
             for (int i : {0, 1}) {
                 l.shares[p.element].force[i] += lever[i] * p.force;
@@ -343,8 +376,16 @@ private:
     }
 
     void factors_at(double time, double StepFactor::*of_step) {
-        for (Loaded& l : loads_) l.factor = l.may_jump ? l.over.*of_step : l.history ? l.history(time) : 1;
+        for (std::size_t i = 0; i < loads_.size(); ++i) {
+            Loaded& l = loads_[i];
+            l.factor = is_next_pair(i) ? loads_[i - 1].factor
+                       : l.may_jump    ? l.over.*of_step
+                       : l.history     ? l.history(time)
+                                       : 1;
+        }
     }
+    /// Whether this is a further pair of the load before: a function of the script is asked once.
+    bool is_next_pair(std::size_t i) const { return i > 0 && loads_[i - 1].declared == loads_[i].declared; }
 
     /// What acts of a load on the trial at this load factor, 1 in dynamics; and on the state.
     static double factor_now(const Loaded& l, double load_factor) { return l.held ? 1 : load_factor * l.factor; }
@@ -374,7 +415,7 @@ private:
                    own.z());
         }
         if (!l.ends.whole(w_.state)) return;
-        const Pressed by_N = pressed(l, pair_of(l, element), factor, at, w_.force_of_fixed_ends());
+        const Pressed by_N = pressed(l, factor, at, w_.force_of_fixed_ends());
         for (int end = 0; end < 2 && by_N.counts; ++end) {
             const Vec3 there = by_N.pair.moment_at(element, end, by_N.m);
             to.add(end, there.x(), there.y(), 0, 0);
@@ -391,27 +432,21 @@ private:
         double middle[2] = {0, 0};
         bool is_middle(int element, int end) const { return (element == pair.first) == (end == 1); }
     };
-    int pair_of(const Loaded& l, int element) const { return l.ends.first + (element - l.ends.first) / 2 * 2; }
-    /// `first`: of the pair's elements; `force`: p of all elements, of which N is taken.
-    Pressed pressed(const Loaded& l, int first, double factor, const ConfigurationView& at,
-                    const std::vector<Vec6>& force) const {
-        Pressed is{false, {first, 2}};
-        if (!w_.structure.p_delta() || first + 1 >= l.ends.first + l.ends.count) return is;
-        const PressedPair by_N(w_.structure, first, force, w_.trial.heat);
+    /// `force`: p of all elements, of which N is taken.
+    Pressed pressed(const Loaded& l, double factor, const ConfigurationView& at, const std::vector<Vec6>& force) const {
+        Pressed is{false, l.ends};
+        const bool between = l.at < 0 || (l.at > 0 && l.at < 1);
+        if (!w_.structure.p_delta() || l.ends.count != 2 || !between) return is;
+        const PressedPair by_N(w_.structure, l.ends.first, force, w_.trial.heat);
         if (!by_N.counts()) return is;
-        const int n = l.ends.count;
-        const double begin = double(first - l.ends.first) / n, end = begin + 2.0 / n;
-        const bool loaded = l.at < 0 || (l.at > begin && l.at < end);
-        if (!loaded) return is;
         is.counts = true;
         is.chord = is.pair.chord(w_.structure, at);
         const auto across = [&](const Vec3& f, int plane) {
             return factor * (l.local ? f[1 - plane] : is.chord.axes.col(1 - plane).dot(f));
         };
         for (int plane : {0, 1}) {
-            const double q[2] = {across((1 - begin) * l.spread[0] + begin * l.spread[1], plane),
-                                 across((1 - end) * l.spread[0] + end * l.spread[1], plane)};
-            const double P = across(l.point, plane), x = (l.at - begin) * n - 1;
+            const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};
+            const double P = across(l.point, plane), x = 2 * l.at - 1;
             for (int of : {0, 1})
                 is.m[of][plane] = l.at < 0 ? by_N.of_spread(of, plane, q)
                                   : P == 0 ? 0.0
@@ -492,12 +527,10 @@ private:
         for (int end : {0, 1}) m[end] = factor * (chord.axes * end_moment(l, end, chord.axes));
         l.ends.pass_on(w_.structure, chord.span, m, add);
         const bool of_state = &at.displacement == &w_.state.displacement;
-        for (int i = 0; i < l.ends.count; i += 2) {
-            const Pressed by_N = pressed(l, l.ends.first + i, factor, at, of_state ? w_.state.force : w_.force);
-            if (!by_N.counts) continue;
-            for (int end : {0, 1}) m[end] = by_N.chord.axes * by_N.m[end];
-            by_N.pair.pass_on(w_.structure, by_N.chord.span, m, add);
-        }
+        const Pressed by_N = pressed(l, factor, at, of_state ? w_.state.force : w_.force);
+        if (!by_N.counts) return;
+        for (int end : {0, 1}) m[end] = by_N.chord.axes * by_N.m[end];
+        by_N.pair.pass_on(w_.structure, by_N.chord.span, m, add);
     }
 
     /// On each of nodes_, now.
@@ -508,7 +541,7 @@ private:
     }
 
     std::vector<Loaded> loads_;
-    std::map<int, std::vector<int>> on_member_;  ///< places in loads_
+    std::map<int, std::vector<int>> on_element_;  ///< places in loads_
     std::vector<int> nodes_, place_;             ///< of loaded members; of each node its place in that list, -1
     std::vector<Vec6> before_;                   ///< what acted on nodes_ at the end of the last step
 };

@@ -35,7 +35,10 @@ struct Bar {
     double width;  ///< contact width of the member, m
     double N = 0;  ///< N, tension positive; 0 in a broken one, as all forces
     double Mx[2] = {0, 0}, My[2] = {0, 0}, Mz = 0;  ///< N m, at its first and its second end
-    double Qx[2] = {0, 0}, Qy[2] = {0, 0};          ///< N; dMx/dz = Qy, dMy/dz = -Qx
+    double Qx[2] = {0, 0}, Qy[2] = {0, 0};          ///< N; dMx/dz = Qy, dMy/dz = -Qx on the chord
+    /// P L^2 / EI about x and y, P positive in compression: the axial force acts on the bow of the bar between its ends
+    /// (BarBending::compression); 0: on its chord.
+    double compression[2] = {0, 0};
     double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;       ///< fully plastic resultants, N and N m; 0 without limit
     std::uint8_t hinges = 0;        ///< sections that were ever fully plastic: 1 first end, 2 second end, 4 middle
     std::uint8_t touched = 0;       ///< 1: it has been in contact

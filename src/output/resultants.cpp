@@ -39,6 +39,7 @@ Resultants::Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<co
     }
     x_.close();
     y_.close();
+    x_.compression = bar.compression[0], y_.compression = bar.compression[1];
 }
 
 double Resultants::at(Show which, double t) const {
@@ -47,8 +48,8 @@ double Resultants::at(Show which, double t) const {
     switch (which) {
         case Show::N: return bar_->N;
         case Show::Mz: return bar_->Mz;
-        case Show::Mx: return sheared_ ? x_.moment(t) : straight(x_.M);
-        case Show::My: return sheared_ ? y_.moment(t) : straight(y_.M);
+        case Show::Mx: return sheared_ || x_.compression != 0 ? x_.moment(t) : straight(x_.M);
+        case Show::My: return sheared_ || y_.compression != 0 ? y_.moment(t) : straight(y_.M);
         case Show::Qx: return sheared_ ? y_.shear(t) : -slope(y_.M);
         case Show::Qy: return sheared_ ? x_.shear(t) : slope(x_.M);
         default: return 0;
@@ -64,9 +65,10 @@ double Resultants::yield_at(double t) const {
     const auto part = [](double force, double limit) { return limit > 0 ? (force / limit) * (force / limit) : 0; };
     const double f_y = part(bar_->N, bar_->N0) + part(at(Show::Mx, t), bar_->Mx0) + part(at(Show::My, t), bar_->My0) +
                        part(bar_->Mz, bar_->Mz0);
-    // N is that of the end where it is larger. Between its ends a load can bend it more than there.
-    return jumps().empty() && x_.q[0] == 0 && x_.q[1] == 0 && y_.q[0] == 0 && y_.q[1] == 0 ? std::min(f_y, bar_->yield)
-                                                                                           : std::min(f_y, 1.0);
+    // N is that of the end where it is larger. Between its ends a load or the axial force can bend it more than there.
+    const bool bends_between = !jumps().empty() || x_.q[0] != 0 || x_.q[1] != 0 || y_.q[0] != 0 || y_.q[1] != 0 ||
+                               x_.compression != 0 || y_.compression != 0;
+    return std::min(f_y, bends_between ? 1.0 : bar_->yield);
 }
 
 int Resultants::class_at(double t) const {

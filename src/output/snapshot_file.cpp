@@ -105,6 +105,12 @@ constexpr Column shear_columns[] = {
     {"Qy 2 [N]", [](Bar& b) -> double& { return b.Qy[1]; }},
 };
 
+/// Where the axial force acts on the bow of members.
+constexpr Column compression_columns[] = {
+    {"P L2/EIx", [](Bar& b) -> double& { return b.compression[0]; }},
+    {"P L2/EIy", [](Bar& b) -> double& { return b.compression[1]; }},
+};
+
 /// Where bars were declared to end, where some have broken off.
 constexpr const char* node_names[2] = {"node 1", "node 2"};
 
@@ -161,6 +167,10 @@ void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
     });
     for (const Column& column : shear_columns)
         if (loaded)
+            add_column<vtkFloatArray>(cells, column.name, bars,
+                                      [&](Bar b) { return static_cast<float>(column.of(b)); });
+    for (const Column& column : compression_columns)
+        if (std::any_of(bars.begin(), bars.end(), [&](Bar b) { return column.of(b) != 0; }))
             add_column<vtkFloatArray>(cells, column.name, bars,
                                       [&](Bar b) { return static_cast<float>(column.of(b)); });
     const bool any_broken =
@@ -333,6 +343,8 @@ void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     for (const Column& column : force_columns)
         each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
     for (const Column& column : shear_columns)
+        each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
+    for (const Column& column : compression_columns)
         each(column.name, [&](Bar& bar, double value) { column.of(bar) = value; });
     for (Bar& bar : snapshot.bars)
         for (const int end : {0, 1})

@@ -11,19 +11,21 @@
 namespace hinge {
 namespace {
 
-/// Where weight acts at the nodes alone (weight = "nodes") nothing follows N. Of a clamped beam's end moment under
-/// loads along it, in parts of what P L / 8 of a load P in its middle would be: what compression adds is so many times
-/// n / (1 - n), n = N / N_clamped. 0.82 within 1 % up to n = 0.75, with P; a uniform load of the same P on the middle
-/// node has 1.1 times that.
-constexpr double by_compression = 0.82;
 constexpr double most_missed = 0.05;  ///< of a pair's largest moment, that goes unsaid
 constexpr double negligible = 1e-3;   ///< of N i: a moment that adds less than 0.2 % to the stress by N
 
-/// With weight = "members" the fixed-end moments follow N as far as this p (effects/clamped_member.h). What an even
-/// load q has beyond that, of q L^2/12: 3 (1 - u cot u) / u^2, u^2 = p.
+/// The moments of loads between the ends follow N as far as p = 6 (effects/clamped_member.h, beam/pair_bow.h). What an
+/// even load q has beyond that at clamped ends, of q L^2/12: 3 (1 - u cot u) / u^2, u^2 = p.
 double of_even_load(double p) {
     const double u = std::sqrt(p);
     return 3 * (1 - u / std::tan(u)) / p;
+}
+
+/// What p makes of the moment that an even load has in the middle between clamped ends, over that without N:
+/// 6 (u / sin u - 1) / u^2, u^2 = p.
+double amplification(double p) {
+    const double u = std::sqrt(p);
+    return 6 * (u / std::sin(u) - 1) / p;
 }
 
 std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
@@ -64,8 +66,7 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
                                                        const std::string& where) {
     if (moments_told_ || !structure.p_delta()) return {};
     constexpr double clamped = std::numbers::pi * std::numbers::pi;
-    const bool at_nodes = structure.model().options().weight == Weight::nodes;
-    const double least = at_nodes ? most_missed : beam::pair_most / clamped;
+    const double least = beam::pair_most / clamped;
     double worst = most_missed;
     int at = -1;
     for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
@@ -79,8 +80,7 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
         for (int plane : {0, 1}) {  // bending about x is by loads along y
             const double n = by.part[plane], EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;
             if (n <= least) continue;
-            const double by_N = at_nodes ? by_compression * n / (1 - n) / 4
-                                         : (of_even_load(clamped * n) - of_even_load(beam::pair_most)) / 3;
+            const double by_N = (of_even_load(clamped * n) - of_even_load(beam::pair_most)) / 3;
             const double lacks = by_N * std::abs(axes.col(1 - plane).dot(load)) * e.length;
             if (!(lacks > negligible * by.force * std::sqrt(EI / e.rigidity.EA))) continue;
             if (const double part = lacks / (has[plane] + lacks); part > worst) worst = part, at = int(i);
@@ -92,7 +92,9 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
     const PairCompression by = pressed(structure, state, state.force, at);
     return RunWarning{"member " + std::to_string(member + 1) + " has loads between its nodes and is compressed by " +
                           number_text(by.force, 4) + " N " + where + ", " + percent(by.most()) +
-                          " of what buckles a pair of its elements between clamped ends: its moments are some " +
+                          " of what buckles a pair of its elements between clamped ends, where such loads make " +
+                          number_text(amplification(clamped * by.most()), 2) +
+                          " times the moment in the middle that they make without compression: its moments are some " +
                           percent(worst) + " too small, and more so as it is compressed further",
                       "two elements cannot show that, four can", member};
 }

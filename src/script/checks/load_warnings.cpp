@@ -264,8 +264,8 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
             continue;
         }
         const std::string shows = record.run->structure().p_delta()
-                                      ? "that shows with a small imperfection, and with four elements where both its "
-                                        "ends are clamped"
+                                      ? "that shows with a small imperfection; beyond Euler's load between its nodes, "
+                                        "which clamped ends allow, it takes four elements"
                                       : "that shows in large displacement with p_delta = \"member\", its default, or "
                                         "eight elements a member, and a small imperfection";
         list.push_back({text_of(group),

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <set>
 
+#include "core/bar_bending.h"
+
 namespace hinge::script {
 namespace {
 
@@ -68,6 +70,14 @@ std::array<double, 4> sags(const Snapshot& s, const Bar& b) {
         const double(&M)[2] = axis == 0 ? b.Mx : b.My;
         const double(&Q)[2] = axis == 0 ? b.Qy : b.Qx;
         const double sign = axis == 0 ? length : -length, chord = M[1] - M[0];
+        if (b.compression[axis] != 0) {
+            BarBending bent{{M[0], M[1]}, {Q[0], Q[1]}, axis == 0 ? 1.0 : -1.0, length};
+            bent.compression = b.compression[axis];
+            bent.close();
+            const auto off = [&](double t) { return bent.moment(t) - M[0] - t * chord; };
+            out[2 * axis] = off(0.5), out[2 * axis + 1] = (off(0.25) - off(0.75)) * 32 / 3;
+            continue;
+        }
         if (Q[0] == 0 && Q[1] == 0) continue;  // frames of earlier versions have none
         const double first = sign * Q[0] - chord, last = sign * Q[1] - chord;
         const double noise = 1e-5 * (std::abs(M[0]) + std::abs(M[1]) + length * (std::abs(Q[0]) + std::abs(Q[1])));

@@ -19,12 +19,17 @@
 namespace hinge::script {
 namespace {
 
+constexpr double drawn_compression = 0.02;  // below it moments change by a quarter of a per cent between the ends
+
 void add_forces(output::Bar& bar, const Run& run, int element) {
     const SectionForces a = run.section_forces(element, -1), b = run.section_forces(element, 1);
     bar.N = std::abs(a.N) > std::abs(b.N) ? a.N : b.N;
     bar.Mz = std::abs(a.Mz) > std::abs(b.Mz) ? a.Mz : b.Mz;
     bar.Mx[0] = a.Mx, bar.Mx[1] = b.Mx, bar.My[0] = a.My, bar.My[1] = b.My;
     bar.Qx[0] = a.Qx, bar.Qx[1] = b.Qx, bar.Qy[0] = a.Qy, bar.Qy[1] = b.Qy;
+    const Eigen::Vector2d compression = run.compression(element);
+    for (const int axis : {0, 1})
+        bar.compression[axis] = std::abs(compression[axis]) > drawn_compression ? compression[axis] : 0;
     const beam::YieldSurface& w = run.structure().elements()[element].yield;
     const auto plastic = [](double weight) { return weight > 0 ? 1 / std::sqrt(weight) : 0; };
     bar.N0 = plastic(w.n), bar.Mx0 = plastic(w.x), bar.My0 = plastic(w.y), bar.Mz0 = plastic(w.z);
