@@ -20,4 +20,11 @@ double bow_of_force(double p, double x) {
     return 0.5 * ((middle + ends) / over - xi);
 }
 
+double bow_of_couple(double p, double x) {
+    if (std::abs(p) < 1e-3) return 0;
+    const double side = x > 0 ? 1 : x < 0 ? -1 : 0, xi = 1 - std::abs(x), u = std::sqrt(std::abs(p));
+    const auto of = [&](double z) { return p > 0 ? std::sin(u * z) : std::sinh(u * z); };
+    return 0.5 * (side - (side * of(xi) + of(x)) / of(1));
+}
+
 }  // namespace hinge::beam

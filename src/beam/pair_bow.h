@@ -24,21 +24,29 @@
 
 namespace hinge::beam {
 
+/// v and e^-v where p is pair_least.
+inline constexpr double pair_least_v = 2.684058886, pair_least_e = 0.06828543;
 /// T/p and D of a pair.
 template <class Real>
 struct BowFunctions {
     Real share, D;
 };
-/// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2; beyond, as at the end of
-/// that range.
+/// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2. Above, as at 6; below, with
+/// e^-v to some per cent, where it is less than 0.07.
 template <class Real>
 [[gnu::always_inline]] inline BowFunctions<Real> bow_functions(const Real& p) {
     const auto c = [&](double v) { return spread(v, p); };
-    Real t = p < c(pair_least) ? c(pair_least) : p;
+    const Real least = c(pair_least);
+    Real t = p < least ? least : p;
     t = t > c(pair_most) ? c(pair_most) : t;
     const Real x = c(0.25) * t,
                tan_h = (c(10395) + x * (c(21) * x - c(1260))) / (c(10395) + x * (x * (c(210) - x) - c(4725)));
-    return {c(0.5) * tan_h, (c(1) + x * tan_h * tan_h) / tan_h};
+    BowFunctions<Real> of = {c(0.5) * tan_h, (c(1) + x * tan_h * tan_h) / tan_h};
+    const Real v = square_root(p < least ? c(0) - p : c(0) - least), by = c(1) + c(1.0 / 16) * (v - c(pair_least_v));
+    const Real by2 = by * by, by4 = by2 * by2, by8 = by4 * by4, e = c(pair_least_e) / (by8 * by8);  // e^-v
+    of.share = p < least ? (c(1) - e) / ((c(1) + e) * v) : of.share;
+    of.D = p < least ? c(2) * v * e / (c(1) - e * e) : of.D;
+    return of;
 }
 
 /// What a rotation K of both ends makes in the middle beyond the moment at the node, in parts of EI/l K.
@@ -58,9 +66,10 @@ template <class Real>
     return bow_of_rotation(p) / stability_functions(p).S;
 }
 
-/// The same of an even load, in q l^2, and of a force at x, in P l.
+/// The same of an even load, in q l^2, of a force at x, in P l, and of a moment there, which is its derivative by x.
 double bow_of_even_load(double p);
 double bow_of_force(double p, double x);
+double bow_of_couple(double p, double x);
 
 /// P l^2 / EI of an element of length l, m, for a compression P, N. Shear makes a bow softer: P / (1 - P / GA) in the
 /// place of P (Engesser 1891).

@@ -143,11 +143,25 @@ double PressedPair::of_force(int end, int plane, double x) const {
     return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
 }
 
+double PressedPair::of_couple(int end, int plane, double x) const {
+    const double p = p_[plane];
+    if (p == 0) return 0;
+    const double u = std::sqrt(std::abs(p));
+    const auto sine = [&](double z) { return p > 0 ? std::sin(u * z) : std::sinh(u * z); };
+    const auto cosine = [&](double z) { return p > 0 ? std::cos(u * z) : std::cosh(u * z); };
+    const double symmetric = x - sine(x) / sine(1),
+                 antisymmetric = (u * cosine(x) - sine(1)) / (u * cosine(1) - sine(1)) - 0.5 * (3 * x * x - 1);
+    return 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
+}
+
 double PressedPair::middle_of_spread(int plane, double q) const {
     return p_[plane] == 0 ? 0 : -sign[plane] * q * l_ * l_ * beam::bow_of_even_load(p_[plane]);
 }
 double PressedPair::middle_of_force(int plane, double x) const {
     return p_[plane] == 0 ? 0 : -sign[plane] * l_ * beam::bow_of_force(p_[plane], x);
+}
+double PressedPair::middle_of_couple(int plane, double x) const {
+    return p_[plane] == 0 ? 0 : -beam::bow_of_couple(p_[plane], x);
 }
 
 Vec3 direction_of(const Structure& s, int element, const ConfigurationView& at) {

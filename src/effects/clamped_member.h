@@ -107,6 +107,8 @@ template <class Real>
 ///       symmetric rotation        (cos u x/l - cos u) l / (u sin u)
 ///       antisymmetric rotation    (sin u x/l - x/l sin u) l / (u cos u - sin u)
 ///
+///   moment at x                   the beam's rotation there, the derivative of that deflection
+///
 /// in tension the same with hyperbolic functions. Closed form for beams that are stiff in shear. p counts up to 6, as
 /// in the law of pairs; below 0.02 it is taken as none, where the moments change by less than 0.2 %, and in full from
 /// 0.04 on. The axial force does not follow from an energy with these moments in it: their work is the load's. The
@@ -121,12 +123,14 @@ public:
     double of_spread(int end, int plane, const double (&q)[2]) const;
     /// The same at the first end by an even load, N/m; the opposite at the second.
     double of_even(int plane, double q) const;
-    /// By a unit force there, m; x: -1 to 1 over the pair.
+    /// By a unit force there, m, and by a unit moment about the axis of the plane; x: -1 to 1 over the pair.
     double of_force(int end, int plane, double x) const;
+    double of_couple(int end, int plane, double x) const;
     /// What the moment in the middle has beyond that at the node, with the section's sign, N m: by the mean q, N/m, of a
     /// load per length; by a unit force, m.
     double middle_of_spread(int plane, double q) const;
     double middle_of_force(int plane, double x) const;
+    double middle_of_couple(int plane, double x) const;
 
 private:
     double l_, p_[2];

@@ -19,8 +19,7 @@ public:
           g_(gravity_of(w.structure.model())->acceleration),
           held_(gravity_of(w.structure.model())->held) {
         at_start_ = potential(w.state);
-        if (w.structure.p_delta() || w.structure.model().options().weight == Weight::members)
-            members_ = MemberWeights(w.structure);
+        if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
         choose_members();
     }
 
@@ -150,7 +149,7 @@ private:
 
     Vec3 g_, held_;          ///< m/s^2; of it, what statics holds from the start on
     double at_start_;        ///< J
-    MemberWeights members_;  ///< none with weight = "nodes" where N acts on chords
+    MemberWeights members_;  ///< none with weight = "nodes"
     /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.
     std::vector<Vec3> before_, now_;
     /// The fixed ends have been found where forces are asked for next.

@@ -309,7 +309,8 @@ private:
         /// The correction's moment at each end about x and about y is linear in the load's components across: of the
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
-        Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero();  ///< N/m at these ends; N
+        Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(),
+             couple = Vec3::Zero();  ///< N/m at these ends; N and N m of a point load
         double at = -1;                                                       ///< of the point load, 0 to 1 between them
         double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
@@ -350,7 +351,10 @@ private:
             const auto at_end = [&](int end) { return force_per_length(load, end, e.chord.normalized()); };
             l.spread[of] = (1 - xi) * at_end(0) + xi * at_end(1);
         }
-        if (!load.spread()) l.at = std::clamp((load.at - begin) * all / n, 0.0, 1.0), l.point = load.force[0];
+        if (!load.spread()) {
+            l.at = std::clamp((load.at - begin) * all / n, 0.0, 1.0);
+            l.point = load.force[0], l.couple = load.moment[0];
+        }
         l.shares.resize(n);
         for (int end_of : {0, 1})
             for (int plane : {0, 1}) l.of_force[end_of][plane].setZero(), l.of_moment[end_of][plane].setZero();
@@ -446,14 +450,20 @@ private:
         };
         for (int plane : {0, 1}) {
             const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};
-            const double P = across(l.point, plane), x = 2 * l.at - 1;
-            for (int of : {0, 1})
-                is.m[of][plane] = l.at < 0 ? by_N.of_spread(of, plane, q)
-                                  : P == 0 ? 0.0
-                                           : P * by_N.of_force(of, plane, x);
-            is.middle[plane] = l.at < 0 ? by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]))
-                               : P == 0 ? 0.0
-                                        : P * by_N.middle_of_force(plane, x);
+            if (l.at < 0) {
+                for (int of : {0, 1}) is.m[of][plane] = by_N.of_spread(of, plane, q);
+                is.middle[plane] = by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]));
+                continue;
+            }
+            const double P = across(l.point, plane), x = 2 * l.at - 1,
+                         M = factor * (l.local ? l.couple[plane] : is.chord.axes.col(plane).dot(l.couple));
+            if (P != 0) {
+                for (int of : {0, 1}) is.m[of][plane] = P * by_N.of_force(of, plane, x);
+                is.middle[plane] = P * by_N.middle_of_force(plane, x);
+            }
+            if (M == 0) continue;
+            for (int of : {0, 1}) is.m[of][plane] += M * by_N.of_couple(of, plane, x);
+            is.middle[plane] += M * by_N.middle_of_couple(plane, x);
         }
         return is;
     }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 
-#include "beam/pair_bow.h"
 #include "effects/joined_bodies.h"
 #include "state/hinges.h"
 
@@ -37,7 +36,7 @@ void add_rotated(const std::vector<Quat>& rotation, const int* node, const Lanes
 
 }  // namespace
 
-MemberWeights::MemberWeights(const Structure& s) : at_nodes_(s.model().options().weight == Weight::nodes) {
+MemberWeights::MemberWeights(const Structure& s) {
     std::map<std::tuple<const void*, double, int>, int> known;  // members that are alike
     for (const auto& [first, end] : elements_of_members(s)) {
         const Element& e = s.elements()[first];
@@ -48,16 +47,8 @@ MemberWeights::MemberWeights(const Structure& s) : at_nodes_(s.model().options()
     }
 }
 
-double MemberWeights::mass_per_length(const Structure& s, int element) const {
-    const Element& e = s.elements()[element];
-    if (!at_nodes_) return e.rigidity.rhoA;
-    const int first = std::min(element, e.partner);
-    return (s.inertia(first).weight(1) + s.inertia(first + 1).weight(0)) / e.length;
-}
-
-MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds& ends) const {
+MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds& ends) {
     const int n = ends.count;
-    if (at_nodes_) return {0, std::vector<double>(n + 1, 0.0), std::vector<beam::FixedEnd>(n)};
     const Element& e = s.elements()[ends.first];
     const double length = n * e.length, per_length = e.rigidity.rhoA;
     const ClampedMember clamped(s, ends.first, ends.first + n);
@@ -123,9 +114,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         block.most_pairs = std::max(i == 0 ? 0 : block.most_pairs, block.pairs[i]);
         block.flexible[0][i] = a.length * a.length / a.rigidity.EIx;
         block.flexible[1][i] = a.length * a.length / a.rigidity.EIy;
-        block.a_pair[i] = block.pairs[i] == 0 ? 0
-                                              : mass_per_length(s, ends.first) * a.length * a.length /
-                                                    ((at_nodes_ ? 2 : 3) * block.pairs[i]);
+        block.a_pair[i] = a.rigidity.rhoA * a.length * a.length / 3 / std::max(1, block.pairs[i]);
     }
     axes_.assign(s.p_delta() ? blocks_.size() : 0, {});
     for (int i = 0; i < int(s.elements().size()); ++i)
@@ -148,14 +137,10 @@ Vec3 MemberWeights::moment_by_N(const Structure& s, const Vec3& local, const std
     Vec3 sum = Vec3::Zero();
     const MemberEnds& ends = ends_[member];
     if (!s.p_delta()) return sum;
+    const double mass = s.elements()[ends.first].rigidity.rhoA;
     for (int i = 0; i < ends.count; i += 2) {
-        const Element& e = s.elements()[ends.first + i];
-        if (e.partner < 0) continue;
         const PressedPair pair(s, ends.first + i, force, heat);
-        const double mass = mass_per_length(s, ends.first + i);
-        for (int plane : {0, 1})
-            sum[plane] += at_nodes_ ? mass * e.length * local[1 - plane] * pair.of_force(0, plane, 0)
-                                    : pair.of_even(plane, mass * local[1 - plane]);
+        for (int plane : {0, 1}) sum[plane] += pair.of_even(plane, mass * local[1 - plane]);
     }
     return 2.0 / ends.count * sum;
 }
@@ -166,7 +151,7 @@ Vec3 MemberWeights::middle_by_N(const Structure& s, const Vec3& local, const std
     const Element& e = s.elements()[element];
     if (!s.p_delta() || e.partner < 0) return m;
     const PressedPair pair(s, std::min(element, e.partner), force, heat);
-    for (int plane : {0, 1}) m[plane] = pair.middle_of_spread(plane, mass_per_length(s, element) * local[1 - plane]);
+    for (int plane : {0, 1}) m[plane] = pair.middle_of_spread(plane, e.rigidity.rhoA * local[1 - plane]);
     return m;
 }
 
@@ -186,8 +171,7 @@ bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, co
             const Lanes p = -b.flexible[plane] * N;
             if (!any_above(p < 0 ? -p : p, counts_from)) continue;
             any = true;
-            of[plane] += b.a_pair * (at_nodes_ ? beam::bow_functions<Lanes>(counted(p)).share - 0.5
-                                               : 1 / beam::stability_functions(counted(p)).A - 1);
+            of[plane] += b.a_pair * (1 / beam::stability_functions(counted(p)).A - 1);
         }
     }
     of[0] = -of[0];
@@ -311,7 +295,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     const int member = s.elements()[element].member, end = side < 0 ? 0 : 1;
     const MemberEnds& ends = ends_[member];
     const Mat3 to_local = axes_of(element_frame(s, element, state)).transpose();
-    if (!at_nodes_) add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
+    add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
     const MemberEnds::Chord chord = ends.chord(s, state);
     const Kind& kind = kinds_[kind_[member]];
     const double bow = kind.bow[element - ends.first + end], gx = chord.axes.col(0).dot(g),

@@ -16,7 +16,6 @@ namespace hinge {
 class MemberWeights {
 public:
     MemberWeights() = default;
-    /// With weight = "nodes" the loads are the nodes' weights, and N alone changes moments.
     explicit MemberWeights(const Structure& structure);
 
     int count() const { return int(ends_.size()); }
@@ -61,7 +60,7 @@ private:
         // what N changes (PressedPair)
         int first[lane_count], pairs[lane_count], most_pairs;  ///< elements; pairs of each, and the most of them
         Lanes flexible[2];                                     ///< l^2/EI in the two planes, l: one element, 1/N
-        Lanes a_pair;  ///< rho A l^2 / 3 (at nodes: l / 2 of the mass at its middle), over the number of pairs, kg m
+        Lanes a_pair;                                          ///< rho A l^2 / 3, divided by the number of pairs, kg m
     };
     /// The axes x, y, z of a block's members in space.
     struct Axes {
@@ -71,9 +70,7 @@ private:
     Lanes find_span(const Block& b, bool large, const ConfigurationView& at, Lanes (&span)[3]) const;
     /// As by MemberEnds::axes and to the same bits.
     void find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const;
-    Kind kind_of(const Structure& s, const MemberEnds& ends) const;
-    /// Mass per length that bends a pair between its ends: its own, or the one that is at its middle node, kg/m.
-    double mass_per_length(const Structure& s, int element) const;
+    static Kind kind_of(const Structure& s, const MemberEnds& ends);
     /// moment_by_N of its members, in two planes, by gravity of 1 m/s^2 across each. False: they are all zero.
     bool find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat, Lanes (&of)[2]) const;
     /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
@@ -85,7 +82,6 @@ private:
     Vec3 middle_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, const ElementHeats& heat,
                      int element) const;
 
-    bool at_nodes_ = false;  ///< weight = "nodes"
     std::vector<Kind> kinds_;
     std::vector<int> kind_;           ///< of each member
     std::vector<MemberEnds> ends_;    ///< likewise
