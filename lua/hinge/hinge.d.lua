@@ -65,10 +65,13 @@ function hinge.model(options) end
 ---where the axial force of an element acts in large displacement. member (default): on the element's chord, and on the
 ---bending of each pair of elements between its ends, by the stability functions of the exact beam-column
 ---(src/beam/beam_column.h). Elastic columns buckle at Euler's load to 0.1 % with two elements. One that is clamped at
----both ends and cannot sway needs four to bend out; statics counts that load with two, too, dynamics warns of it. What
----its compression adds to the moments of loads along it (0.7 N / N_clamped at first) takes four, too. chord: on the
----chord alone, as in the paper. Two elements a member then carry too much in compression: a pinned column 2.27 times
----Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10 times each. member needs formulation
+---both ends and cannot sway needs four to bend out; statics counts that load with two, too, dynamics warns of it.
+---Moments between the ends are those of the beam-column, under end moments, loads and weight, up to 0.6 of the load at
+---which the member buckles between clamped ends; beyond that a run warns. `member:along`, yield and utilisation use
+---them. A hinge between the ends is in the middle, and forms when the largest moment of the span reaches the plastic
+---one (src/beam/pair_bow.h). chord: on the chord alone, as in the paper. Two elements a member then carry too much in
+---compression: a pinned column 2.27 times Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10
+---times each. member needs formulation
 ---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
 ---interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). exact (default): that of
@@ -80,7 +83,8 @@ function hinge.model(options) end
 ---nodes, too. End forces and displacements of joints are then those of a load `q` of the same size: exact in elastic
 ---members with two elements in small displacement. nodes: at the nodes alone, as in the paper. The end moments of a
 ---clamped member of two elements are then 0.63 of w L^2 / 12, with four 0.91, and the shear forces at its ends 1/2 and
----3/4 of w L / 2. With mass cubic the nodes' weights give the end moments by themselves. In dynamics weight acts along
+---3/4 of w L / 2. Beside compression the moments in the span are too small, by some 15, 30, 44 % at 0.3, 0.6, 0.9 of
+---Euler's load; a run warns of it. With mass cubic the nodes' weights give the end moments by themselves. In dynamics weight acts along
 ---the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
 ---or a connector (broken or not) joins it to the ground or to such a body. What falls, and what lies on others or on
 ---model:ground, has weight at nodes alone: there inertia bends a member as little as weight does. So has a member with
@@ -2324,7 +2328,9 @@ function member:forces(run) end
 ---The resultants along the member, with the loads between its nodes: a list of rows from its first end (x = 0) to its
 ---second. Rows stand at `parts` equal parts of its length, at its elements' ends, where a moment has an extreme value,
 ---and on both sides of a point load. Signs as in member:forces: dMx/dx = Qy, dMy/dx = -Qx where no moment acts along
----it. Exact in small displacement under point loads and loads that are linear along it, weight included. In dynamics
+---it. Exact in small displacement under point loads and loads that are linear along it, weight included. In large
+---displacement with p_delta member the moments are those of the beam-column: the axial force acts on the bow of the
+---member, which adds to dMx/dx; shear forces are across the chord of each element. In dynamics
 ---inertia counts as a load that is uniform along each element. A broken element has no rows.
 ---```lua
 ---for _, row in ipairs(beam:along(run, 4)) do print(row.x, row.Mx, row.Qy) end

@@ -20,6 +20,29 @@ double bow_of_force(double p, double x) {
     return 0.5 * ((middle + ends) / over - xi);
 }
 
+double bow_peak(double p, double first, double middle, double second, std::span<const BowPoint> points) {
+    constexpr int pieces = 64;  // the parabola through a piece is 1e-4 higher than its ends
+    const double u = std::sqrt(std::abs(p));
+    const auto sine = [&](double x) { return p > 0 ? std::sin(u * x) : std::sinh(u * x); };
+    const auto cosine = [&](double x) { return p > 0 ? std::cos(u * x) : std::cosh(u * x); };
+    const auto of_points = [&](double x) {
+        double M = 0;
+        for (const BowPoint& at : points)
+            if (at.x < x) M -= at.slope * sine(x - at.x) / u + at.moment * cosine(x - at.x);
+        return M;
+    };
+    const double in_middle = middle - of_points(0), at_second = second - of_points(1),
+                 A = (in_middle - 0.5 * (first + at_second)) / (1 - cosine(1)), B = 0.5 * (at_second - first) / sine(1);
+    double largest = middle;
+    const auto look_at = [&](double x) {
+        const double M = in_middle + A * (cosine(x) - 1) + B * sine(x) + of_points(x);
+        if (M * middle > 0 && std::abs(M) > std::abs(largest)) largest = M;
+    };
+    for (int i = 1; i < pieces; ++i) look_at(2.0 * i / pieces - 1);
+    for (const BowPoint& at : points) look_at(at.x);
+    return largest - middle;
+}
+
 double bow_of_couple(double p, double x) {
     if (std::abs(p) < 1e-3) return 0;
     const double side = x > 0 ? 1 : x < 0 ? -1 : 0, xi = 1 - std::abs(x), u = std::sqrt(std::abs(p));

@@ -20,6 +20,8 @@
 // K follows from the mean moment at the two integration points, EI/l S K.
 #pragma once
 
+#include <span>
+
 #include "beam/beam_column.h"
 
 namespace hinge::beam {
@@ -31,8 +33,8 @@ template <class Real>
 struct BowFunctions {
     Real share, D;
 };
-/// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2. Above, as at 6; below, with
-/// e^-v to some per cent, where it is less than 0.07.
+/// Right to 1e-7 for p from -7.2 to 6 by Lambert's continued fraction of tan h / h, h = u/2. Above, as at 6; below,
+/// with e^-v to some per cent, where it is less than 0.07.
 template <class Real>
 [[gnu::always_inline]] inline BowFunctions<Real> bow_functions(const Real& p) {
     const auto c = [&](double v) { return spread(v, p); };
@@ -70,6 +72,15 @@ template <class Real>
 double bow_of_even_load(double p);
 double bow_of_force(double p, double x);
 double bow_of_couple(double p, double x);
+
+/// A load at a place x of a pair (-1 to 1): by what the slope dM/dx and the moment M fall there, N m.
+struct BowPoint {
+    double x, slope, moment;
+};
+/// The extreme moment between the ends beyond the one in the middle, from the moments at both ends and there, under
+/// loads at points and an even one: A cos(u x) + B sin(u x) + constant beside the points. 0 where there is none beyond
+/// it, of the same sign.
+double bow_peak(double p, double first, double middle, double second, std::span<const BowPoint> points);
 
 /// P l^2 / EI of an element of length l, m, for a compression P, N. Shear makes a bow softer: P / (1 - P / GA) in the
 /// place of P (Engesser 1891).

@@ -56,7 +56,8 @@ private:
 };
 
 /// dQ/dz = -q and dM/dz = sign Q - m, with z along the bar, t = z / length from 0 to 1. N, N m, m. Q is across the
-/// chord. Where the axial force acts on the bow of the bar between its ends (`compression`), dM/dz has its part as well.
+/// chord. Where the axial force acts on the bow of the bar between its ends (`compression`), dM/dz has its part as
+/// well.
 struct BarBending {
     struct Point {
         double t, force, moment;
@@ -109,8 +110,8 @@ struct BarBending {
                      d0 = sign * length * (shear_left - length * q[0]) - length * (m[1] - m[0]),
                      d1 = -sign * length * length * (q[1] - q[0]);  // M_chord'' = d0 + d1 t, and of the points
         const BowedBar bar(p);
-        double M_t = (d0 + d1 * t) / p + (M[0] - d0 / p) * bar.of_end(1 - t) +
-                     (chord_moment(1) - (d0 + d1) / p) * bar.of_end(t);
+        double M_t =
+            (d0 + d1 * t) / p + (M[0] - d0 / p) * bar.of_end(1 - t) + (chord_moment(1) - (d0 + d1) / p) * bar.of_end(t);
         for (const Point& at : points)
             M_t -= sign * length * at.force * bar.of_force(t, at.t) + at.moment * bar.of_moment(t, at.t);
         return M_t;

@@ -2,7 +2,8 @@
 // the chords of its elements, since the axial force acts on the bow of the beam between its ends (beam/pair_bow.h).
 //
 // The forces on the nodes do not change. Yield, fracture and all that reads section forces take the moment. The part of
-// loads between the ends is in the effects of those loads (PressedPair, clamped_member.h).
+// loads between the ends is in the effects of those loads (PressedPair, clamped_member.h). A hinge between the ends is
+// in the middle, and forms when the largest moment of the span reaches the plastic one.
 #include "beam/pair_bow.h"
 #include "core/lanes.h"
 #include "effects/clamped_member.h"
@@ -17,6 +18,7 @@ public:
     Bow(Workspace& w, Host& host) : Effect("bow", w, host, {.mean_forces = true}) {
         const auto& elements = w.structure.elements();
         blocks_.resize((elements.size() + lane_count - 1) / lane_count);
+        added_.assign(blocks_.size() * lane_count / 2, Eigen::Vector2d::Zero());
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const Element& e = elements[i];
             Block& b = blocks_[i / lane_count];
@@ -31,21 +33,25 @@ public:
             if (counts(blocks_[block], compression(int(block), w_.force_of_fixed_ends()))) return true;
         return false;
     }
-    void add_fixed_ends(const ConfigurationView&, double, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         const std::vector<Vec6>& force = w_.force_of_fixed_ends();
         w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
             for (int block = first; block < end; ++block) {
                 const Lanes P = compression(block, force);
-                if (counts(blocks_[block], P)) add_to_block(block, P, force, all);
+                for (int i = 0; i < lane_count / 2; ++i) added_[std::size_t(block * lane_count / 2 + i)].setZero();
+                if (counts(blocks_[block], P)) add_to_block(block, P, force, at, factor, all);
             }
         });
     }
 
-    /// The forces of the elements flow less than the section does: the rest is work of the axial force on the bow.
+    /// The forces of the elements do less work on the flow than the section's: the rest is that of the axial force on
+    /// the bow.
     void accumulate_energy(const Step&, Accounts& sums) const override {
         for (const PlasticIncrement& y : w_.yielding) {
+            const auto& more = added_[std::size_t(y.element / 2)];
+            if (w_.assembly.fixed_ends().empty() || more.isZero(0)) continue;
             beam::FixedEnd part;
-            add_to(y.element, middle_moment(first_of(y.element), w_.force_of_fixed_ends(), place()), part);
+            add_to(y.element, more, part);
             sums["work"] += work_on_flow(y, part);
         }
     }
@@ -88,8 +94,8 @@ private:
         return false;
     }
 
-    void add_to_block(int block, const Lanes& P, const std::vector<Vec6>& force,
-                      std::vector<beam::FixedEnd>& all) const {
+    void add_to_block(int block, const Lanes& P, const std::vector<Vec6>& force, const ConfigurationView& at,
+                      double factor, std::vector<beam::FixedEnd>& all) const {
         const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
         Lanes more[2] = {};
         for (int plane : {0, 1}) {
@@ -104,7 +110,31 @@ private:
             const double most = std::max(blocks_[block].flexible[0][i], blocks_[block].flexible[1][i]) * P[i];
             if (most > beam::bow_by_moments) m = middle_moment(from + i, force, place());
             for (int k : {0, 1}) add_to(from + i + k, m, all[from + i + k]);
+            const Eigen::Vector2d p(blocks_[block].flexible[0][i] * P[i], blocks_[block].flexible[1][i] * P[i]),
+                peak = beyond_middle(from + i, p, force, at, factor, all);
+            if (!peak.isZero(0))
+                for (int k : {0, 1}) add_to(from + i + k, peak, all[from + i + k]);
+            added_[std::size_t((from + i) / 2)] = m + peak;
         }
+    }
+
+    /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where that comes
+    /// near to the plastic one.
+    Eigen::Vector2d beyond_middle(int first, const Eigen::Vector2d& p, const std::vector<Vec6>& force,
+                                  const ConfigurationView& at, double factor,
+                                  const std::vector<beam::FixedEnd>& all) const {
+        constexpr double near = 0.25;  // of f_y in the middle: half of the plastic moment
+        Eigen::Vector2d peak = Eigen::Vector2d::Zero();
+        const beam::YieldSurface& w = w_.structure.elements()[first].yield;
+        const Vec6 before = force[first] + all[first].at(1), begin = force[first] + all[first].at(-1),
+                   end = force[first + 1] + all[first + 1].at(1);
+        if (!(beam::yield_function(before, 1, w) > near)) return peak;
+        for (int plane : {0, 1}) {
+            if (!(std::abs(p[plane]) > counts_in_full)) continue;
+            peak[plane] = beam::bow_peak(std::min(p[plane], beam::pair_most), -begin[2 * plane], before[2 * plane + 1],
+                                         end[2 * plane + 1], host_.points_on_pair(first, plane, at, factor));
+        }
+        return peak;
     }
 
     /// The moment at an element's integration point, of those that its forces have, N m.
@@ -125,7 +155,8 @@ private:
             const double p = counted(b.flexible[plane][lane] * P[lane]);
             if (p == 0 || !std::isfinite(p)) continue;
             if (p <= beam::bow_by_moments) {
-                const double G = 0.5 * (moment_at_point(first, plane, force) + moment_at_point(first + 1, plane, force));
+                const double G =
+                    0.5 * (moment_at_point(first, plane, force) + moment_at_point(first + 1, plane, force));
                 m[plane] = G * beam::bow_of_moment(p);
                 continue;
             }
@@ -146,6 +177,7 @@ private:
     }
 
     std::vector<Block> blocks_;
+    mutable std::vector<Eigen::Vector2d> added_;  ///< of each pair, what add_fixed_ends added last, N m
 };
 
 }  // namespace

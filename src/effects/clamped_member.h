@@ -126,8 +126,8 @@ public:
     /// By a unit force there, m, and by a unit moment about the axis of the plane; x: -1 to 1 over the pair.
     double of_force(int end, int plane, double x) const;
     double of_couple(int end, int plane, double x) const;
-    /// What the moment in the middle has beyond that at the node, with the section's sign, N m: by the mean q, N/m, of a
-    /// load per length; by a unit force, m.
+    /// What the moment in the middle has beyond that at the node, with the section's sign, N m: by the mean q, N/m, of
+    /// a load per length; by a unit force, m.
     double middle_of_spread(int plane, double q) const;
     double middle_of_force(int plane, double x) const;
     double middle_of_couple(int plane, double x) const;

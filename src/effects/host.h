@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "beam/pair_bow.h"
 #include "core/types.h"
 #include "state/bodies.h"
 #include "state/configuration.h"
@@ -52,6 +53,9 @@ public:
     virtual void note_activation(const std::string& effect, bool awake, const std::string& why) = 0;
     /// Effect::keep_from_rest of all.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
+    /// Loads at points between the ends of a pair of elements (SectionForceSource::add_points of all).
+    virtual std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
+                                                       double factor) = 0;
     virtual void count_break() = 0;
     virtual bool has_effective_stiffness() const = 0;
 };

@@ -171,6 +171,21 @@ public:
         }
     }
 
+    /// A force along y makes dMx/dz fall, one along x lets dMy/dz rise.
+    void add_points(int first, int plane, const ConfigurationView& at, double factor,
+                    std::vector<beam::BowPoint>& to) const override {
+        const auto on = on_element_.find(first);
+        if (on == on_element_.end()) return;
+        for (const int i : on->second) {
+            const Loaded& l = loads_[i];
+            if (!(l.at > 0 && l.at < 1)) continue;
+            const Mat3 axes = l.local ? Mat3(Mat3::Identity()) : l.ends.chord(w_.structure, at).axes;
+            const double now = factor_now(l, factor), length = w_.structure.elements()[first].length;
+            to.push_back({2 * l.at - 1, (plane == 0 ? 1 : -1) * now * length * axes.col(1 - plane).dot(l.point),
+                          now * axes.col(plane).dot(l.couple)});
+        }
+    }
+
     /// By the trapezium rule; of the fixed-end part on what flows, with that which it flowed by.
     void accumulate_energy(const Step&, Accounts& sums) const override {
         for (const PlasticIncrement& y : w_.yielding) {
@@ -310,8 +325,8 @@ private:
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
         Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(),
-             couple = Vec3::Zero();  ///< N/m at these ends; N and N m of a point load
-        double at = -1;                                                       ///< of the point load, 0 to 1 between them
+             couple = Vec3::Zero();          ///< N/m at these ends; N and N m of a point load
+        double at = -1;                      ///< of the point load, 0 to 1 between them
         double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
         bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
@@ -552,8 +567,8 @@ private:
 
     std::vector<Loaded> loads_;
     std::map<int, std::vector<int>> on_element_;  ///< places in loads_
-    std::vector<int> nodes_, place_;             ///< of loaded members; of each node its place in that list, -1
-    std::vector<Vec6> before_;                   ///< what acted on nodes_ at the end of the last step
+    std::vector<int> nodes_, place_;              ///< of loaded members; of each node its place in that list, -1
+    std::vector<Vec6> before_;                    ///< what acted on nodes_ at the end of the last step
 };
 
 bool acts(const Structure& s) {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "algebra/node_blocks.h"
+#include "beam/pair_bow.h"
 #include "effects/reports.h"
 #include "effects/host.h"
 #include "effects/workspace.h"
@@ -71,6 +72,12 @@ public:
     /// Adds the part that yield and fracture take, of all elements. `factor`: the load factor, 1 in dynamics. The work
     /// of an element's own forces on its flow is less than the whole by work_on_flow; the load's account has that.
     virtual void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const = 0;
+    /// Adds the loads that act at points between the ends of the pair of elements that begins with `first`, about the
+    /// axis of a plane (0: x, 1: y).
+    virtual void add_points(int first, int plane, const ConfigurationView& at, double factor,
+                            std::vector<beam::BowPoint>& to) const {
+        (void)first, (void)plane, (void)at, (void)factor, (void)to;
+    }
     /// Sets it in the place of what `all` has.
     virtual void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const {
         std::fill(all.begin(), all.end(), beam::FixedEnd());

@@ -92,6 +92,12 @@ void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
     for (const auto& e : effects_->all) e->keep_from_rest(bodies, rests);
 }
 
+std::vector<beam::BowPoint> Run::points_on_pair(int first, int plane, const ConfigurationView& at, double factor) {
+    std::vector<beam::BowPoint> points;
+    for (const auto& source : effects_->section_forces) source->add_points(first, plane, at, factor, points);
+    return points;
+}
+
 void Run::note_activation(const std::string& effect, bool awake, const std::string& why) {
     if (activations_.size() < 1000) activations_.push_back({state_.time, effect, awake, why});
 }

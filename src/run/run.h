@@ -113,6 +113,8 @@ protected:
     void reached(const std::vector<Reached>& elements) override;
     void note_activation(const std::string& effect, bool awake, const std::string& why) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
+    std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
+                                               double factor) override;
     void count_break() override { ++breaks_; }
     bool has_effective_stiffness() const override { return true; }
 

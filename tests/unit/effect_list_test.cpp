@@ -27,6 +27,7 @@ public:
     void reached(const std::vector<Reached>&) override {}
     void note_activation(const std::string&, bool, const std::string&) override {}
     void keep_from_rest(const Bodies&, std::vector<char>&) override {}
+    std::vector<beam::BowPoint> points_on_pair(int, int, const ConfigurationView&, double) override { return {}; }
     void count_break() override {}
     bool has_effective_stiffness() const override { return true; }
 };
