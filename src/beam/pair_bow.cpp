@@ -33,13 +33,20 @@ double bow_peak(double p, double first, double middle, double second, std::span<
     };
     const double in_middle = middle - of_points(0), at_second = second - of_points(1),
                  A = (in_middle - 0.5 * (first + at_second)) / (1 - cosine(1)), B = 0.5 * (at_second - first) / sine(1);
+    const auto moment = [&](double x) { return in_middle + A * (cosine(x) - 1) + B * sine(x) + of_points(x); };
+    // An extreme value close to that of an end is the end's: the hinge there is as near.
     double largest = middle;
-    const auto look_at = [&](double x) {
-        const double M = in_middle + A * (cosine(x) - 1) + B * sine(x) + of_points(x);
-        if (M * middle > 0 && std::abs(M) > std::abs(largest)) largest = M;
+    const double least = 1.02 * std::max(std::abs(first), std::abs(second));
+    const auto compare = [&](double M) {
+        if (M * middle > 0 && std::abs(M) > std::abs(largest) && std::abs(M) > least) largest = M;
     };
-    for (int i = 1; i < pieces; ++i) look_at(2.0 * i / pieces - 1);
-    for (const BowPoint& at : points) look_at(at.x);
+    double before = std::abs(first), here = std::abs(moment(2.0 / pieces - 1));
+    for (int i = 1; i < pieces; ++i) {
+        const double next = std::abs(i + 1 == pieces ? second : moment(2.0 * (i + 1) / pieces - 1));
+        if (here >= before && here >= next) compare(moment(2.0 * i / pieces - 1));
+        before = here, here = next;
+    }
+    for (const BowPoint& at : points) compare(moment(at.x));
     return largest - middle;
 }
 

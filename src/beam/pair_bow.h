@@ -79,7 +79,7 @@ struct BowPoint {
 };
 /// The extreme moment between the ends beyond the one in the middle, from the moments at both ends and there, under
 /// loads at points and an even one: A cos(u x) + B sin(u x) + constant beside the points. 0 where there is none beyond
-/// it, of the same sign.
+/// it, of the same sign, and by 2 % beyond both ends.
 double bow_peak(double p, double first, double middle, double second, std::span<const BowPoint> points);
 
 /// P l^2 / EI of an element of length l, m, for a compression P, N. Shear makes a bow softer: P / (1 - P / GA) in the
