@@ -66,6 +66,10 @@ public:
     void assemble();
     /// Solves A x = right, six numbers a node.
     SolveReport solve(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
+    /// Subtracts K u, u the displacements of few nodes, from `from`: K of the elements as it was built, with the rows
+    /// and columns of supports, and `blocks` of effects.
+    void subtract_stiffness(const std::vector<Vec6>& u, const Blocks& blocks, const State& state,
+                            const Configuration& pose, std::vector<Vec6>& from) const;
     /// The element or block with the most negative part of d . A d, after an indefinite solution.
     struct Weakest {
         int node = -1;     ///< the node of the part that moves most in d

@@ -48,6 +48,11 @@ public:
         }
     }
 
+    void list_prescribed(std::vector<DegreeOfFreedom>& list) const override {
+        for (const Moved& m : moved_)
+            if (!is_gone(m)) list.push_back({m.node, m.component});
+    }
+
     /// What is tried has the supports where they are at the end of the step; their rows of the solution stay zero.
     void predicted(const Step&) override {
         for (const Moved& m : moved_) {
@@ -60,9 +65,9 @@ public:
     }
 
     /// The force by which a support is moved: that at the pose from which the step was solved, and what the solution
-    /// added.
+    /// added. Long steps find it anew where they end (recovered_last).
     void corrected(const Step& step, const std::vector<Vec6>& change) override {
-        if (w_.kind.explicit_steps) predicted(step);
+        predicted(step);
         for (Moved& m : moved_) {
             double& force = w_.reaction[m.node][m.component];
             if (!w_.kind.explicit_steps)
@@ -78,6 +83,18 @@ public:
                     force += part.bridge.row(m.component).dot(change[far]);
                 });
             else if (!is_tied(m)) force += momentum_at(m, w_.trial.acceleration, false);
+            m.next_force = force;
+        }
+    }
+
+    /// R - F where the step ends, of all that joins the support, connectors too. R has the acceleration at the end, eq
+    /// 15 Bossak's weighted one.
+    void recovered_last() override {
+        for (Moved& m : moved_) {
+            if (is_gone(m)) continue;
+            double& force = w_.reaction[m.node][m.component];
+            force = w_.resisting[m.node][m.component] - w_.external[m.node][m.component];
+            if (w_.scheme.alpha != 0) force += momentum_at(m, w_.next_weighted) - momentum_at(m, w_.trial.acceleration);
             m.next_force = force;
         }
     }

@@ -11,6 +11,7 @@
 #include "effects/reports.h"
 #include "effects/host.h"
 #include "effects/workspace.h"
+#include "model/linear_constraint.h"
 
 namespace hinge {
 
@@ -89,10 +90,14 @@ public:
 class Prescriber {
 public:
     virtual ~Prescriber() = default;
+    /// Lists the translations that are prescribed now.
+    virtual void list_prescribed(std::vector<DegreeOfFreedom>& list) const = 0;
     /// The trial configuration is predicted: sets what is prescribed in it.
     virtual void predicted(const Step& step) = 0;
     /// The trial was corrected by this change of the accelerations (explicit steps: from none).
     virtual void corrected(const Step& step, const std::vector<Vec6>& change) = 0;
+    /// R was recovered once more at the end of the step, where the solution has led.
+    virtual void recovered_last() {}
     /// The acceleration is about to be found anew: keeps what is prescribed of it.
     virtual void keep_acceleration() = 0;
     /// Sets what is prescribed of the acceleration that is being found.

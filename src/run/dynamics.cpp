@@ -162,6 +162,7 @@ void Dynamics::begin_step() {
 void Dynamics::predict() {
     integrator_->predict(step_);
     for (const auto& p : effects_->prescribers) p->predicted(step_);
+    integrator_->prescribed(step_);
     if (constraints_) keep_constraints(true);
 }
 
@@ -228,6 +229,7 @@ void Dynamics::settle() {
     if (integrator_->recovers_last()) {
         recover(step_.end());
         integrator_->recovered_last();
+        for (const auto& p : effects_->prescribers) p->recovered_last();
     }
     if (assembly_.unreturned() >= 0) step_.failure = failure_of_elements();
 }

@@ -47,8 +47,9 @@ protected:
     double damping_ = 1;        ///< factor of Newton's corrections
     double last_size_ = 0;      ///< of the last correction
 
-private:
     const EffectList* effects_ = nullptr;
+
+private:
     std::vector<char> in_rebuild_;
 };
 

@@ -65,6 +65,8 @@ public:
     virtual void start_from_forces() {}
     /// The trial pose from which the step is solved.
     virtual void predict(const Step& step) = 0;
+    /// What is prescribed has been set in the trial pose, as it is at the end of the step.
+    virtual void prescribed(const Step& step) { (void)step; }
     /// Stresses are recovered at the trial pose (before effects add theirs).
     virtual void recovered(const Step& step) { (void)step; }
     /// From forces to a change of the accelerations: eq 15.

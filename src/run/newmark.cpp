@@ -8,6 +8,7 @@
 #include "core/rotation.h"
 #include "core/text.h"
 #include "effects/all_effects.h"
+#include "run/effect_forces.h"
 #include "run/step_size.h"
 #include "run/yield_tangents.h"
 #include "state/nodes.h"
@@ -133,6 +134,20 @@ void Newmark::predict(const Step& step) {
     });
 }
 
+/// With du = 0: takes the supports back to where the step begins, as all nodes are, and notes the way that is left.
+/// Their velocities and accelerations are those of the end: inertia and damping are linear in them.
+void Newmark::prescribed(const Step&) {
+    ways_.clear();
+    if (!displacement_predictor_ || effects_->prescribers.empty()) return;
+    std::vector<DegreeOfFreedom> list;
+    for (const auto& p : effects_->prescribers) p->list_prescribed(list);
+    for (const auto& [node, c] : list) {
+        double &u = w_.trial.displacement[node][c], before = w_.state.displacement[node][c];
+        ways_.push_back({{node, c}, u - before});
+        u = before;
+    }
+}
+
 /// Where nothing has moved yet, what flowed is taken to flow on.
 void Newmark::recovered(const Step& step) {
     if (displacement_predictor_ && step.iteration == 0) w_.yielding = hinges_;
@@ -219,10 +234,22 @@ void Newmark::solve_for_change(Step& step) {
         return sum;
     });
     note_fastest(step.end());
+    if (step.iteration == 0 && !ways_.empty()) take_out_ways();
     SolverSettings solver = settings_.solver;
     solver.floor = motion_ * std::pow(velocity_rounding / step.dt, 2);
     const SolveReport report = effective_->solve(right_, change_, solver);
     if (!report.converged) fail_to_solve(step, solver, report);
+}
+
+/// K du of the supports' ways over the step, out of the right side of eq 15.
+void Newmark::take_out_ways() {
+    std::vector<Vec6> way(right_.size(), Vec6::Zero());
+    for (const Way& w : ways_) way[w.of.node][w.of.component] = w.length;
+    if (w_.constraints) w_.constraints->reduction().expand(way);
+    effective_->subtract_stiffness(way, added_blocks(*effects_, w_.trial, 0), w_.state, w_.trial, right_);
+    for (int n : w_.supported)
+        for (int c = 0; c < 6; ++c)
+            if (w_.state.held[n] >> c & 1) right_[n][c] = 0;
 }
 
 /// Adds what the change of the acceleration does over the step; decides whether Newton goes round again.

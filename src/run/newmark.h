@@ -6,6 +6,11 @@
 // this is eq 15 as printed; for one that rotates and yields, the force out of balance is not carried to the next step
 // but balanced in this one. Steps longer than the fastest waves need are solved from du = 0 instead, as eq 15 is
 // written (displacement predictor).
+//
+// With du = 0 supports that move start from where they were, as all nodes do. The first solution has their way over the
+// step on its right side: (M + beta dt^2 K)_ff da_f = F - R - M a - K_fs du_s. In a trial with the supports moved and
+// all else left behind, the elements beside them have strains of V dt / l, which the solution does not have; where
+// members yield, they would flow there.
 #pragma once
 
 #include <unordered_map>
@@ -20,6 +25,7 @@ public:
 
     void begin(const EffectList& effects) override;
     void predict(const Step& step) override;
+    void prescribed(const Step& step) override;
     void recovered(const Step& step) override;
     void solve(Step& step) override;
     bool correct(Step& step) override;
@@ -38,12 +44,18 @@ public:
     void restore(Reader& from) override;
 
 private:
+    /// Prescribed displacement over a step, m.
+    struct Way {
+        DegreeOfFreedom of;
+        double length;
+    };
     static constexpr int most_unsettled = 8;  ///< iterations that contact may ask for
     template <class Self, class A>
     static void fields(Self& s, A& a);
     void mark_yielding();
     void renew_effective_stiffness();
     void solve_for_change(Step& step);
+    void take_out_ways();
     bool rotates_unseen(double to_u) const;
 
     const DynamicSettings& settings_;
@@ -51,6 +63,7 @@ private:
     int iterations_;
     double tolerance_;
     int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
+    std::vector<Way> ways_;       ///< of supports over the step, with the displacement predictor
     std::vector<double> lumped_;  ///< kg, of each node: the weights of velocities and changes
     std::vector<Mat6> tangents_;  ///< of the elements that flow
     std::vector<int> was_yielding_;

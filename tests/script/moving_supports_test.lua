@@ -203,6 +203,156 @@ case("a path is asked for nothing before its run begins", function()
   checks.equal(earliest, 0, "the earliest time that a path is asked for")
 end)
 
+-- Steps longer than the fastest waves need ----------------------------------------------------------------------------
+
+-- From rest to 1 m/s in a second, and on at that speed: where the foot is.
+local function sets_off(t)
+  return t < 1 and t / 2 - math.sin(math.pi * t) / (2 * math.pi) or t - 0.5
+end
+local post = hinge.section.solid { width = 0.1, depth = 0.1 }
+
+-- A column with 500 kg at its top, on a foot that `sets_off` moves.
+local function column(model, material, ends)
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+  model:fix(foot)
+  model:member { foot, top, section = post, material = material, up = { 1, 0, 0 }, ends = ends }
+  model:mass { node = top, mass = 500 }
+  model:move { node = foot, x = sets_off }
+  return top
+end
+-- A portal whose feet move by `first` and `second`.
+local function portal(model, material, first, second)
+  local a, d = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
+  local b, c = model:node { 0, 0, 3 }, model:node { 4, 0, 3 }
+  for _, foot in ipairs { a, d } do model:fix(foot) end
+  for _, ends in ipairs { { a, b }, { b, c }, { d, c } } do
+    model:member { ends[1], ends[2], section = post, material = material }
+  end
+  for _, top in ipairs { b, c } do model:mass { node = top, mass = 250 } end
+  model:move { node = a, x = first.x, z = first.z }
+  model:move { node = d, x = second.x, z = second.z }
+  return b
+end
+-- A column on springs and a dashpot between its foot and a beam that moves.
+local function on_springs(model, material)
+  local anchor, far = model:node { 0, 0, -0.1 }, model:node { 1, 0, -0.1 }
+  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+  for _, node in ipairs { anchor, far } do model:fix(node) end
+  model:member { anchor, far, section = post, material = material }
+  model:member { foot, top, section = post, material = material, up = { 1, 0, 0 } }
+  model:mass { node = top, mass = 500 }
+  model:connector { anchor, foot, damping = { x = 1e4 },
+    stiffness = { x = 1e6, y = 1e6, z = 1e8, rx = 1e6, ry = 1e6, rz = 1e5 } }
+  model:move { node = { anchor, far }, x = sets_off }
+  return top
+end
+
+-- The run of a structure with or without a yield stress that it does not reach.
+local function long_steps(build, yields, model_options, run_options, damping)
+  local model = hinge.model(model_options)
+  local steel = { E = 210e9, nu = 0.3, density = 7850, yield_stress = yields and 235e6 or nil }
+  local top = build(model, hinge.material(steel))
+  if damping then model:damping(damping) end
+  local settings = { dt = 2.5e-3, duration = 2 }
+  for k, v in pairs(run_options or {}) do settings[k] = v end
+  local run = model:dynamic(settings):finish()
+  return run, run:displacement(top)
+end
+
+case("plasticity that is not reached takes no step more than an elastic material", function()
+  local soft = { Mx = { stiffness = 1e6 }, My = { stiffness = 1e6 } }
+  local scenes = {
+    column = { column },
+    ["a column, rho_infinity 0.8"] = { column, run = { rho_infinity = 0.8 } },
+    ["a column, one solution a step"] = { column, run = { iterations = 1 } },
+    ["a column, factors"] = { column, run = { solver = "direct" } },
+    ["a column damped by alpha and beta"] = { column, damping = { alpha = 2, beta = 1e-4 } },
+    ["a column on a joint"] = { function(model, material)
+      return column(model, material, { a = hinge.joint(soft) })
+    end },
+    ["a column on springs"] = { on_springs },
+    ["feet that move alike"] = { function(model, material)
+      return portal(model, material, { x = sets_off }, { x = sets_off })
+    end },
+    ["feet that move apart and settle"] = { function(model, material)
+      return portal(model, material, { x = sets_off }, {
+        x = function(t) return sets_off(t) + 4e-3 * math.sin(5 * t) end,
+        z = function(t) return -0.01 * sets_off(t) end,
+      })
+    end },
+  }
+  for what, scene in pairs(scenes) do
+    for _, displacement in ipairs { "small", "large" } do
+      -- with one solution a step the rotation of a step is missed where displacements are large
+      if not (displacement == "large" and scene.run and scene.run.iterations) then
+        local of = ("%s, %s displacement"):format(what, displacement)
+        local elastic_run, u = long_steps(scene[1], false, { displacement = displacement }, scene.run, scene.damping)
+        local run, v = long_steps(scene[1], true, { displacement = displacement }, scene.run, scene.damping)
+        for kind, r in pairs { elastic = elastic_run, ["with a yield stress"] = run } do
+          checks.equal(r.verdict, "completed", of .. ", " .. kind .. ": " .. tostring(r.reason))
+          checks.equal(r.index, 800, of .. ", " .. kind .. ": steps")
+          -- Newton's method ends at 1e-6 of a step's motion, and the balance is of second order in that
+          checks.expect(math.abs(r.energy_error) < 1e-7, "%s, %s: energy error %g", of, kind, r.energy_error)
+        end
+        checks.equal(run.counts.rejected_steps, 0, of .. ": steps taken back")
+        checks.equal(run.energy.plastic, 0, of .. ": plastic work")
+        checks.near(v, u, 1e-9, of .. ": where the top is")
+      end
+    end
+  end
+end)
+
+case("a yielding column on moving ground is the bilinear oscillator", function()
+  -- Mass on a weightless column, a pulse of the ground that takes it to about four times its yield displacement. Two
+  -- asi-gauss elements have the stiffness of the closed form, and a hinge at the foot makes it bilinear.
+  local E, nu, fy, b, L, M = 210e9, 0.3, 235e6, 0.1, 3, 2000
+  local k = 1 / (L ^ 3 / (3 * E * b ^ 4 / 12) + L / (E / (2 * (1 + nu)) * 5 / 6 * b ^ 2))
+  local F, T = b ^ 3 / 4 * fy / L, 2 * math.pi * math.sqrt(M / k)
+  local pulse, peak_acceleration = 1.2 * T, 1.3 * F / M
+  local function acceleration(t)
+    return t < pulse and peak_acceleration * math.sin(2 * math.pi * t / pulse) or 0
+  end
+  -- by hand: Verlet's method in relative coordinates
+  local n, u, v, flowed, peak, work = 40000, 0, 0, 0, 0, 0
+  local dt, force = 3 * T / n, 0
+  for i = 1, n do
+    v = v + 0.5 * dt * (-force / M - acceleration((i - 1) * dt))
+    u = u + dt * v
+    force = k * (u - flowed)
+    if math.abs(force) > F then
+      local side = force > 0 and 1 or -1
+      local to = u - side * F / k
+      work, flowed, force = work + F * math.abs(to - flowed), to, side * F
+    end
+    v = v + 0.5 * dt * (-force / M - acceleration(i * dt))
+    peak = support.largest_of(peak, math.abs(u))
+  end
+  checks.expect(peak > 2.5 * F / k, "the oscillator yields: %g of %g m", peak, F / k)
+
+  local record, h = {}, T / 1000
+  for i = 0, 3000 do record[i + 1] = acceleration(i * h) end
+  for _, part in ipairs { 50, 200 } do
+    local model = hinge.model { displacement = "small" }
+    local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+    model:fix(foot)
+    model:member { foot, top, section = hinge.section.solid { width = b, depth = b }, up = { 1, 0, 0 },
+      material = hinge.material { E = E, nu = nu, density = 1, yield_stress = fy } }
+    model:mass { node = top, mass = M, inertia = 5 }
+    model:move { node = foot, x = hinge.ground { dt = h, acceleration = record } }
+    local run = model:dynamic { dt = T / part, duration = 3 * T }
+    local most = 0
+    for _ in run:steps() do
+      most = support.largest_of(most, math.abs(run:displacement(top) - run:displacement(foot)))
+    end
+    local what = ("T/%d"):format(part)
+    checks.equal(run.verdict, "completed", what .. ": " .. tostring(run.reason))
+    -- a few steps, where the hinge begins to flow, are halved: Newton's method does not converge
+    checks.expect(run.index < 2 * 3 * part, "%s: %d steps", what, run.index)
+    checks.near(most, peak, 0.02 * peak, what .. ": peak")
+    checks.near(run.energy.plastic, work, 0.02 * work, what .. ": plastic work")
+  end
+end)
+
 -- Ground motion -------------------------------------------------------------------------------------------------------
 
 case("ground motion is integrated to displacements", function()
