@@ -2854,21 +2854,35 @@ function model:gravity(acceleration, load_case) end
 ---@param angular? vec3 rad/s, about that point
 function model:velocity(target, linear, angular) end
 
----Declares when members break: when a limit is reached (section 2.3, eq 16), or when a function returns true. The paper
----gives a critical curvature of 0.0004 without a unit: 0.4 here if it is per millimetre, 0.04 if it is per centimetre.
----A rule for a group holds for its members, and one without a group for all others, whatever their order. If several
----rules apply to the groups of a member, the last one counts. It is an error if a rule would take the place of another
----one for all of its members: limits that of a function, or a group that of a group within it. A rule that holds for no
----member, and a function that a run never called, is named in run.warnings at the end. An error in a function undoes
----the step, and is raised at the line of the script that asked for the step.
+---Declares when members break: when a limit is reached, or when a function returns true. Limits of the rotation of
+---hinges and of the elongation of a member do not depend on the number of elements. Those of strains are the paper's
+---(section 2.3, eq 16). The paper gives a critical curvature of 0.0004 without a unit: 0.4 here if it is per
+---millimetre, 0.04 if it is per centimetre. Once hinges form, a curvature is the rotation of a hinge over the length of
+---its element. So run.warnings says at the end which rotation a limit of curvature means. A rule for a group holds for
+---its members, and one without a group for all others, whatever their order. If several rules apply to the groups of a
+---member, the last one counts. It is an error if a rule would take the place of another one for all of its members:
+---limits that of a function, or a group that of a group within it. A rule that holds for no member, and a function that
+---a run never called, is named in run.warnings at the end. An error in a function undoes the step, and is raised at the
+---line of the script that asked for the step.
 ---```lua
----model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
+---model:fracture { hinge_rotation_x = 0.07, hinge_rotation_y = 0.07, elongation = 0.2 } -- rad, m
 ---model:fracture(function(section) return section.plastic_work > 500 end) -- J
 ---```
 ---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
 function model:fracture(rule) end
 
 ---@class hinge.fracture_rule
+---rad, plastic, either sign: rotation of a hinge about the section's x axis, the present one, without any elastic part.
+---In a section where two elements meet (inside a member, and at a node that joins two members of the same strength and
+---the same rule, and nothing else) it is the sum of both. The conventional element has one hinge, in its middle. What
+---breaks is the element with the larger part in the rotation. run:hinges lists such rotations
+---@field hinge_rotation_x? number
+---@field hinge_rotation_y? number rad, about the section's y axis, alike
+---m, plastic, tension only: elongation of a member, the sum over its elements; slack does not count. Hinges that bend
+---and are pulled elongate as well. A bar that yields over its whole length breaks by it at the same length, however
+---many elements it has. It breaks where the largest part is. What is left of a member with a broken element counts by
+---itself
+---@field elongation? number
 ---@field curvature_x? number 1/m, either sign
 ---@field curvature_y? number 1/m, either sign
 ---@field axial_strain? number no unit; either sign unless tension_only
@@ -2902,7 +2916,7 @@ function model:fracture(rule) end
 
 ---The section that a fracture rule gets, with the values at the end of the step. Strains are those of the element: the
 ---sum of elastic and plastic, the plastic part, and the change over the step divided by dt. The rotation of a hinge is
----that of the section alone.
+---that of the section.
 ---@class hinge.section_view
 ---@field time number s
 ---@field dt number s
@@ -2933,7 +2947,9 @@ function model:fracture(rule) end
 ---@field plastic_work number J, of the element up to now
 ---@field shear_x number elastic: Q / (G A), mean over the element; Q = dM_y/dz
 ---@field shear_y number Q = dM_x/dz
----@field hinge_rotation_x number rad, plastic, of this section's own hinge; positive like curvature_x
+---rad, plastic; positive like curvature_x. What the limit of this name is compared with: the sum of both sides where
+---two elements meet in the section
+---@field hinge_rotation_x number
 ---@field hinge_rotation_y number rad
 ---@field broken number 0
 

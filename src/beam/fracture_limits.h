@@ -1,4 +1,4 @@
-// Fracture criterion of an element: strains against limits (eq 16).
+// Fracture criteria: strains of an element against limits (eq 16); rotations of hinges and elongations of members.
 #pragma once
 
 #include <algorithm>
@@ -47,18 +47,26 @@ inline void add_shear(FractureStrains& e, const Vec6& p, double GAx, double GAy,
     e.shear_x = (p[2] + p[3]) / (L * GAx);
 }
 
-/// Fracture limits of strains. An infinite limit is not tested.
+/// Fracture limits. An infinite limit is not tested. A hinge has no length of its own, so where hinges form the limits
+/// of strain follow the length of the elements. The last three do not; they are not in the paper.
 struct FractureLimits {
     double curvature_x = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
     double curvature_y = std::numeric_limits<double>::infinity();   ///< 1/m, either sign
     double axial_strain = std::numeric_limits<double>::infinity();  ///< -, either sign unless tension_only
     double shear_strain = std::numeric_limits<double>::infinity();  ///< -, either direction, either sign
     bool tension_only = false;
+    double hinge_rotation_x = std::numeric_limits<double>::infinity();  ///< rad, plastic, either sign
+    double hinge_rotation_y = std::numeric_limits<double>::infinity();  ///< rad, plastic, either sign
+    double elongation = std::numeric_limits<double>::infinity();        ///< m, plastic, of a member; in tension
 
-    bool none() const {
+    bool no_strains() const {
         return std::isinf(curvature_x) && std::isinf(curvature_y) && std::isinf(axial_strain) &&
                std::isinf(shear_strain);
     }
+    bool no_hinges() const {
+        return std::isinf(hinge_rotation_x) && std::isinf(hinge_rotation_y) && std::isinf(elongation);
+    }
+    bool none() const { return no_strains() && no_hinges(); }
 };
 
 /// Eq 16: true if one of the ratios kappa_x/kappa_fx, kappa_y/kappa_fy, eps_z/eps_fz has reached 1, or (not in the
@@ -70,13 +78,23 @@ inline bool reached(const FractureStrains& e, const FractureLimits& limit) {
 }
 
 /// The limit that was reached; rule: the script's own rule decided.
-enum class Limit : std::uint8_t { rule, curvature_x, curvature_y, axial_strain, shear_strain };
-inline constexpr const char* limit_names[] = {"rule", "curvature_x", "curvature_y", "axial_strain", "shear_strain"};
+enum class Limit : std::uint8_t {
+    rule,
+    curvature_x,
+    curvature_y,
+    axial_strain,
+    shear_strain,
+    hinge_rotation_x,
+    hinge_rotation_y,
+    elongation
+};
+inline constexpr const char* limit_names[] = {"rule",         "curvature_x",      "curvature_y",      "axial_strain",
+                                              "shear_strain", "hinge_rotation_x", "hinge_rotation_y", "elongation"};
 
 /// The strain with the largest ratio to its limit.
 struct LimitReached {
     Limit which = Limit::rule;
-    double strain = 0, limit = 0;  ///< 1/m of a curvature, else -
+    double strain = 0, limit = 0;  ///< 1/m of a curvature, rad of a rotation, m of an elongation, else -
 };
 inline LimitReached most_beyond(const FractureStrains& e, const FractureLimits& limit) {
     const double shear = std::abs(e.shear_x) > std::abs(e.shear_y) ? e.shear_x : e.shear_y;
@@ -90,6 +108,15 @@ inline LimitReached most_beyond(const FractureStrains& e, const FractureLimits& 
     };
     return *std::max_element(std::begin(terms), std::end(terms),
                              [&](const auto& a, const auto& b) { return share(a) < share(b); });
+}
+
+/// The limit that the rotation of a hinge about x and y (rad) has reached, the one with the larger ratio; `rule`:
+/// neither.
+inline LimitReached rotation_reached(const double (&rotation)[2], const FractureLimits& limit) {
+    const double x = std::abs(rotation[0]) / limit.hinge_rotation_x, y = std::abs(rotation[1]) / limit.hinge_rotation_y;
+    if (!(x >= 1 || y >= 1)) return {};
+    if (y > x) return {Limit::hinge_rotation_y, rotation[1], limit.hinge_rotation_y};
+    return {Limit::hinge_rotation_x, rotation[0], limit.hinge_rotation_x};
 }
 
 }  // namespace hinge::beam

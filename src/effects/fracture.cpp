@@ -7,7 +7,9 @@
 #include <limits>
 
 #include "core/errors.h"
+#include "effects/curvature_limits.h"
 #include "effects/fracture.h"
+#include "effects/hinge_limits.h"
 #include "effects/idle_rules.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
@@ -59,6 +61,7 @@ double most_shear(const Element& e) {
 /// moments over EI, and neither is above the fully plastic one. Where bending follows N (`p_delta`), S and A of
 /// beam/beam_column.h at the fully plastic compression take from EI, and the chord shortens by bowing.
 bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, bool p_delta) {
+    if (rule.no_strains() && !rule.hook) return false;
     if (e.yield.elastic()) return !rule.plastic_only;
     if (rule.plastic_only) return false;
     const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
@@ -154,11 +157,15 @@ public:
     void save(Writer& to) const override { to(candidates_, watched_, called_); }
     void restore(Reader& from) override { from(candidates_, watched_, called_); }
     bool restored(std::span<const State* const>) override;
-    void check_run(std::vector<RunWarning>& list) const override { name_idle_rules(w_.structure, called_, list); }
+    void check_run(std::vector<RunWarning>& list) const override {
+        name_idle_rules(w_.structure, called_, list);
+        name_curvature_limits(w_.structure, w_.state, list);
+    }
 
 private:
     class Asked;
     void take_up(int element);
+    void add_candidate(int element);
     void check_element(int element, const beam::ReturnMapResult* flow, bool news);
     Watched watch_strains(int element) const;
     void add_shear(beam::FractureStrains& to, int element, const Vec6& p) const {
@@ -167,6 +174,10 @@ private:
         beam::add_shear(to, p, soft * e.rigidity.GAx, soft * e.rigidity.GAy, e.length);
     }
     void list_news();
+    bool is_breaking(int element) const {
+        return std::any_of(step_->breaks.begin(), step_->breaks.end(),
+                           [&](const Break& b) { return b.element == element; });
+    }
     Vec6 elastic_deformation(int element, const Vec6& plastic, const beam::ReturnMapResult* flow) const;
     Vec6 deformation_before(int element) const;
     Vec6 without_slack(Vec6 deformation, int element, const beam::ReturnMapResult* flow = nullptr) const;
@@ -188,6 +199,7 @@ private:
 
     const std::vector<FractureRule>& rules_;
     std::vector<int> rule_of_member_;
+    HingeLimits hinges_;
     Step* step_ = nullptr;         ///< the one that is decided on
     std::vector<int> candidates_;  ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
@@ -211,7 +223,9 @@ private:
 };
 
 Fracture::Fracture(Workspace& w, Host& host)
-    : Effect(fracture_effect, w, host, {.forces_vanish = true}), rules_(fracture_rules(w.structure.model())) {
+    : Effect(fracture_effect, w, host, {.forces_vanish = true}),
+      rules_(fracture_rules(w.structure.model())),
+      hinges_(w, rules_, rule_of_member_) {
     for (const MemberData& member : w.structure.model().members())
         rule_of_member_.push_back(fracture_rule_of(rules_, member));
     traits_.calls_script = rules_call_functions(w.structure.model());
@@ -227,6 +241,10 @@ Fracture::Fracture(Workspace& w, Host& host)
     called_.assign(rules_.size(), 0);
     in_candidates_.assign(elements, 0);
     for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
+    std::vector<Break> past;  // statics breaks nothing
+    for (std::size_t i = 0; i < elements; ++i)
+        if (!w.state.broken[i]) hinges_.add_reached(int(i), past);
+    for (const Break& b : past) add_candidate(b.element);
 }
 
 bool Fracture::restored(std::span<const State* const> states) {
@@ -243,16 +261,21 @@ bool Fracture::restored(std::span<const State* const> states) {
     return true;
 }
 
+void Fracture::add_candidate(int index) {
+    if (in_candidates_[index]) return;
+    in_candidates_[index] = 1;
+    candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
+}
+
 /// Lists the element as one that eq 16 is checked for at every step, whether or not it flows.
 void Fracture::take_up(int index) {
     const Element& e = w_.structure.elements()[index];
     if (rule_of(e) < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = rules_[rule_of(e)];
-    const bool heated = !w_.state.heat.empty();  // it grows softer: no bound of strains holds
+    const bool heated = !w_.state.heat.empty() && !(rule.no_strains() && !rule.hook);  // no bound of strains holds
     if (heated || ever_within_reach(rule, e, without_slack(flowed(w_.state, index), index), w_.structure.p_delta()) ||
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
-        in_candidates_[index] = 1;
-        candidates_.insert(std::lower_bound(candidates_.begin(), candidates_.end(), index), index);
+        add_candidate(index);
     } else if (rule.hook && rule.where == Where::plastic && w_.state.yielded[index]) {
         const auto at = std::lower_bound(watched_.begin(), watched_.end(), index,
                                          [](const Watched& w, int element) { return w.element < element; });
@@ -396,6 +419,8 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
 void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = rules_[rule_of(e)];
+    hinges_.add_reached(index, step_->breaks);
+    if (rule.no_strains() && !rule.hook) return;
     Vec6 plastic = flowed(w_.state, index);
     if (flow) plastic += flow->plastic;
     if (!flow && !rule.hook && w_.trial.heat.empty() && in_pair(w_.structure, w_.state, index) &&
@@ -404,6 +429,7 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
     const Vec6 elastic = elastic_deformation(index, plastic, flow);
     plastic = without_slack(plastic, index, flow);
     if (flow && !flow->yields()) flow = nullptr;
+    if (is_breaking(index)) return;
     if (const Break b = at_limit(index, elastic, plastic, flow); b.end > 0) return step_->breaks.push_back(b);
     if (!rule.hook) return;
     if (!asked_.empty() && rule_of(w_.structure.elements()[asked_.back().element]) != rule_of(e)) ask_sections();
@@ -442,8 +468,8 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     beam::FractureStrains shear{};
     add_shear(shear, index, resultants_at(index, 0));
     v.shear_x = shear.shear_x, v.shear_y = shear.shear_y;
-    v.hinge_rotation_x = beam::hinge_rotation(plastic, side, 0);
-    v.hinge_rotation_y = beam::hinge_rotation(plastic, side, 1);
+    v.hinge_rotation_x = hinges_.rotation(index, side, 0);
+    v.hinge_rotation_y = hinges_.rotation(index, side, 1);
     if (rules_[rule_of(e)].keep.empty()) return;
     v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
 }
@@ -464,7 +490,7 @@ void Fracture::ask_sections() {
         saying_which(rule, whom, [&] { rule.hook.ask(asked_, at); });
         if (at >= asked_.size()) break;
         const SectionView& breaks = asked_[at];
-        step_->breaks.push_back({breaks.element, breaks.end});
+        if (!is_breaking(breaks.element)) step_->breaks.push_back({breaks.element, breaks.end});
         while (at < asked_.size() && asked_[at].element == breaks.element) ++at;
     }
     asked_.clear();
@@ -537,10 +563,7 @@ void Fracture::Asked::read(SectionField field, int end, double* out) const {
             of_.add_shear(s, index, p);
             return s;
         };
-        const auto rotation = [&](int plane) {
-            const Vec6 before = flowed(of_.w_.state, index);
-            return beam::hinge_rotation(flow ? Vec6(before + flow->plastic) : before, end, plane);
-        };
+        const auto rotation = [&](int plane) { return of_.hinges_.rotation(index, end, plane); };
         const auto value = [&]() -> double {
             switch (field) {
                 case SectionField::member: return e.member + 1;
@@ -593,9 +616,7 @@ void Fracture::ask_batch(int rule) {
     for (int place : places) {
         const int e = elements[place];
         const beam::ReturnMapResult* flow = flows.of(e);
-        const bool known =
-            std::any_of(step_->breaks.begin(), step_->breaks.end(), [&](const Break& b) { return b.element == e; });
-        if (!w_.state.broken[e] && !known) step_->breaks.push_back({e, weaker_end(e, flow)});
+        if (!w_.state.broken[e] && !is_breaking(e)) step_->breaks.push_back({e, weaker_end(e, flow)});
     }
 }
 

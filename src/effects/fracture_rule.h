@@ -11,7 +11,7 @@
 namespace hinge {
 
 /// Data of a section of an element at the end of a step, passed to a script's own fracture rule. Strains are the
-/// element's (beam/fracture_limits.h); the rotation of the hinge is the section's own.
+/// element's (beam/fracture_limits.h); the rotation of the hinge is the section's (HingeLimits::rotation).
 struct SectionView {
     double time, dt;           ///< s, of the step's end; of the step
     double step;               ///< from 1
@@ -32,7 +32,7 @@ struct SectionView {
     double f_y;                                 ///< eq 14
     double plastic_work;                        ///< J, of the element so far
     double shear_x, shear_y;                    ///< -, elastic: Q / (G A), mean over the element
-    double hinge_rotation_x, hinge_rotation_y;  ///< rad, of the section's own hinge
+    double hinge_rotation_x, hinge_rotation_y;  ///< rad, plastic, of the section's hinge
     bool plastic;                               ///< fully plastic in this step
     double* kept = nullptr;  ///< the rule's own numbers of this section (FractureRule::keep), 0 at the start
 };
@@ -133,7 +133,8 @@ struct FractureRule : beam::FractureLimits {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.curvature_x, s.curvature_y, s.axial_strain, s.shear_strain, s.tension_only, s.strain_measure,
-          s.plastic_only, bool(s.hook), s.where, bool(s.batch), s.keep, s.group);
+          s.plastic_only, bool(s.hook), s.where, bool(s.batch), s.keep, s.group, s.hinge_rotation_x, s.hinge_rotation_y,
+          s.elongation);
     }
 };
 

@@ -358,7 +358,8 @@ void read_comparison(Options& o, FractureRule& rule) {
     for (const char* field : {"strain_measure", "plastic_only"})
         if (rule.none() && o.has(field))
             o.complain(field, "given",
-                       "belongs to limits; give curvature_x, curvature_y, axial_strain or shear_strain");
+                       "belongs to limits; give hinge_rotation_x, hinge_rotation_y, elongation, curvature_x, "
+                       "curvature_y, axial_strain or shear_strain");
 }
 
 }  // namespace
@@ -374,8 +375,9 @@ int fracture_rule(lua_State* L) {
             throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
         Options o(L, 2, "model:fracture");
         o.former_name("strain_measure", "reading");
-        o.expect({"curvature_x", "curvature_y", "axial_strain", "shear_strain", "tension_only", "strain_measure",
-                  "plastic_only", "rule", "batch", "where", "keep", "group"});
+        o.expect({"hinge_rotation_x", "hinge_rotation_y", "elongation", "curvature_x", "curvature_y", "axial_strain",
+                  "shear_strain", "tension_only", "strain_measure", "plastic_only", "rule", "batch", "where", "keep",
+                  "group"});
         const auto take = [&](const char* field, const char* unit, double& limit) {
             if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
         };
@@ -383,6 +385,9 @@ int fracture_rule(lua_State* L) {
         take("curvature_y", "1/m", rule.curvature_y);
         take("axial_strain", "", rule.axial_strain);
         take("shear_strain", "", rule.shear_strain);
+        take("hinge_rotation_x", "rad", rule.hinge_rotation_x);
+        take("hinge_rotation_y", "rad", rule.hinge_rotation_y);
+        take("elongation", "m", rule.elongation);
         read_comparison(o, rule);
         rule.keep = read_keep(o);
         const int type = o.push_field("rule");
@@ -411,8 +416,8 @@ int fracture_rule(lua_State* L) {
         lua_pop(L, 1);
         if (!rule.hook && !rule.batch && rule.none())
             throw InputError(
-                "model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
-                "or a function");
+                "model:fracture: no limit is given; give hinge_rotation_x, hinge_rotation_y (rad), elongation (m), "
+                "curvature_x, curvature_y (1/m), axial_strain, shear_strain, or a function");
     }
     add_fracture(*m, std::move(rule));
     m->ask(fracture_effect, where(L));

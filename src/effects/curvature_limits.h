@@ -1,0 +1,14 @@
+// Limits of curvature as hinge rotations: they follow the length of the elements.
+#pragma once
+
+#include "effects/fracture_rule.h"
+#include "effects/reports.h"
+#include "state/state.h"
+
+namespace hinge {
+
+/// Adds a line for each rule with a limit of curvature for members that have yielded: the hinge rotation that it means
+/// in elements of their lengths. Members that have not yielded have no hinge: there a curvature is M / (E I).
+void name_curvature_limits(const Structure& structure, const State& state, std::vector<RunWarning>& list);
+
+}  // namespace hinge
