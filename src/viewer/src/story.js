@@ -16,7 +16,9 @@ export function rows_of(events) {
 }
 
 const limits = { curvature_x: ["curvature about x", "1/m"], curvature_y: ["curvature about y", "1/m"],
-  axial_strain: ["axial strain", ""], shear_strain: ["shear strain", ""] };
+  axial_strain: ["axial strain", ""], shear_strain: ["shear strain", ""],
+  hinge_rotation_x: ["rotation of the hinge about x", "rad"],
+  hinge_rotation_y: ["rotation of the hinge about y", "rad"], elongation: ["elongation of the member", "m"] };
 
 function cause(row) {
   if (row.limit === "removed") return `removed by the script${row.rule ? ` (model:remove at ${row.rule})` : ""}`;
