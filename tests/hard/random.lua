@@ -13,6 +13,7 @@
 --         set.NAME=VALUE       an option of the model (p_delta, elements_per_member) or of the run (dt, integrator,
 --                              step_control, ...) in place of the scene's own; set.dt_times=0.25: that part of its
 --                              own step; set.contact=none, set.fracture=none, set.plasticity=false: without these;
+--                              set.fracture=hinges: limits of rotation and elongation in place of those drawn;
 --                              set.ground=points: elastic points in place of the layer
 --         out=FILE.csv         a line for each seed is added; seeds that it already has are not run again
 --         jobs=1               processes at a time; each scene has a process of its own

@@ -5,8 +5,8 @@
 -- describes it, complete after make), make(hinge, changed), which returns the model and the options of its dynamic run.
 -- `changed` replaces options of the model (p_delta, interaction, elements_per_member, plasticity) and of the run (dt,
 -- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto
--- steps too; contact = "none", fracture = "none". ground = "points": elastic points (restitution = 1) in place of the
--- layer that is the default.
+-- steps too; contact = "none", fracture = "none" or "hinges" (limits of rotation and elongation). ground = "points":
+-- elastic points (restitution = 1) in place of the layer that is the default.
 local scenes = {}
 
 local g = 9.80665
@@ -359,6 +359,11 @@ local function fracture(s, group)
       end
       return list
     end
+  end
+  if s.changed.fracture == "hinges" then -- limits of sections in place of what was drawn: 0.01 to 0.2 rad and m
+    kind = "hinges"
+    local most = 0.01 * 20 ^ (s.seed * 0.6180339887 % 1)
+    rule = { group = group, hinge_rotation_x = most, hinge_rotation_y = most, elongation = most }
   end
   note(s, "fracture by %s", kind)
   if s.changed.fracture ~= "none" then s.model:fracture(rule) end
@@ -807,7 +812,8 @@ function scenes.scene(seed, class)
     changed = changed or {}
     local options = { elements_per_member = elements }
     for name in pairs(of_model) do if changed[name] ~= nil then options[name] = changed[name] end end
-    local s = { hinge = hinge, d = draws(seed, 2), model = hinge.model(options), words = scene.words, elements = 0,
+    local s = { hinge = hinge, seed = seed, d = draws(seed, 2), model = hinge.model(options), words = scene.words,
+      elements = 0,
       per_member = math.tointeger(options.elements_per_member) or 2,
       joints = {}, feet = {}, members = {}, names = {}, later = {}, speed = 1, changed = changed }
     note(s, "elements %s", options.elements_per_member or "default")
