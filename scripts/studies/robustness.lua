@@ -81,8 +81,7 @@ return hinge.scenario {
     local before, drop, most = {}, {}, 0
     for i, one in ipairs(joints) do before[i], drop[i] = z(one.node, rest), 0 end
     model:fracture { group = "lost", where = "all", rule = function() return true end }
-    local most_curved = p.rotation / (bay / 2) -- of an element, of which a beam has two
-    model:fracture { group = "beams", curvature_x = most_curved, curvature_y = most_curved }
+    model:fracture { group = "beams", hinge_rotation_x = p.rotation, hinge_rotation_y = p.rotation }
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit", duration = p.duration }
     for step in run:steps() do
       if step.index % 20 == 0 then
