@@ -6,9 +6,9 @@
 -- Shows   energies of two runs, before the first member breaks and after it. It varies the integrator, the time step
 --         and the contact rule
 -- Expect  error of plastic work before: under 1 % at all steps. After: 11 % at 20 us, and 0.9 % at 10 us, where the
---         same three members break. Iterations and double precision change neither. Explicit steps differ by 26 % before
---         (lumped mass), surface contact by 12 % (another contact law). With after=12e-3 the energies
---         after the break are chaotic: that of fracture scatters by 9 %, so they have means in place of errors.
+--         same three members break. Iterations and double precision change neither. Explicit steps differ by 26 %
+--         before (lumped mass), surface contact by 12 % (another contact law). With after=12e-3 the energies after the
+--         break are chaotic: that of fracture scatters by 9 %, so they have means in place of errors.
 --         These are errors of the step. Elements change more: with 4 and 8 of them gap elements bind later (eq 18), and
 --         plastic work before is 39 and 0 kJ in the place of 385 (../studies/impact_elements.lua)
 local hinge    = require "hinge"

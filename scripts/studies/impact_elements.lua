@@ -1,12 +1,13 @@
 -- What the number of elements does to an impact: Case I with limits of curvature and with limits of hinge rotation.
 --
--- Run     hinge run scripts/studies/impact_elements.lua          (12 runs of 6000 steps, one process a core: ten minutes)
---         hinge run scripts/studies/impact_elements.lua end=0.01 elements=2,4      (two minutes)
+-- Run     hinge run scripts/studies/impact_elements.lua     (12 runs of 6000 steps: five minutes on two cores)
+--         hinge run scripts/studies/impact_elements.lua end=0.01 elements=2,4
 -- Shows   the table of lua/guide/impact.md: kinetic energy lost, plastic work and columns cut at the end, with 2, 4, 8
 --         elements a member, by the paper's rule of contact ("gap") and by contact of surfaces
 -- Expect  with curvature 0.04 1/m (the paper's rule) half of the plastic work with twice the elements: the rotation
---         that breaks a hinge is the limit times the length of the element. With a hinge rotation of 0.08 rad no such
---         trend. The energy error stays below 0.05 %
+--         that breaks a hinge is the limit times the length of the element. With a hinge rotation of 0.08 rad and
+--         surfaces, four and eight elements differ by 1 % in the kinetic energy lost; gap elements bind at a distance
+--         that follows the elements' length (eq 18). The energy error stays below 0.05 %
 local hinge  = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 

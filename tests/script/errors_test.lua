@@ -305,7 +305,8 @@ case("wrong loads, velocities and rules are refused", function()
   wrong("model:velocity: target is member 1 of another model; use one of this model",
     function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
   wrong("model:velocity: velocity is nil; must be a table {x, y, z} in m/s", function(s) s.model:velocity(s.tip) end)
-  wrong("model:fracture: no limit is given; give curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
+  wrong("model:fracture: no limit is given; give hinge_rotation_x, hinge_rotation_y (rad), elongation (m), "
+    .. "curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
     .. "or a function",
     function(s) s.model:fracture {} end)
   wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m",
