@@ -27,13 +27,13 @@ Released held_by(const Tie& tie) {
     return held;
 }
 
-/// Every contact that is told to end has been told to begin, also one that begins or ends between two steps.
-void note_pressing(const SurfaceContact& contact, bool before, double time, ContactCounts& counts,
-                   std::vector<ContactEvent>& events) {
-    const bool now = contact.penetration > 0;
-    if (before == now) return;
-    ++(now ? counts.bound : counts.released);
-    events.push_back({time, {contact.element[0], contact.element[1]}, now});
+/// Ends, joints and chain of one of the two bars of a contact.
+void place_on(SurfaceContact& contact, int side, const Bar& bar) {
+    contact.chain[side] = bar.chain >= 0 ? bar.chain : -2 - bar.element;
+    for (int e : {0, 1}) {
+        contact.end[2 * side + e] = bar.end(e);
+        contact.joint[2 * side + e] = has_arm(bar.end(e)) ? -1 : bar.meets_at(e);
+    }
 }
 
 }  // namespace
@@ -68,7 +68,45 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     const double horizon = sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
     for (std::size_t i = 0; i < look_at_.size(); ++i)
         if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
+    group_contacts(surface_contacts_);
+    tell_pressing();
     return bound;
+}
+
+// One event for each contact of two members, whatever pairs of elements press. Every contact that is told to end has
+// been told to begin, also one that begins or ends between two steps; of two that become one, one is told to end.
+void Contact::tell_pressing() {
+    const auto tell = [&](const int element[2], bool begins) {
+        ++(begins ? counts_.bound : counts_.released);
+        events_.push_back({now_, {element[0], element[1]}, begins});
+    };
+    for (std::size_t first = 0; first < surface_contacts_.size(); ++first) {
+        if (surface_contacts_[first].group != int(first)) continue;
+        SurfaceContact* deepest = nullptr;
+        int told[2] = {-1, -1};
+        for (int i = int(first); i >= 0; i = surface_contacts_[i].next) {
+            SurfaceContact& c = surface_contacts_[i];
+            if (c.depth > 0 && (!deepest || c.depth > deepest->depth)) deepest = &c;
+            if (c.told[0] < 0) continue;
+            if (told[0] < 0) std::copy(c.told, c.told + 2, told);
+            else tell(c.told, false);
+            c.told[0] = c.told[1] = -1;
+        }
+        if (!deepest) {
+            if (told[0] >= 0) tell(told, false);
+            continue;
+        }
+        if (told[0] < 0) tell(deepest->element, true);
+        std::copy(told[0] < 0 ? deepest->element : told, (told[0] < 0 ? deepest->element : told) + 2, deepest->told);
+    }
+}
+
+void Contact::look_at_surfaces(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
+                               const std::vector<Quat>& rotation) const {
+    for (SurfaceContact& contact : contacts) measure(contact, position, rotation);
+    for (int i = 0; i < int(contacts.size()); ++i)
+        if (contacts[i].group == i) share_depth(contacts, i);
+    for (SurfaceContact& contact : contacts) rub(contact, position, rotation);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
@@ -199,14 +237,15 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
     for (int i = 0; i < 2; ++i) {
         contact.element[i] = bars[i]->element;
         contact.radius[i] = bars[i]->radius;
-        for (int e = 0; e < 2; ++e) contact.end[2 * i + e] = bars[i]->end(e);
+        place_on(contact, i, *bars[i]);
     }
+    contact.length[0] = length(two.a[0], two.a[1]), contact.length[1] = length(two.b[0], two.b[1]);
+    const auto member_length = [&](int i) { return bars[i]->length > 0 ? bars[i]->length : contact.length[i]; };
     const ContactSettings& rule = rules_[pair.rule];
-    contact.stiffness =
-        rule.stiffness > 0
-            ? rule.stiffness
-            : surface_stiffness(a.stiffness, b.stiffness,
-                                0.5 * (length(two.a[0], two.a[1]) + length(two.b[0], two.b[1])), pair.contact_distance);
+    contact.stiffness = rule.stiffness > 0
+                            ? rule.stiffness
+                            : surface_stiffness(a.stiffness, b.stiffness, 0.5 * (member_length(0) + member_length(1)),
+                                                pair.contact_distance);
     contact.friction = rule.friction;
     contact.normal_before = pair.normal;
     contact::look(contact, motion.position, motion.rotation);
@@ -216,7 +255,6 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
         contact::look(contact, motion.position, motion.rotation);
     }
     contact::settle(contact, motion.position, motion.rotation);
-    note_pressing(contact, false, now_, counts_, events_);
     surface_contacts_.push_back(contact);
 }
 
@@ -233,16 +271,25 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
                                  const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
     now_ = time;
     Settled out;
+    const auto add_missed = [&](double work) {
+        out.missed = out.missed || work != 0;
+        out.work += work;
+    };
+    for (int i = 0; i < int(surface_contacts_.size()); ++i) {
+        if (surface_contacts_[i].group != i) continue;
+        if (surface_contacts_[i].next >= 0) add_missed(missed_by_group(surface_contacts_, i, dt, rotation, impulse));
+        else add_missed(missed_impulse(surface_contacts_[i], dt, rotation, impulse));
+    }
     for (SurfaceContact& contact : surface_contacts_) {
-        const bool before = contact.penetration_before > 0, now = contact.penetration > 0;
-        if (before != now) {
-            out.missed = true;
-            out.work += missed_impulse(contact, dt, rotation, impulse);
-            note_pressing(contact, before, now_, counts_, events_);
-        }
         out.heat += contact.heat;
         contact::settle(contact, position, rotation);
     }
+    for (int i = 0; i < int(surface_contacts_.size()); ++i) {
+        const SurfaceContact& first = surface_contacts_[i];
+        if (first.group == i && first.friction > 0 && (first.next >= 0 || first.share != 1))
+            out.heat += share_slip(surface_contacts_, i);
+    }
+    tell_pressing();
     return out;
 }
 
@@ -270,15 +317,16 @@ void Contact::follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3
     for (SurfaceContact& contact : surface_contacts_) {
         for (const Bar& bar : bars)
             for (int i = 0; i < 2; ++i)
-                if (bar.element == contact.element[i])
-                    contact.end[2 * i] = bar.end(0), contact.end[2 * i + 1] = bar.end(1);
-        const Vec3 slip = contact.slip_before;
-        const bool before = contact.penetration_before > 0;
-        contact::look(contact, position, rotation);
-        contact.slip = slip;
-        contact::settle(contact, position, rotation);
-        note_pressing(contact, before, now_, counts_, events_);
+                if (bar.element == contact.element[i]) place_on(contact, i, bar);  // group stays until the next step
     }
+    std::vector<Vec3> slip;
+    for (const SurfaceContact& contact : surface_contacts_) slip.push_back(contact.slip_before);
+    look_at_surfaces(surface_contacts_, position, rotation);
+    for (std::size_t i = 0; i < slip.size(); ++i) {
+        surface_contacts_[i].slip = slip[i];
+        contact::settle(surface_contacts_[i], position, rotation);
+    }
+    tell_pressing();
 }
 
 double Contact::release(double time, std::vector<Released>* released) {
@@ -325,8 +373,8 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
         add_tie_forces(tie, position, rotation, force);
         stored_ += tie.energy;
     }
-    for (SurfaceContact& contact : surface_contacts_) {
-        contact::look(contact, position, rotation);
+    look_at_surfaces(surface_contacts_, position, rotation);
+    for (const SurfaceContact& contact : surface_contacts_) {
         add_contact_forces(contact, rotation, force);
         stored_ += contact.energy;
     }
@@ -335,19 +383,26 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
 // A slip that moved by less than 1/100 of the penetration is settled. Of 125 runs of tests/hard 116 keep their bounds
 // with 1/10, 1/100 and 1/1000, which ask for 53, 67 and 110 more iterations, and 115 if a slip is never looked at.
 bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
-    return std::any_of(surface_contacts_.begin(), surface_contacts_.end(), [&](SurfaceContact contact) {
-        const bool before = contact.penetration > 0;
-        const Vec3 slip = contact.slip;
-        contact::look(contact, position, rotation);
-        return before != (contact.penetration > 0) ||
-               (contact.slip - slip).norm() > 0.01 * std::max(0.0, contact.penetration);
-    });
+    std::vector<SurfaceContact> now = surface_contacts_;
+    look_at_surfaces(now, position, rotation);
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const SurfaceContact& was = surface_contacts_[i];
+        if ((was.depth > 0) != (now[i].depth > 0) ||
+            (now[i].slip - was.slip).norm() > 0.01 * std::max(0.0, now[i].penetration))
+            return true;
+    }
+    return false;
 }
 
 void Contact::add_stiffness(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
                             const AddStiffness& add) const {
     for (const Tie& tie : ties_) add_tie_stiffness(tie, position, rotation, add);
-    for (const SurfaceContact& contact : surface_contacts_) add_contact_stiffness(contact, rotation, add);
+    for (int i = 0; i < int(surface_contacts_.size()); ++i) {
+        const SurfaceContact& first = surface_contacts_[i];
+        if (first.group != i) continue;
+        if (first.next >= 0) add_shared_stiffness(surface_contacts_, i, rotation, add);
+        else add_contact_stiffness(first, rotation, add);
+    }
 }
 
 }  // namespace hinge::contact

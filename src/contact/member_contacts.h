@@ -13,7 +13,7 @@
 
 #include "contact/tie.h"
 #include "contact/segments.h"
-#include "contact/surface_contact.h"
+#include "contact/shared_spring.h"
 #include "core/types.h"
 
 namespace hinge::contact {
@@ -31,6 +31,8 @@ struct Bar {
     Vec3 arm = Vec3::Zero();  ///< m, of the second end, as in End: the free end of a broken element
     double radius = 0;        ///< m, half the depth of the member
     double stiffness = 0;     ///< EA of the member, N
+    double length = 0;        ///< m, of the member; 0: of the bar itself
+    int chain = -1;           ///< unbroken run of elements of one member that it belongs to; -1: a chain of its own
 
     /// Bars that meet at one node do not touch each other.
     int meets_at(int i) const { return joint[i] >= 0 ? joint[i] : node[i]; }
@@ -92,7 +94,8 @@ using PairRule = std::function<int(int element_a, int element_b)>;
 
 /// Numbers of contacts and tests, and the energy released, since the start.
 struct ContactCounts {
-    long bound = 0, released = 0, dropped = 0;  ///< ties made, or contacts begun; released; lost with a broken element
+    long bound = 0, released = 0, dropped = 0;  ///< ties made, or contacts begun; released; lost with a broken
+                                                ///< element
     long pair_tests = 0, list_builds = 0;
     double energy_released = 0;  ///< J, stored in ties when they were released or dropped
 
@@ -108,7 +111,8 @@ struct Nearest {
     double distance = 0;
 };  ///< m, between their surfaces
 
-/// Beginning or end of the contact of two elements.
+/// Beginning or end of a contact: rule gap, of two elements; rule surface, of two members, named by the elements that
+/// were deepest in each other when it began.
 struct ContactEvent {
     double time;  ///< s; when bound, the moment of contact within the step
     int element[2];
@@ -263,6 +267,9 @@ private:
     void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const BarPair& two);
     void end_tie(const Tie& tie);
     void end_surface_contacts();
+    void look_at_surfaces(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
+                          const std::vector<Quat>& rotation) const;
+    void tell_pressing();
     void set_free(const int element[2], const Vec3& normal);
     Candidate* find(const int element[2], std::size_t* place);
     void note_pair(std::size_t place);

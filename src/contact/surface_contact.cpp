@@ -10,9 +10,6 @@ namespace hinge::contact {
 
 namespace {
 
-/// A direction in the space of the four ends' nodes: how a length changes with their translations and rotations.
-using Row = std::array<Vec6, 4>;
-
 double share(int end, const double at[2]) {
     const double x = at[end / 2];
     return end % 2 == 0 ? 1 - x : x;
@@ -25,7 +22,17 @@ double depth_share(const SurfaceContact& contact, int end) {
     return contact.radius[end / 2] / (contact.radius[0] + contact.radius[1]);
 }
 
-// How n . (q - p) changes.
+void points_of(const SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+               Vec3 (&point)[4]) {
+    for (int i = 0; i < 4; ++i) point[i] = position[contact.end[i].node] + arm_of(contact.end[i], rotation);
+}
+
+Vec3 between_points(const Vec3 (&point)[4], const double at[2]) {
+    return (1 - at[1]) * point[2] + at[1] * point[3] - (1 - at[0]) * point[0] - at[0] * point[1];
+}
+
+}  // namespace
+
 Row normal_row(const SurfaceContact& contact, const std::vector<Quat>& rotation) {
     Row row;
     for (int i = 0; i < 4; ++i) {
@@ -35,7 +42,6 @@ Row normal_row(const SurfaceContact& contact, const std::vector<Quat>& rotation)
     return row;
 }
 
-// How the points of contact of the two surfaces shift along `direction`.
 Row slip_row(const SurfaceContact& contact, const std::vector<Quat>& rotation, const Vec3& direction) {
     Row row;
     for (int i = 0; i < 4; ++i) {
@@ -47,20 +53,9 @@ Row slip_row(const SurfaceContact& contact, const std::vector<Quat>& rotation, c
     return row;
 }
 
-void points_of(const SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-               Vec3 (&point)[4]) {
-    for (int i = 0; i < 4; ++i) point[i] = position[contact.end[i].node] + arm_of(contact.end[i], rotation);
-}
-
-Vec3 between_points(const Vec3 (&point)[4], const double at[2]) {
-    return (1 - at[1]) * point[2] + at[1] * point[3] - (1 - at[0]) * point[0] - at[0] * point[1];
-}
-
 void add_row(const SurfaceContact& contact, const Row& row, double factor, std::vector<Vec6>& into) {
     for (int i = 0; i < 4; ++i) into[contact.end[i].node] += factor * row[i];
 }
-
-}  // namespace
 
 double surface_stiffness(double ea_a, double ea_b, double length, double depths) {
     return 2 * ea_a * ea_b / (ea_a + ea_b) / std::max(length, depths);
@@ -81,18 +76,30 @@ double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal) {
 }
 
 void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+    measure(contact, position, rotation);
+    contact.depth = std::max(0.0, contact.penetration);
+    rub(contact, position, rotation);
+}
+
+void measure(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     Vec3 point[4];
     points_of(contact, position, rotation, point);
     Closest closest;
     contact.normal = contact.normal_before;
-    const double depths = contact.radius[0] + contact.radius[1], k = contact.stiffness;
+    const double depths = contact.radius[0] + contact.radius[1];
     contact.penetration = depths - contact.level - signed_distance(point, closest, contact.normal);
     contact.at[0] = closest.s;
     contact.at[1] = closest.t;
-    contact.energy = contact.penetration > 0 ? 0.5 * k * contact.penetration * contact.penetration : 0;
+}
+
+void rub(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+    const double k = contact.stiffness;
+    contact.energy = contact.depth > 0 ? 0.5 * k * contact.depth * contact.penetration : 0;
     if (contact.friction == 0) return;
 
     // how far the two surfaces have moved past each other since the step began
+    Vec3 point[4];
+    points_of(contact, position, rotation, point);
     contact.between = between_points(point, contact.at_before);
     Vec3 moved = Vec3::Zero();
     if (contact.penetration_before > 0) {
@@ -104,26 +111,28 @@ void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std:
     }
     Vec3 trial = contact.slip_before + moved;
     trial -= trial.dot(contact.normal) * contact.normal;
-    const double length = trial.norm(), most = contact.friction * std::max(0.0, contact.penetration);
+    const double length = trial.norm(), part = contact.share;
+    const double most = part > 0 ? contact.friction * contact.depth / part : length;
     contact.slides = length > most;
     contact.slip = contact.slides ? Vec3(most / length * trial) : trial;
     // the step moved the surfaces against the mean of the forces at its two ends
-    const double stored = 0.5 * k * contact.slip.squaredNorm();
-    const double work = 0.5 * k * (contact.slip + contact.slip_before).dot(moved);
-    contact.heat = std::max(0.0, work + 0.5 * k * contact.slip_before.squaredNorm() - stored);  // else made: an error
+    const double stored = 0.5 * k * part * contact.slip.squaredNorm();
+    const double work = 0.5 * k * part * (contact.slip + contact.slip_before).dot(moved);
+    contact.heat =
+        std::max(0.0, work + 0.5 * k * part * contact.slip_before.squaredNorm() - stored);  // else made: an error
     contact.energy += stored;
 }
 
 void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force) {
-    if (contact.penetration <= 0) return;
-    add_row(contact, normal_row(contact, rotation), -contact.stiffness * contact.penetration, force);
+    if (contact.depth > 0) add_row(contact, normal_row(contact, rotation), -contact.stiffness * contact.depth, force);
     const double stretch = contact.slip.norm();
-    if (stretch > 0)
-        add_row(contact, slip_row(contact, rotation, contact.slip / stretch), contact.stiffness * stretch, force);
+    if (stretch > 0 && contact.share > 0)
+        add_row(contact, slip_row(contact, rotation, contact.slip / stretch),
+                contact.stiffness * contact.share * stretch, force);
 }
 
 void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& rotation, const AddStiffness& add) {
-    if (now.penetration <= 0) return;
+    if (now.depth <= 0) return;
     std::vector<Row> rows{normal_row(now, rotation)};
     if (now.friction > 0 && !now.slides) {
         const Vec3 across = now.normal.unitOrthogonal();
@@ -160,6 +169,7 @@ void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& r
 
 void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     contact.penetration_before = contact.penetration;
+    contact.depth_before = contact.depth;
     contact.normal_before = contact.normal;
     if (contact.friction == 0) return;
     Vec3 point[4];

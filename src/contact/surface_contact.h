@@ -1,6 +1,7 @@
 // Surface contact: two round bars press on each other where their axes come closest (the rule `surface`).
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "contact/end.h"
@@ -12,6 +13,9 @@ namespace hinge::contact {
 ///
 ///   U = k/2 g^2 where g > 0, else 0:   g = h_a + h_b - n . (q - p)
 ///
+/// That is of a pair of elements alone. Pairs that belong to one contact of two members share one spring
+/// (shared_spring.h): there U = k/2 d g and the force is k d, with d <= g the depth that shared_spring.h gives.
+///
 /// p and q are the closest points of the two axes (s along a, t along b), n the unit vector from a to b on their common
 /// normal. As s and t make the distance least they drop out of the derivative: a force k g n on b at q, the opposite on
 /// a at p, shared by the nodes as the element's own displacement is. Both lie on one line, so that momentum and angular
@@ -20,17 +24,23 @@ namespace hinge::contact {
 ///
 /// Coulomb friction is a spring e, also of stiffness k, between the touching points of the two surfaces, |k e| <= mu k
 /// g. Beyond that limit the surfaces slide, and the difference becomes heat. The force acts at the surface, so bars can
-/// roll.
+/// roll. Pairs that share a spring share that of friction too: k w e and mu k d, with w the pair's share.
 struct SurfaceContact {
     int element[2] = {-1, -1};
-    End end[4];                 ///< A1, A2, B1, B2
-    double radius[2] = {0, 0};  ///< half depths, m
-    double stiffness = 0;       ///< k, N/m
-    double friction = 0;        ///< mu
-    double level = 0;           ///< m: penetration at the start of a contact that was not predicted; no force up to it
+    int chain[2] = {-1, -1};          ///< of elements that continue each other, that they belong to
+    int joint[4] = {-1, -1, -1, -1};  ///< nodes in which other bars may meet the ends; -1: free end
+    double length[2] = {0, 0};        ///< m, of the two elements when the contact was first watched
+    int group = -1, next = -1;        ///< first contact that it shares a spring with, and the next one; -1: none
+    int told[2] = {-1, -1};           ///< elements of the event that told of the contact; -1: none has
+    End end[4];                       ///< A1, A2, B1, B2
+    double radius[2] = {0, 0};        ///< half depths, m
+    double stiffness = 0;             ///< k, N/m
+    double friction = 0;              ///< mu
+    double level = 0;  ///< m: penetration at the start of a contact that was not predicted; no force up to it
 
     // as of the last look()
     double penetration = 0;       ///< g, m; negative: apart
+    double depth = 0;             ///< d, m: force / k; the penetration itself where no other pair shares the spring
     double energy = 0;            ///< J
     double at[2] = {0, 0};        ///< s, t
     Vec3 normal = Vec3::Zero();   ///< n
@@ -40,7 +50,8 @@ struct SurfaceContact {
     bool slides = false;
 
     // as of the last settle(): where a step begins
-    double penetration_before = 0;
+    double penetration_before = 0, depth_before = 0;
+    double share = 1;  ///< w, of the stiffness of friction
     double at_before[2] = {0, 0};
     Vec3 normal_before = Vec3::Zero();
     Vec3 slip_before = Vec3::Zero();
@@ -50,21 +61,34 @@ struct SurfaceContact {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.element, s.end, s.radius, s.stiffness, s.friction, s.level, s.penetration, s.energy, s.at, s.normal, s.slip,
-          s.between, s.heat, s.slides, s.penetration_before, s.at_before, s.normal_before, s.slip_before,
-          s.between_before, s.rotation_before);
+        a(s.element, s.chain, s.joint, s.length, s.group, s.next, s.told, s.end, s.radius, s.stiffness, s.friction,
+          s.level, s.penetration, s.depth, s.energy, s.at, s.normal, s.slip, s.between, s.heat, s.slides,
+          s.penetration_before, s.depth_before, s.share, s.at_before, s.normal_before, s.slip_before, s.between_before,
+          s.rotation_before);
     }
 };
 
+/// A direction in the space of the four ends' nodes: how a length changes with their translations and rotations.
+using Row = std::array<Vec6, 4>;
+Row normal_row(const SurfaceContact& contact, const std::vector<Quat>& rotation);  ///< of n . (q - p)
+/// Of the shift along `direction` between the points of the two surfaces that touched when the step began.
+Row slip_row(const SurfaceContact& contact, const std::vector<Quat>& rotation, const Vec3& direction);
+void add_row(const SurfaceContact& contact, const Row& row, double factor, std::vector<Vec6>& into);
+
 /// Stiffness of a surface contact, k = EA / max(length, depths): EA the harmonic mean of the two members', length the
-/// mean of the two elements', so that a contact brings in no frequency above the elements' own; depths = h_a + h_b.
+/// mean of the two members' (not of their elements', whose number is a matter of accuracy); depths = h_a + h_b. With
+/// any number of elements it is no stiffer than an element along its axis.
 double surface_stiffness(double ea_a, double ea_b, double length, double depths);
 
 /// Signed distance n . (q - p) of two axes, m. Sets `closest` to their closest points and `normal` to n.
 double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal);
 
-/// Updates penetration, energy and friction of a contact for these positions.
+/// Updates penetration, energy and friction of a contact, with a spring of its own, for these positions.
 void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+
+/// Parts of look: first the penetration, then, once the depth is known, energy and friction.
+void measure(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void rub(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
 /// Adds the resisting forces of the contact, + dU/du and friction, to `force`.
 void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force);

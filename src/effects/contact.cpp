@@ -42,6 +42,8 @@ public:
             w.state.data.set(contact_effect, Contact(std::move(rules)));
         }
         for (const MemberData& m : w.structure.model().members()) collides_.push_back(can_collide(rules_, m));
+        member_length_.assign(collides_.size(), 0.0);
+        for (const Element& e : w.structure.elements()) member_length_[e.member] += e.length;
         now().release_step();  // it may come from a run in the middle of a step
     }
 
@@ -127,6 +129,9 @@ public:
         }
         for (const contact::ContactEvent& event : now().events())
             for (int e : event.element) w_.state.touched[e] = 1;
+        for (const contact::SurfaceContact& contact : now().surface_contacts())
+            if (contact.penetration_before > 0)
+                for (int e : contact.element) w_.state.touched[e] = 1;
         now().clear_events();
     }
 
@@ -238,7 +243,20 @@ private:
                 for (int end : {0, 1}) bar.node[end] = e.node[end];
             }
             for (int end : {0, 1}) bar.joint[end] = w_.structure.declared_node(bar.node[end]);
+            bar.length = member_length_[e.member];
             bars_.push_back(bar);
+        }
+        number_chains();
+    }
+
+    /// The elements of a member follow each other; a chain ends where one does not begin in the node of the one before.
+    void number_chains() {
+        for (std::size_t i = 0; i < bars_.size(); ++i) {
+            contact::Bar& bar = bars_[i];
+            bar.chain = bar.element;
+            if (i == 0) continue;
+            const contact::Bar& last = bars_[i - 1];
+            if (member(last.element) == member(bar.element) && last.node[1] == bar.node[0]) bar.chain = last.chain;
         }
     }
 
@@ -274,7 +292,8 @@ private:
     }
 
     const std::vector<ContactRule>& rules_;
-    std::vector<char> collides_;  ///< of each member
+    std::vector<char> collides_;         ///< of each member
+    std::vector<double> member_length_;  ///< m
     std::vector<contact::Bar> bars_;
     bool bars_changed_ = true, bars_changed_before_ = true;
     long age_ = 0, age_before_ = 0;       ///< steps with contact

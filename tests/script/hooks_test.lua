@@ -417,7 +417,7 @@ for name, declare in pairs(hooks) do
     declare(steady_model, nothing, steady_tip)
     local steady = steady_run():finish()
     for what, row in pairs(failing) do
-      local model, once, make, tip = scene(name == "on_contact" and 2 or name == "pairs" and 1 or 20, row[1])
+      local model, once, make, tip = scene((name == "on_contact" or name == "pairs") and 1 or 20, row[1])
       declare(model, once, tip)
       local run = make()
       local ok, message = pcall(run.finish, run)
