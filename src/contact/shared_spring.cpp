@@ -83,7 +83,7 @@ void join_at_joints(const std::vector<SurfaceContact>& contacts, Sets& sets) {
 void join_as_before(const std::vector<SurfaceContact>& contacts, Sets& sets) {
     std::map<int, int> first_of;
     for (int i = 0; i < int(contacts.size()); ++i) {
-        if (contacts[i].group < 0 || !(contacts[i].depth_before > 0)) continue;
+        if (contacts[i].group < 0 || !(contacts[i].penetration_before > 0)) continue;
         const auto [at, is_new] = first_of.insert({contacts[i].group, i});
         if (!is_new) sets.join(at->second, i);
     }

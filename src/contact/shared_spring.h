@@ -11,7 +11,7 @@ namespace hinge::contact {
 ///
 /// Pairs whose elements belong to the same two chains (unbroken runs of elements of one member) are one contact. So are
 /// pairs of different chains that touch at a node in which the chains meet, within half the sum of the half depths, and
-/// pairs that were one contact a step ago and press. Decided where a step begins, it holds throughout the step.
+/// pairs that were one contact a step ago and overlap. Decided where a step begins, it holds throughout the step.
 void group_contacts(std::vector<SurfaceContact>& contacts);
 
 /// Part of the compliance that a pair has for itself. The rest is that of the spring which all pairs of a contact
