@@ -10,21 +10,35 @@ namespace hinge::contact {
 
 namespace {
 
-/// Sets of contacts, each named by its first.
+/// Sets of contacts, each named by its first. Two that overlap and were not one contact a step ago are never joined:
+/// one spring in the place of two would drop half of the energy stored.
 class Sets {
 public:
-    explicit Sets(std::size_t n) : above_(n) { std::iota(above_.begin(), above_.end(), 0); }
+    explicit Sets(const std::vector<SurfaceContact>& contacts) : above_(contacts.size()), held_(contacts.size(), -1) {
+        std::iota(above_.begin(), above_.end(), 0);
+        std::map<int, int> first_of;  // what overlaps as one contact stays one, also where a break has cut a chain
+        for (int i = 0; i < int(contacts.size()); ++i) {
+            if (contacts[i].group < 0 || !(contacts[i].penetration_before > 0)) continue;
+            const int first = first_of.insert({contacts[i].group, i}).first->second;
+            above_[i] = first;
+            held_[first] = contacts[i].group;
+        }
+    }
     int of(int i) {
         while (above_[i] != i) i = above_[i] = above_[above_[i]];
         return i;
     }
     void join(int i, int j) {
         const int a = of(i), b = of(j);
-        above_[std::max(a, b)] = std::min(a, b);
+        if (a == b || (held_[a] >= 0 && held_[b] >= 0)) return;
+        const int first = std::min(a, b);
+        held_[first] = std::max(held_[a], held_[b]);
+        above_[std::max(a, b)] = first;
     }
 
 private:
     std::vector<int> above_;
+    std::vector<int> held_;  ///< of a first one: the number of the contact that its set was a step ago; -1: none
 };
 
 /// A contact near an end of a chain's element, where another chain may go on.
@@ -76,16 +90,6 @@ void join_at_joints(const std::vector<SurfaceContact>& contacts, Sets& sets) {
                         one || (n.contact == p.contact && n.side == other_p && also_near(n.joint, q.contact, other_q));
                 if (one) sets.join(p.contact, q.contact);
             }
-    }
-}
-
-// What presses as one contact stays one, also where a break has cut a chain: two springs would store twice the energy.
-void join_as_before(const std::vector<SurfaceContact>& contacts, Sets& sets) {
-    std::map<int, int> first_of;
-    for (int i = 0; i < int(contacts.size()); ++i) {
-        if (contacts[i].group < 0 || !(contacts[i].penetration_before > 0)) continue;
-        const auto [at, is_new] = first_of.insert({contacts[i].group, i});
-        if (!is_new) sets.join(at->second, i);
     }
 }
 
@@ -160,11 +164,10 @@ private:
 }  // namespace
 
 void group_contacts(std::vector<SurfaceContact>& contacts) {
-    Sets sets(contacts.size());
+    Sets sets(contacts);
     if (contacts.size() > 1) {
         join_by_chains(contacts, sets);
         join_at_joints(contacts, sets);
-        join_as_before(contacts, sets);
     }
     std::vector<int> last(contacts.size());
     for (int i = 0; i < int(contacts.size()); ++i) {

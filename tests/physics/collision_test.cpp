@@ -131,7 +131,8 @@ TEST_CASE("collision, surface: the energy error falls with the square of the ste
                   fine = collide(surface(), crossings[0], 50, 2.5e-6, 0.4);
     CHECK_FIGURE("surface: energy error of a quarter of the step, of the energy error", fine.worst / coarse.worst,
                  1.0 / 6);
-    CHECK_FIGURE("surface: energy error with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 4e-4);
+    // a spring as stiff as a whole member, not as its elements, holds up to a third of the energy
+    CHECK_FIGURE("surface: energy error with beta 1/4", collide(surface(), crossings[0], 50, 1e-5, 0.25).worst, 6e-4);
 }
 
 TEST_CASE("collision, surface: friction makes heat of motion, which is in the energy balance", "[collision]") {
