@@ -3412,10 +3412,12 @@ function model:static(options) end
 ---@field record? integer|false steps between rows of history.csv; default 1; false: this run writes no history.csv
 
 ---Makes a dynamic run. Damping comes only from model:damping and rho_infinity. The default is Newmark's beta method (eq
----15). The explicit method uses central differences with lumped masses: half of an element's mass is on each of its
----nodes, and the rotary inertia is the section's polar one. Explicit steps solve no system of equations. These options
----are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance, predictor, geometric,
----rebuild_angle and those of the solver.
+---15). The explicit method uses central differences with lumped masses: a pair of elements has 1/6, 4/6 and 1/6 of its
+---mass on its three nodes, so that every member has its mass, its centre and its moment of inertia m L^2 / 12. The
+---members of an odd number of elements, three or more, have them too; a member of one element has half of its mass on
+---each node, and m L^2 / 4. The rotary inertia is the section's polar one. Explicit steps solve no system of equations.
+---These options are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance, predictor,
+---geometric, rebuild_angle and those of the solver.
 ---
 ---The energy-momentum method (Simo and Tarnow 1992, Simo and Wong 1991, Gonzalez 1996) is for structures that rotate
 ---far in long steps. With displacements x, momenta p, mean forces f and F of a step: (p' - p)/dt + f = F, x' - x = dt

@@ -10,6 +10,7 @@
 #include "algebra/blocks.h"
 #include "algebra/unfused.h"
 #include "state/hinges.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 
@@ -50,7 +51,7 @@ Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const Elem
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     const double of_M = mass_factor_ + by_damping_ * c.of_mass;
     const Mat3 axes = axes_of(place);
-    Mat12 M = of_M * inertia_matrix(structure_.inertia(index), axes);
+    Mat12 M = of_M * inertia_matrix(inertia_now(structure_, state, index), axes);
     if (c.of_stiffness != 0) {  // in proportion to the elastic stiffness alone, also where an element yields
         const Mat6 k = stiffness_now(structure_, state, index).matrix();
         M += (by_damping_ * c.of_stiffness) *

@@ -2,9 +2,9 @@
 // explicit step.
 //
 // Consistent (paper, after eq 15): the first solution, at a run's start, assembles nothing; a run that needs more
-// stores M in blocks (element_matrices.h) and solves on its joints (condensed.h). Lumped: half of each element on each
-// of its nodes, the rotary inertia the section's polar one about every axis, so that a node's spin needs no frame and
-// no gyroscopic moment.
+// stores M in blocks (element_matrices.h) and solves on its joints (condensed.h). Lumped
+// (beam/element_mass.h): the rotary inertia is the section's polar one about every axis, so that a node's spin needs no
+// frame and no gyroscopic moment.
 #pragma once
 
 #include <memory>

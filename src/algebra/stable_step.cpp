@@ -8,31 +8,47 @@
 
 #include "algebra/eigenpairs.h"
 #include "beam/element_mass.h"
-#include "state/node_mass.h"
+#include "state/lone_elements.h"
 
 namespace hinge {
 namespace {
 
 /// The largest eigenvalue of M^-1 K of one element, 1/s^2, M lumped: that of m^-1/2 K m^-1/2.
-double highest(const Element& e) {
+double highest(const Element& e, const beam::Inertia& lumped) {
     const auto T = beam::linear_deformation(e.length);
     Mat12 K = T.transpose() * e.stiffness.matrix() * T;
-    const Vec12 root =
-        beam::lumped_inertia(e.rigidity, e.length).matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
+    const Vec12 root = lumped.matrix(Mat3::Identity()).diagonal().cwiseSqrt().cwiseInverse();
     K = root.asDiagonal() * K * root.asDiagonal();
     return largest_eigenvalue(K);
 }
 
+/// And of a lone one (state/lone_elements.h), that of L^-1 K L^-T with M = L L^T.
+double highest_of_lone(int index, const Element& e) {
+    const auto T = beam::linear_deformation(e.length);
+    Mat12 K = T.transpose() * e.stiffness.matrix() * T;
+    Mat12 M = e.lone.matrix(Mat3::Identity());
+    const int inner = inner_end(index, e);
+    M.block<6, 6>(6 * inner, 6 * inner) += lone_mass(e, (inner == 0 ? 1 : -1) * e.length / 3 * Vec3::UnitZ());
+    const Mat12 inverse = M.llt().matrixL().solve(Mat12::Identity());
+    return largest_eigenvalue(Mat12(inverse * K * inverse.transpose()));
+}
+
 /// Calls f(element, omega^2, c) for each.
 template <class F>
-void for_each_element(const Structure& structure, std::span<const ElementDamping> damping, F f) {
-    std::map<std::tuple<const Section*, const Material*, double>, double> known;  // most elements are like another
+void for_each_element(const Structure& structure, std::span<const ElementDamping> damping, bool breaks, F f) {
+    std::map<std::tuple<const Section*, const Material*, double, double>, double> known;  // most are like another
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
         const MemberData& member = structure.model().members()[e.member];
+        const beam::Inertia lumped =
+            structure.lumped() ? e.inertia : beam::lumped_inertia(e.rigidity, e.length, 0.5);  // the scale of others
+        const double heavy = std::round(1e6 * std::max(lumped.own[0], lumped.own[1]) / e.mass());
         const auto [at, fresh] =
-            known.try_emplace({member.section.get(), member.material.get(), std::round(1e9 * e.length)}, 0);
-        if (fresh) at->second = highest(e);
+            known.try_emplace({member.section.get(), member.material.get(), std::round(1e9 * e.length), heavy}, 0);
+        if (fresh) {
+            at->second = highest(e, lumped);
+            if (breaks && e.partner >= 0) at->second = std::max(at->second, highest_of_lone(int(i), e));
+        }
         const ElementDamping d = damping.empty() ? ElementDamping{} : damping[i];
         f(int(i), at->second, d.of_mass + d.of_stiffness * at->second);
     }
@@ -127,9 +143,9 @@ private:
 
 }  // namespace
 
-StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping) {
+StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping, bool breaks) {
     StableStep least{std::numeric_limits<double>::infinity(), -1};
-    for_each_element(structure, damping, [&](int element, double square, double c) {
+    for_each_element(structure, damping, breaks, [&](int element, double square, double c) {
         const double dt = 2 / (c + std::sqrt(c * c + square));
         if (dt < least.dt) least = {dt, element};
     });
@@ -154,7 +170,7 @@ JoinedStep stable_step_of_joined(const Structure& structure, const State& state,
         double& c = groups[joined.group(node)].c;
         c = std::max(c, bound);
     }
-    for_each_element(structure, damping, [&](int element, double square, double c) {
+    for_each_element(structure, damping, false, [&](int element, double square, double c) {
         if (state.broken[element]) return;
         for (const int node : structure.elements()[element].node) {
             const auto at = groups.find(joined.group(node));

@@ -17,7 +17,8 @@ struct StableStep {
     double dt;
     int element;
 };
-StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping = {});
+/// `breaks`: also that of elements whose partner has broken off (state/lone_elements.h).
+StableStep stable_step(const Structure& structure, std::span<const ElementDamping> damping = {}, bool breaks = false);
 
 /// Stable step where effects join nodes by stiffness and damping in addition to the elements: 2 / (c + sqrt(c^2 +
 /// omega^2)), omega^2 and c the sums of the elements' highest at the nodes that are connected so and of a bound for

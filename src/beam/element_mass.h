@@ -70,11 +70,34 @@ inline Inertia cubic_inertia(const Rigidity& c, double L, int middle) {
     return i;
 }
 
-/// Lumped mass: half at each node, with the polar rotary inertia of the section about every axis.
-inline Inertia lumped_inertia(const Rigidity& c, double L) {
-    const double m = 0.5 * element_mass(c, L);
+/// Part of the lumped mass of an element at its first node; `index`: which of the `count` equal elements of its member
+/// it is, from 0. The lumps of a member have its mass, its centre and its moment of inertia m L^2 / 12:
+///   - a pair has 1/6, 4/6, 1/6 of its mass (Simpson's rule), so an element 1/3 at the outer node and 2/3 at the
+///   middle;
+///   - in members of three, five, ... elements the outer ones have 1/2 - e at their ends, e = n / (12 (n - 1)), the
+///     others half and half. With three that is the 3/8 rule;
+///   - a single element has half and half, and m L^2 / 4.
+inline double lumped_part(int index, int count) {
+    if (count % 2 == 0) return index % 2 == 0 ? 1 / 3.0 : 2 / 3.0;
+    if (count == 1 || (index > 0 && index < count - 1)) return 0.5;
+    const double less = count / (12.0 * (count - 1));
+    return index == 0 ? 0.5 - less : 0.5 + less;
+}
+
+/// Lumped mass: `part` of it at the first node, the rest at the second (lumped_part). Each has half of the section's
+/// polar rotary inertia, about every axis: so spin needs no frame.
+inline Inertia lumped_inertia(const Rigidity& c, double L, double part) {
+    const double m = element_mass(c, L), first = part * m;
     const Vec3 J = Vec3::Constant(0.5 * (c.rhoIx + c.rhoIy) * L);
-    return {{m, m}, 0, {J, J}, Vec3::Zero()};
+    return {{first, m - first}, 0, {J, J}, Vec3::Zero()};
+}
+
+/// What is left at the nodes of an element of a pair whose other element has broken off: a quarter of its mass at the
+/// outer node; the rest is attached to the inner one (state/lone_elements.h). `inner`: which end that is.
+inline Inertia lone_inertia(const Rigidity& c, double L, int inner) {
+    Inertia m = lumped_inertia(c, L, 0.5);
+    m.own[inner] = 0, m.own[1 - inner] = 0.25 * element_mass(c, L);
+    return m;
 }
 
 /// Mass of a rigid bar that is attached to a node by one end.
@@ -91,13 +114,14 @@ inline RigidOffset rigid_offset(const Rigidity& c, const Vec3& span, const Mat3&
     return {m, 0.5 * m * span, J + m / 3 * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
 }
 
-/// A straight rigid bar with the lumped mass of an element, half of it at each end. With less rotary inertia than the
-/// element's masses it would gain energy when it takes over their angular momentum.
-inline RigidOffset lumped_rigid_offset(const Rigidity& c, const Vec3& span) {
-    const double L = span.norm(), m = element_mass(c, L);
-    return {m, 0.5 * m * span,
-            (c.rhoIx + c.rhoIy) * L * Mat3::Identity() +
-                0.5 * m * (span.squaredNorm() * Mat3::Identity() - span * span.transpose())};
+/// Two masses on nodes, 6 x 6 each about its own, where the second node follows the first rigidly; `span` points to it.
+/// With less rotary inertia than these the bar would gain energy when it takes over their angular momentum.
+inline RigidOffset lumped_rigid_offset(const Mat6& first, const Mat6& second, const Vec3& span) {
+    Mat6 follow = Mat6::Identity();
+    follow.topRightCorner<3, 3>() = -skew(span);
+    const Mat6 M = first + follow.transpose() * second * follow;
+    const Mat3 S = M.bottomLeftCorner<3, 3>();
+    return {M(0, 0), {S(2, 1), S(0, 2), S(1, 0)}, M.bottomRightCorner<3, 3>()};
 }
 
 /// Mass matrix of a rigid body attached to a node, 6 x 6 in space, from its first moment and inertia in space.

@@ -7,6 +7,7 @@
 #include "effects/all_effects.h"
 #include "effects/gravity.h"
 #include "effects/kinds.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -76,7 +77,7 @@ public:
             const Vec3 integrated = scheme.velocity_change(rate_[i], next_rate_[i], step.dt);
             double mass = h.mass;
             for (int e : w_.structure.elements_at(int(i)))
-                if (!w_.state.broken[e]) mass += 0.5 * w_.structure.elements()[e].mass();
+                if (!w_.state.broken[e]) mass += mass_at(e, int(i));
             const Vec3 missed =
                 (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - integrated) /
                 mass;
@@ -98,6 +99,8 @@ public:
     void broke(const Break& b) override {
         renew(carrier_);
         host_.mass_changed(b.element);
+        const int partner = w_.structure.elements()[b.element].partner;
+        if (w_.structure.lumped() && partner >= 0) host_.mass_changed(partner);
     }
 
     void acceleration_found() override {
@@ -130,6 +133,11 @@ private:
             external[i].head<3>() += h.mass * g;
             external[i].tail<3>() += Vec3(at.rotation[i] * h.moment).cross(g);
         }
+    }
+    double mass_at(int element, int node) const {
+        const Element& e = w_.structure.elements()[element];
+        if (!w_.structure.lumped()) return 0.5 * e.mass();
+        return inertia_now(w_.structure, w_.state, element).own[e.node[0] == node ? 0 : 1];
     }
     DeclaredGravity gravity() const {
         const DeclaredGravity* declared = gravity_of(w_.structure.model());

@@ -23,6 +23,7 @@
 #include "effects/joined_bodies.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
+#include "state/lone_elements.h"
 #include "state/node_mass.h"
 
 namespace hinge {
@@ -219,7 +220,12 @@ private:
         if (c.of_mass != 0) {
             Vec12 relative;
             relative << velocity_relative(e.node[0]), velocity_relative(e.node[1]);
-            force = c.of_mass * (w_.structure.inertia(index).matrix(axes_of(place)) * relative);
+            force = c.of_mass * (inertia_now(w_.structure, w_.state, index).matrix(axes_of(place)) * relative);
+            if (is_lone(w_.structure, w_.state, index)) {
+                const int inner = inner_end(index, e);
+                const Vec3 arm = w_.trial.rotation[e.node[inner]] * w_.state.offset_arm[index];
+                force.segment<6>(6 * inner) += c.of_mass * (lone_mass(e, arm) * relative.segment<6>(6 * inner));
+            }
         }
         if (c.of_stiffness != 0) {
             const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);

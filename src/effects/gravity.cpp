@@ -8,6 +8,7 @@
 
 #include "effects/kinds.h"
 #include "effects/member_weights.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -18,6 +19,7 @@ public:
         : Effect(gravity_effect, w, host, {.mean_forces = true}),
           g_(gravity_of(w.structure.model())->acceleration),
           held_(gravity_of(w.structure.model())->held) {
+        even_.find(w.structure, w.state, g_);
         at_start_ = potential(w.state);
         if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
         choose_members();
@@ -26,6 +28,7 @@ public:
     /// Offset masses resist with their weight themselves (broken_members.cpp), since it rotates with them.
     void add_steady_loads(std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
+        for (std::size_t n = 0; n < even_.more().size(); ++n) external[n].head<3>() += even_.more()[n] * g_;
     }
     void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
         add_corrections(g_, at, external);
@@ -41,11 +44,13 @@ public:
     bool has_potential() const override { return true; }
 
     void broke(const Break& b) override {
-        const Element& e = w_.structure.elements()[b.element];
-        const beam::Inertia& m = w_.structure.inertia(b.element);
-        for (int end : {0, 1}) host_.change_steady_load(e.node[end], -(m.weight(end) * g_));
+        for_each_lost_weight(w_.structure, w_.state, b.element,
+                             [&](int node, double mass) { host_.change_steady_load(node, -(mass * g_)); });
     }
-    void all_broke() override { choose_members(); }
+    void all_broke() override {
+        renew_even_weights();
+        choose_members();
+    }
 
     /// In dynamics the corrections are not part of F: they rotate with the members.
     void subtract_following_loads(std::vector<Vec6>& resisting) override {
@@ -105,6 +110,7 @@ public:
     void save(Writer& to) const override { to(at_start_, before_); }
     void restore(Reader& from) override { from(at_start_, before_); }
     bool restored(std::span<const State* const>) override {
+        even_.find(w_.structure, w_.state, g_);
         std::vector<Vec3> before = std::move(before_);
         choose_members();
         before_ = std::move(before);
@@ -112,6 +118,17 @@ public:
     }
 
 private:
+    /// Weights move between nodes where they are: no work.
+    void renew_even_weights() {
+        if (!w_.structure.lumped()) return;
+        const std::vector<double> before = even_.more();
+        const double potential_before = potential(w_.state);
+        even_.find(w_.structure, w_.state, g_);
+        for (std::size_t n = 0; n < before.size(); ++n)
+            if (const double more = even_.more()[n] - before[n]; more != 0) host_.change_steady_load(int(n), more * g_);
+        at_start_ += potential(w_.state) - potential_before;
+    }
+
     /// In statics all is held, one way or another, and what cannot be carried has its limit load.
     void choose_members() {
         if (members_.count() == 0) return;
@@ -140,6 +157,8 @@ private:
         Vec3 moment = Vec3::Zero();  // of mass about the origin
         for_each_weight(
             s, state, [&](int node, double mass) { moment += mass * (s.position()[node] + state.displacement[node]); });
+        for (std::size_t n = 0; n < even_.more().size(); ++n)
+            moment += even_.more()[n] * (s.position()[n] + state.displacement[n]);
         for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
             if (state.offset_mass[i].mass > 0)
                 moment += state.offset_mass[i].mass * (s.position()[i] + state.displacement[i]) +
@@ -147,8 +166,9 @@ private:
         return -moment.dot(g_);  // eq 20b
     }
 
-    Vec3 g_, held_;          ///< m/s^2; of it, what statics holds from the start on
-    double at_start_;        ///< J
+    Vec3 g_, held_;    ///< m/s^2; of it, what statics holds from the start on
+    double at_start_;  ///< J
+    EvenWeights even_;
     MemberWeights members_;  ///< none with weight = "nodes"
     /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.
     std::vector<Vec3> before_, now_;

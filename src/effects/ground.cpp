@@ -21,6 +21,7 @@
 #include "contact/ground_friction.h"
 #include "core/rotation.h"
 #include "effects/kinds.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -368,7 +369,7 @@ private:
                     const Element& e = s.elements()[element];
                     p.radius = std::max(p.radius, e.radius);
                     p.stiffness += normal_part * e.rigidity.EA / e.length;
-                    p.mass += 0.5 * e.mass();
+                    p.mass += striking_mass(s, w_.state, element, e.node[0] == n ? 0 : 1);
                 }
                 if (p.stiffness == 0 || w_.state.gone[n]) continue;
                 if (declared()[i].stiffness > 0) p.stiffness = declared()[i].stiffness;

@@ -6,6 +6,7 @@
 
 #include "effects/joined_bodies.h"
 #include "state/hinges.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -34,6 +35,11 @@ void add_rotated(const std::vector<Quat>& rotation, const int* node, const Lanes
     }
 }
 
+/// Carried elements with lumped mass have half of their weight on each node (EvenWeights).
+double weight_of(const Structure& s, int element, int end) {
+    return s.lumped() ? 0.5 * s.elements()[element].mass() : s.inertia(element).weight(end);
+}
+
 }  // namespace
 
 MemberWeights::MemberWeights(const Structure& s) {
@@ -54,7 +60,7 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
     const ClampedMember clamped(s, ends.first, ends.first + n);
     std::vector<double> at_node(n + 1, 0.0);
     for (int i = 0; i < n; ++i)
-        for (int end : {0, 1}) at_node[i + end] += s.inertia(ends.first + i).weight(end);
+        for (int end : {0, 1}) at_node[i + end] += weight_of(s, ends.first + i, end);
     Kind kind;
     for (int i = 0; i < n; ++i)
         for (int k = 0; k < 3; ++k)
@@ -67,9 +73,9 @@ MemberWeights::Kind MemberWeights::kind_of(const Structure& s, const MemberEnds&
         for (int j = 1; j < n; ++j) kind.bow[k] -= at_node[j] * std::min(j, k) * (n - std::max(j, k)) * e.length / n;
     }
     for (int i = 0; i < n; ++i) {
-        const beam::Inertia& weights = s.inertia(ends.first + i);
+        const double weights[2] = {weight_of(s, ends.first + i, 0), weight_of(s, ends.first + i, 1)};
         const double first = kind.c + kind.bow[i], second = kind.c + kind.bow[i + 1];
-        kind.by_gravity.push_back({{-first, second, first, -second}, {weights.weight(0), -weights.weight(1)}, {0, 0}});
+        kind.by_gravity.push_back({{-first, second, first, -second}, {weights[0], -weights[1]}, {0, 0}});
     }
     return kind;
 }
@@ -295,7 +301,7 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     const int member = s.elements()[element].member, end = side < 0 ? 0 : 1;
     const MemberEnds& ends = ends_[member];
     const Mat3 to_local = axes_of(element_frame(s, element, state)).transpose();
-    add_share(side, s.inertia(element).weight(end) * (to_local * g), Vec3::Zero(), forces);
+    add_share(side, weight_of(s, element, end) * (to_local * g), Vec3::Zero(), forces);
     const MemberEnds::Chord chord = ends.chord(s, state);
     const Kind& kind = kinds_[kind_[member]];
     const double bow = kind.bow[element - ends.first + end], gx = chord.axes.col(0).dot(g),
@@ -309,6 +315,19 @@ void MemberWeights::add_section_forces(const Structure& s, const State& state, c
     if (((element - ends.first) % 2 == 0) != (end == 1)) return;
     const Vec3 middle = middle_by_N(s, local, state.force, state.heat, element);
     forces.Mx += middle.x(), forces.My += middle.y();
+}
+
+void EvenWeights::find(const Structure& s, const State& state, const Vec3& g) {
+    if (!s.lumped()) return;
+    more_.assign(s.position().size(), 0);
+    const Bodies bodies = find_bodies(s, state);
+    const std::vector<char> carried = carried_bodies(s, state, bodies, g);
+    for (int i = 0; i < int(s.elements().size()); ++i) {
+        const Element& e = s.elements()[i];
+        const int body = bodies.of_node[e.node[0]];
+        if (body < 0 || !carried[body] || state.broken[i] || is_lone(s, state, i)) continue;
+        for (int end : {0, 1}) more_[e.node[end]] += weight_of(s, i, end) - e.inertia.own[end];
+    }
 }
 
 std::vector<char> carried_members(const Structure& s, const State& state, const MemberWeights& weights, const Vec3& g) {

@@ -92,6 +92,20 @@ private:
     std::vector<int> joints_;
 };
 
+/// Weights of lumped masses. The lumps of a pair are those of its motion as a rigid body; as weights they would bend a
+/// member at rest otherwise than statics does. So carried elements have half of their weight on each node, as in
+/// statics, and a run goes on from there at rest. What flies has the weight of its lumps, and falls without bending.
+class EvenWeights {
+public:
+    /// Finds the carried elements; nothing where masses are not lumped.
+    void find(const Structure& structure, const State& state, const Vec3& g);
+    /// Of each node, what its weight has beyond that of its lumps, kg; empty where masses are not lumped.
+    const std::vector<double>& more() const { return more_; }
+
+private:
+    std::vector<double> more_;
+};
+
 /// Of each member, whether it is whole and its body is carried (carried_bodies). What nothing carries falls, and its
 /// weight bends it no more than its inertia does.
 std::vector<char> carried_members(const Structure& structure, const State& state, const MemberWeights& weights,

@@ -5,6 +5,7 @@
 
 #include "effects/joints.h"
 #include "effects/kinds.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -242,7 +243,7 @@ private:
                 if (is_whole(end)) sum += s.offset_mass[end.node].mass * of[m.node][c];
         }
         for_each_element(m, false, [&](int e, int end) {
-            const beam::Inertia& inertia = w_.structure.inertia(e);
+            const beam::Inertia& inertia = inertia_now(w_.structure, w_.state, e);
             sum += inertia.own[end] * of[m.node][c] + inertia.across * of[w_.structure.elements()[e].node[1 - end]][c];
         });
         return sum;

@@ -123,6 +123,7 @@ struct Structure::KindKey {
     const beam::MaterialLaw* law;
     double length, s;  ///< m; normal position of the integration point
     int middle;        ///< the end (0, 1) at the middle of the pair
+    double part;       ///< lumped_part
     Carries carries;
     std::array<double, 4> rotation;
     auto operator<=>(const KindKey&) const = default;
@@ -216,7 +217,8 @@ void Structure::add_member(int index, KindMap& alike) {
         if (member.elements % 2 == 0) partner = int(elements_.size()) + (first_of_pair ? 1 : -1);
         const double s = normal_point(model_->options().formulation, first_of_pair ? 1 : -1);
         const int middle = partner >= 0 && first_of_pair ? 1 : 0;
-        const Kind& kind = kind_of(member, rotation, length, s, middle, alike);
+        const double lump = lumped() ? beam::lumped_part(i, member.elements) : 0.5;
+        const Kind& kind = kind_of(member, rotation, length, s, middle, lump, alike);
         elements_.push_back({{left, right},
                              index,
                              partner,
@@ -227,6 +229,7 @@ void Structure::add_member(int index, KindMap& alike) {
                              kind.rigidity,
                              kind.stiffness,
                              kind.inertia,
+                             kind.lone,
                              kind.yield,
                              kind.law.get(),
                              radius,
@@ -236,12 +239,19 @@ void Structure::add_member(int index, KindMap& alike) {
 }
 
 const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& rotation, double length, double s,
-                                          int middle, KindMap& alike) {
+                                          int middle, double part, KindMap& alike) {
     const Section& section = *member.section;
     const Material& material = *member.material;
-    const KindKey key = {&section,         &material,      member.backbone.get(),
-                         member.law.get(), length,         s,
-                         middle,           member.carries, {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
+    const KindKey key = {&section,
+                         &material,
+                         member.backbone.get(),
+                         member.law.get(),
+                         length,
+                         s,
+                         middle,
+                         part,
+                         member.carries,
+                         {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
     const beam::Rigidity rigidity = rigidity_of(section, material);
@@ -249,7 +259,8 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
     if (member.carries != Carries::both) strength = {0, 0, strength.n, 0};
     can_yield_ |= !strength.elastic() || member.carries != Carries::both;
-    kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s), inertia_of(rigidity, length, middle),
+    kinds_.push_back({rotation, rigidity, beam::stiffness(rigidity, length, s),
+                      inertia_of(rigidity, length, middle, part), beam::lone_inertia(rigidity, length, middle),
                       strength, law_of(member, strength, *model_, length)});
     const beam::SectionLaw* law = kinds_.back().law.get();
     laws_call_script_ |= law && law->calls_script();
@@ -269,9 +280,9 @@ void Structure::place_histories() {
     history_at_.push_back(size);
 }
 
-/// Mass of an element. `middle`: its end (0, 1) at the middle of its pair.
-beam::Inertia Structure::inertia_of(const beam::Rigidity& rigidity, double length, int middle) const {
-    if (lumped()) return beam::lumped_inertia(rigidity, length);
+/// Mass of an element. `middle`: its end (0, 1) at the middle of its pair; `part`: lumped_part.
+beam::Inertia Structure::inertia_of(const beam::Rigidity& rigidity, double length, int middle, double part) const {
+    if (lumped()) return beam::lumped_inertia(rigidity, length, part);
     const beam::Inertia m =
         cubic() ? beam::cubic_inertia(rigidity, length, middle) : beam::linear_inertia(rigidity, length);
     return at_nodes() ? m.with_rotary_at_nodes() : m;

@@ -28,6 +28,7 @@ struct Element {
     const beam::Rigidity& rigidity;
     const beam::Stiffness& stiffness;  ///< k(s)
     const beam::Inertia& inertia;      ///< entries of the mass matrix in local axes
+    const beam::Inertia& lone;         ///< lumped, without its partner: what is left of them (state/lone_elements.h)
     const beam::YieldSurface& yield;   ///< fully plastic resultants
     const beam::SectionLaw* law;       ///< null: no section can yield
     double radius;                     ///< half the smaller side of the section, m
@@ -107,7 +108,7 @@ private:
         Quat axes;
         beam::Rigidity rigidity;
         beam::Stiffness stiffness;
-        beam::Inertia inertia;
+        beam::Inertia inertia, lone;
         beam::YieldSurface yield;
         std::unique_ptr<const beam::SectionLaw> law;
     };
@@ -116,9 +117,9 @@ private:
     void add_joints();
     void add_member(int index, KindMap& alike);
     const Kind& kind_of(const MemberData& member, const Quat& rotation, double length, double s, int middle,
-                        KindMap& alike);
+                        double part, KindMap& alike);
     void place_histories();
-    beam::Inertia inertia_of(const beam::Rigidity& rigidity, double length, int middle) const;
+    beam::Inertia inertia_of(const beam::Rigidity& rigidity, double length, int middle, double part) const;
     std::deque<Kind> kinds_;
     std::vector<std::size_t> history_at_;  ///< of each element, and the size of all; empty where no law has any
     struct JoinedEnd {

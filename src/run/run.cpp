@@ -8,6 +8,7 @@
 #include "effects/effect_list.h"
 #include "run/effect_forces.h"
 #include "state/hinges.h"
+#include "state/lone_elements.h"
 
 namespace hinge {
 
@@ -22,7 +23,7 @@ const char* name(Verdict v) {
 
 Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia)
     : structure_(std::move(structure)),
-      state_(std::move(start)),
+      state_(with_lone_elements(*structure_, std::move(start))),
       pool_(structure_->laws_call_script() ? 1 : threads),
       assembly_(*structure_, pool_, inertia),
       w_{*structure_,

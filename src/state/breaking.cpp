@@ -5,6 +5,7 @@
 
 #include "beam/element_mass.h"
 #include "state/hinges.h"
+#include "state/lone_elements.h"
 
 namespace hinge {
 namespace {
@@ -22,7 +23,7 @@ Mat3 rotary_axes(const Structure& structure, const State& state, int index, int 
 }
 
 Mat12 mass_matrix(const Structure& structure, const State& state, int index) {
-    const beam::Inertia& m = structure.inertia(index);
+    const beam::Inertia& m = inertia_now(structure, state, index);
     if (!structure.at_nodes()) return m.matrix(frame(structure, state, index));
     Mat12 M = m.matrix(Mat3::Identity());
     for (int end : {0, 1}) {
@@ -45,6 +46,44 @@ Vec6 momentum_of(const Vec12& p, const Vec3& x1, const Vec3& x2, const Vec3& abo
                                                 (x1 - about).cross(Vec3(p.segment<3>(0))) +
                                                 (x2 - about).cross(Vec3(p.segment<3>(6)));
     return h;
+}
+
+/// A rigid bar in the place of an element.
+struct Bar {
+    beam::RigidOffset offset;  ///< on its carrier
+    Vec6 carried;              ///< momenta of the element about the carrier
+    double kinetic;            ///< J, kinetic energy that these masses had, less what others that got new ones have
+};
+
+/// An impulse on a node as one on another that `span` points away from.
+Vec6 moved_to(const Vec6& impulse, const Vec3& span) {
+    Vec6 moved = impulse;
+    moved.tail<3>() += span.cross(Vec3(impulse.head<3>()));
+    return moved;
+}
+
+/// `a`: its end (0, 1) at the carrier.
+Bar consistent_bar(const Structure& structure, const State& state, int index, int a, const Vec3& span) {
+    const Element& e = structure.elements()[index];
+    const auto where = [&](int node) -> Vec3 { return structure.position()[node] + state.displacement[node]; };
+    const Mat3 axes = frame(structure, state, index);
+    const Mat12 M = mass_matrix(structure, state, index);
+    const Vec12 v = element_velocity(e, state);
+    const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(e.node[a]));
+    const double stretch = e.length / span.norm();
+    beam::Rigidity same_mass = e.rigidity;
+    same_mass.rhoA *= stretch;
+    same_mass.rhoIx *= stretch;
+    same_mass.rhoIy *= stretch;
+    return {beam::rigid_offset(same_mass, span, axes), carried, 0.5 * v.dot(M * v)};
+}
+
+Bar lumped_bar(const Structure& structure, State& state, int index, int a, const Vec3& span,
+               std::vector<Vec6>& impulse) {
+    const LooseElement loose = loosen(structure, state, index, impulse);
+    const Vec6 near = loose.mass[a] * loose.velocity[a], far = loose.mass[1 - a] * loose.velocity[1 - a];
+    return {beam::lumped_rigid_offset(loose.mass[a], loose.mass[1 - a], span), near + moved_to(far, span),
+            loose.kinetic - loose.left_kinetic};
 }
 
 /// The element's partner breaks, whose elastic deformation is `of_partner`: it keeps the axial force that it had in the
@@ -82,7 +121,7 @@ double kinetic_energy(const Structure& structure, const State& state, int index,
     const Vec3 va = a.head<3>(), vb = b.head<3>(),
                wa = rotary_axes(structure, state, index, 0, axes).transpose() * a.tail<3>(),
                wb = rotary_axes(structure, state, index, 1, axes).transpose() * b.tail<3>();
-    const beam::Inertia& m = structure.inertia(index);  // eq 20a with consistent mass
+    const beam::Inertia& m = inertia_now(structure, state, index);  // eq 20a with consistent mass
     return 0.5 * (m.own[0] * va.dot(va) + m.own[1] * vb.dot(vb) + wa.dot(m.rotary[0].cwiseProduct(wa)) +
                   wb.dot(m.rotary[1].cwiseProduct(wb))) +
            m.across * va.dot(vb) + wa.dot(m.rotary_across.cwiseProduct(wb));
@@ -139,43 +178,36 @@ BreakReport break_off(const Structure& structure, State& state, int index, int e
     report.elastic = 0.5 * stretched.dot(k.times(stretched));
     if (in_pair(structure, state, index)) report.elastic += leave_alone(structure, state, e.partner, stretched);
 
-    // what the element carries now, about the carrier
-    const Mat3 axes = frame(structure, state, index);
-    const Mat12 M = mass_matrix(structure, state, index);
-    const Vec12 v = element_velocity(e, state);
-    const Vec6 carried = momentum_of(M * v, where(e.node[0]), where(e.node[1]), where(carrier));
-
+    if (state.offset_mass.empty()) state.offset_mass.assign(structure.position().size(), {});
+    if (state.offset_arm.empty()) state.offset_arm.assign(structure.elements().size(), Vec3::Zero());
+    const Vec3 span = where(freed) - where(carrier);
+    const Bar bar = structure.lumped() ? lumped_bar(structure, state, index, a, span, impulse)
+                                       : consistent_bar(structure, state, index, a, span);
     state.broken[index] = std::int8_t(end);
     state.force[index].setZero();
-    if (state.offset_mass.empty()) state.offset_mass.assign(structure.position().size(), {});
-    const Vec3 span = where(freed) - where(carrier);
-    const double stretch = e.length / span.norm();
-    beam::Rigidity same_mass = e.rigidity;
-    same_mass.rhoA *= stretch;
-    same_mass.rhoIx *= stretch;
-    same_mass.rhoIy *= stretch;
-    const beam::RigidOffset offset =
-        structure.lumped() ? beam::lumped_rigid_offset(same_mass, span) : beam::rigid_offset(same_mass, span, axes);
-    const Mat6 offset_mass = beam::offset_mass_matrix(offset.mass, offset.moment, offset.inertia);
+    const Mat6 offset_mass = beam::offset_mass_matrix(bar.offset.mass, bar.offset.moment, bar.offset.inertia);
 
     // T^T M v of the element, T making its far node follow the carrier rigidly, less what the offset mass has at the
     // carrier's velocity
     const Vec6 at_carrier = offset_mass * state.velocity[carrier];
-    impulse[carrier] += carried - at_carrier;
-    report.kinetic = 0.5 * v.dot(M * v) - 0.5 * state.velocity[carrier].dot(at_carrier);
+    impulse[carrier] += bar.carried - at_carrier;
+    report.kinetic = bar.kinetic - 0.5 * state.velocity[carrier].dot(at_carrier);
 
     OffsetMass& h = state.offset_mass[carrier];
     const Mat3 back = state.rotation[carrier].toRotationMatrix().transpose();
-    if (state.offset_arm.empty()) state.offset_arm.assign(structure.elements().size(), Vec3::Zero());
     state.offset_arm[index] = back * span;
-    h.mass += offset.mass;
-    h.moment += back * offset.moment;
-    h.inertia += back * offset.inertia * back.transpose();
+    h.mass += bar.offset.mass;
+    h.moment += back * bar.offset.moment;
+    h.inertia += back * bar.offset.inertia * back.transpose();
 
     bool alone = state.offset_mass[freed].mass == 0;
     for (int other : structure.elements_at(freed)) alone &= state.broken[other] != 0;
     if (alone) {
         report.orphaned = true;
+        if (!impulse[freed].isZero(0)) {  // of another break in this step
+            impulse[carrier] += moved_to(impulse[freed], span);
+            impulse[freed].setZero();
+        }
         state.gone[freed] = 1;
         state.held[freed] = 63;
         state.velocity[freed].setZero();

@@ -123,7 +123,8 @@ struct State {
     std::vector<std::uint8_t> touched;  ///< 1: has been in contact
     std::vector<std::int8_t> broken;    ///< 0, or the broken end: 1 or 2
     std::vector<Vec3> offset_arm;       ///< of broken elements: from the node that carries it to its free end, in that
-                                        ///< node's frame, m; empty until something breaks
+                                        ///< node's frame, m; of lone elements (lone_elements.h): from the inner node to
+                                        ///< the mass that it carries; empty until something breaks
     std::vector<double> twist;          ///< of an element's ends against each other, turns counted, rad; 0 up to a
                                         ///< third of a turn (beam/winding.h); empty until one has twisted that far
     std::vector<TurnedEnds> turned;     ///< empty until a hinge has turned an end far

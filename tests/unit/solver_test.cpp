@@ -70,6 +70,16 @@ std::vector<int> all_elements(const Structure& structure) {
 // ---- M
 // ----------------------------------------------------------------------------------------------------------------
 
+/// A straight lumped element of which one of its pair is broken, whole or not, at one of its nodes: that of a rigid bar
+/// there (`other`: 0), or what Radau's points leave on its outer node (1) and on its inner one (2), `span` from it.
+Mat6 of_broken_pair(const Element& e, const Vec3& span, int what) {
+    const double m = e.mass(), polar = e.length * (e.rigidity.rhoIx + e.rigidity.rhoIy);
+    const Mat3 square = span.squaredNorm() * Mat3::Identity() - span * span.transpose(), one = Mat3::Identity();
+    if (what == 1) return beam::offset_mass_matrix(m / 4, Vec3::Zero(), polar / 2 * one);
+    if (what == 2) return beam::offset_mass_matrix(0.75 * m, m / 4 * span, polar / 2 * one + m / 12 * square);
+    return beam::offset_mass_matrix(m, m / 2 * span, polar * one + m / 3 * square);
+}
+
 /// M of all nodes as a dense matrix, of a structure that has been rotated by Q as a whole; `end[e]`: 0, or where e is
 /// broken.
 Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std::vector<int>& end) {
@@ -80,9 +90,24 @@ Eigen::MatrixXd dense_mass(const Structure& structure, const Quat& Q, const std:
         if (end[i]) {
             const int carrier = e.node[end[i] == 2 ? 0 : 1];
             const Vec3 span = (end[i] == 2 ? 1 : -1) * (Q * e.chord);
-            const beam::RigidOffset s = structure.lumped() ? beam::lumped_rigid_offset(e.rigidity, span)
-                                                           : beam::rigid_offset(e.rigidity, span, axes);
-            M.block<6, 6>(6 * carrier, 6 * carrier) += beam::offset_mass_matrix(s.mass, s.moment, s.inertia);
+            const beam::RigidOffset s = beam::rigid_offset(e.rigidity, span, axes);
+            Mat6 bar = beam::offset_mass_matrix(s.mass, s.moment, s.inertia);
+            if (structure.lumped() && e.partner >= 0) bar = of_broken_pair(e, span, 0);
+            else if (structure.lumped()) {  // its two lumps
+                const Mat12 m = structure.inertia(int(i)).matrix(axes);
+                const int far = end[i] == 2 ? 6 : 0;
+                Mat6 follow = Mat6::Identity();
+                follow.topRightCorner<3, 3>() = -skew(span);
+                bar = m.block<6, 6>(6 - far, 6 - far) + follow.transpose() * m.block<6, 6>(far, far) * follow;
+            }
+            M.block<6, 6>(6 * carrier, 6 * carrier) += bar;
+            continue;
+        }
+        if (structure.lumped() && e.partner >= 0 && end[e.partner]) {
+            const int inner = int(i) < e.partner ? 1 : 0;
+            const Vec3 span = (inner == 0 ? 1 : -1) * (Q * e.chord);
+            for (int a : {0, 1})
+                M.block<6, 6>(6 * e.node[a], 6 * e.node[a]) += of_broken_pair(e, span, a == inner ? 2 : 1);
             continue;
         }
         const Mat12 m = structure.inertia(int(i)).matrix(axes);
@@ -248,7 +273,9 @@ TEST_CASE(
         for (const auto& [element, where] : breaks) {
             break_element(structure, state, element, where);
             end[element] = where;
-            mass.renew({element}, state, configuration_of(state));
+            const int partner = structure.elements()[element].partner;
+            mass.renew(partner < 0 ? std::vector<int>{element} : std::vector<int>{element, partner}, state,
+                       configuration_of(state));
             const Eigen::MatrixXd M = dense_mass(structure, Q, end);
             CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken",
                          mass_error(structure, state, mass, M, 2), 1e-10);
@@ -260,6 +287,7 @@ TEST_CASE(
         State turned = rotated_state(structure, other);
         turned.offset_mass = state.offset_mass;
         turned.broken = state.broken;
+        turned.offset_arm = state.offset_arm;
         turned.held = state.held;
         if (kind == MassKind::lumped) {
             mass.rotate_offset_masses(turned, configuration_of(turned));
@@ -283,15 +311,41 @@ TEST_CASE(
     Eigen::Matrix<double, 12, 6> follow = Eigen::Matrix<double, 12, 6>::Zero();  // both nodes as the first one bids
     for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
     follow.block<3, 3>(6, 3) = -skew(e.chord);
+    const Mat12 lumped = beam::lumped_inertia(e.rigidity, e.length, 0.3).matrix(axes);
     const std::pair<const char*, std::pair<Mat12, beam::RigidOffset>> kinds[] = {
         {"consistent",
          {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_offset(e.rigidity, e.chord, axes)}},
         {"lumped",
-         {beam::lumped_inertia(e.rigidity, e.length).matrix(axes), beam::lumped_rigid_offset(e.rigidity, e.chord)}}};
+         {lumped, beam::lumped_rigid_offset(lumped.topLeftCorner<6, 6>(), lumped.bottomRightCorner<6, 6>(), e.chord)}}};
     for (const auto& [name, both] : kinds) {
         const Mat6 element = follow.transpose() * both.first * follow,
                    offset = beam::offset_mass_matrix(both.second.mass, both.second.moment, both.second.inertia);
         CHECK_FIGURE(std::string("offset mass, ") + name, (element - offset).norm() / element.norm(), 1e-14);
+    }
+}
+
+TEST_CASE(
+    "solver: the lumps of a member have its mass, its centre and its moment of inertia, with 2 to 12 elements (1e-14: "
+    "rounding)",
+    "[solver]") {
+    for (int n = 1; n <= 12; ++n) {
+        Frame frame;
+        frame.elements = n;
+        frame.member(frame.node(0, 0, 0), frame.node(1, 2, 2));
+        const auto structure = std::make_shared<const Structure>(frame.model, MassKind::lumped);
+        double mass = 0, first = 0, second = 0, whole = 0;
+        for (const Element& e : structure->elements()) {
+            whole += e.mass();
+            for (int end : {0, 1}) {
+                const double at = structure->position()[e.node[end]].norm() / 3, lump = e.inertia.own[end];
+                CHECK(lump > 0.24 * e.mass());
+                mass += lump, first += lump * at, second += lump * (at - 0.5) * (at - 0.5);
+            }
+        }
+        const std::string name = std::to_string(n) + " elements: ";
+        CHECK_FIGURE(name + "mass", std::abs(mass / whole - 1), 1e-14);
+        CHECK_FIGURE(name + "centre", std::abs(2 * first / whole - 1), 1e-14);
+        CHECK_FIGURE(name + "moment of inertia", std::abs(second / whole - (n == 1 ? 3 : 1) / 12.0), 1e-14);
     }
 }
 

@@ -11,6 +11,9 @@
 namespace hinge::script {
 namespace {
 
+/// Part of the stable step that dt = "auto" may take at most, for rounding and for what effects add.
+constexpr double close_to_limit = 0.98;
+
 /// Of Newton's method in energy-momentum steps: relative to the first correction of a step, in the norm of the energy.
 constexpr double tolerance_of_conserving = 1e-8;
 
@@ -86,8 +89,12 @@ double Reading::time_step(bool& automatic) {
         o_.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!explicit_) return automatic ? shortest_step(structure_, s_.duration) : o_.number("dt", "s", Range::positive);
     const std::vector<ElementDamping> damping = damping_of(structure_);
-    const StableStep limit = stable_step(structure_, damping);
-    if (automatic) return s_.duration / std::ceil(s_.duration / usual_step(limit, structure_));
+    const bool breaks = may_break(model_, {.dynamic = true, .explicit_steps = true});
+    const StableStep limit = stable_step(structure_, damping, breaks);
+    if (automatic) {
+        const double usual = usual_step(breaks ? stable_step(structure_, damping) : limit, structure_);
+        return s_.duration / std::ceil(s_.duration / std::min(usual, close_to_limit * limit.dt));
+    }
     const double dt = o_.number("dt", "s", Range::positive);
     if (dt > limit.dt)
         o_.complain("dt", show(dt) + " s",
