@@ -18,7 +18,10 @@ struct LayerPiece {
     double stiffness = 0;          ///< s, N/m^3
     double damping = 0;            ///< d, N s/m^3
     double width = 0, length = 0;  ///< of the side, m
-    double end_area[2] = {0, 0};   ///< A of the faces of its two ends, m^2; 0: the member goes on there
+    /// Width at the two ends over the mean; linear between them. Where a piece's mass is more at one end, its pressed
+    /// area is too: a bar that lands flat is then stopped without bending.
+    double taper[2] = {1, 1};
+    double end_area[2] = {0, 0};  ///< A of the faces of its two ends, m^2; 0: the member goes on there
 };
 
 /// Position and velocity of the two ends of a piece relative to the layer.

@@ -368,8 +368,9 @@ private:
                     if (!meets(i, element)) continue;
                     const Element& e = s.elements()[element];
                     p.radius = std::max(p.radius, e.radius);
-                    p.stiffness += normal_part * e.rigidity.EA / e.length;
-                    p.mass += striking_mass(s, w_.state, element, e.node[0] == n ? 0 : 1);
+                    const double mass = striking_mass(s, w_.state, element, e.node[0] == n ? 0 : 1);
+                    p.stiffness += normal_part * e.rigidity.EA / e.length * (mass / (0.5 * e.mass()));
+                    p.mass += mass;
                 }
                 if (p.stiffness == 0 || w_.state.gone[n]) continue;
                 if (declared()[i].stiffness > 0) p.stiffness = declared()[i].stiffness;

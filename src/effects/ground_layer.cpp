@@ -160,7 +160,7 @@ public:
                 const Vec3 arm = arm_of(end, w_.state);
                 const Vec6 row = row_of(plane(s).normal, arm);
                 const Mat6 square = row * row.transpose();
-                const double area = std::max(0.5 * s.piece.width * s.piece.length, end.area);
+                const double area = std::max(part_of(s, e) * s.piece.width * s.piece.length, end.area);
                 const double c = s.piece.damping * area, by_rate = w_.kind.explicit_steps ? 0 : c * c / mass;
                 Mat6 K = (s.piece.stiffness * area + by_rate) * square;
                 if (plane(s).friction > 0) K += slope_of_friction(s, e, arm);
@@ -248,9 +248,10 @@ public:
         double lost = 0;
         for (Strip& s : strips()) {
             if (s.gone) continue;
-            if (s.element == b.element) {
+            const int partner = w_.structure.elements()[b.element].partner;
+            if (s.element == b.element || (w_.structure.lumped() && s.element == partner)) {  // its lumps change
                 lost += energy(s);
-                attach(s);
+                if (w_.state.broken[s.element]) attach(s);
                 const StripTouch t = look(s, w_.state);
                 take(s, t);
                 lost -= energy(s);
@@ -364,7 +365,10 @@ private:
         const double length = chord.norm(), rise = n.dot(chord) / length;
         t.place.lean[0] = rise, t.place.lean[1] = -rise;
         for (int e : {0, 1}) t.place.rate[e] = -row_of(n, t.arm[e]).dot(w_.velocity(at, s.end[e].node));
-        t.press = contact::press(s.piece, t.place, touching);
+        contact::LayerPiece piece = s.piece;
+        for (int e : {0, 1})
+            if (const double part = part_of(s, e); part != 0.5) piece.taper[e] = 6 * part - 2;
+        t.press = contact::press(piece, t.place, touching);
         const Vec3 turned = (n - rise / length * chord) / length;  // derivative of `rise` by the second end
         for (int e : {0, 1}) {
             const double sign = e == 0 ? -1 : 1;
@@ -451,6 +455,14 @@ private:
                 return false;
         return true;
     }
+    /// Part of a strip's area that its end has: that of the element's mass which is lumped there (element_mass.h), so
+    /// that what lands flat is stopped without bending; else half.
+    double part_of(const Strip& s, int end) const {
+        const Structure& structure = w_.structure;
+        const Element& e = structure.elements()[s.element];
+        const bool broken = w_.state.broken[s.element] || (e.partner >= 0 && w_.state.broken[e.partner]);
+        return structure.lumped() && !broken ? e.inertia.own[end] / e.mass() : 0.5;
+    }
     /// A broken element: its free end is on an arm of the node that carries it.
     void attach(Strip& s) const {
         const int free = w_.state.broken[s.element] == 2 ? 1 : 0;
@@ -459,11 +471,11 @@ private:
     }
     /// Friction's spring is that of the face where there is one: what lands on an end then sticks as firmly with short
     /// elements as with long ones.
-    static void take_up_face(Strip& s, int e) {
+    void take_up_face(Strip& s, int e) const {
         End& end = s.end[e];
         s.piece.end_area[e] = end.has_face ? end.area : 0;
         end.stiffness = tangential_stiffness_part * s.piece.stiffness *
-                        (end.has_face ? end.area : 0.5 * s.piece.width * s.piece.length);
+                        (end.has_face ? end.area : part_of(s, e) * s.piece.width * s.piece.length);
     }
     Strip strip_of(int plane, int element) const {
         const Structure& structure = w_.structure;

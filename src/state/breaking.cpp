@@ -153,7 +153,7 @@ Momentum momentum(const Structure& structure, const State& state) {
         h +=
             momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
-        total.mass += e.mass();
+        total.mass += is_lone(structure, state, int(i)) ? e.lone.own[0] + e.lone.own[1] : e.mass();
     }
     for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
         if (state.offset_mass[i].mass == 0) continue;

@@ -254,7 +254,9 @@ for what, run_options in pairs {
   ["explicit"] = { dt = "auto", integrator = "explicit", duration = 0.001 },
 } do
   case("strong damping keeps the energy balance of yielding portals: " .. what, function()
-    local run = ended { yield = 100e6, speed = 20, declare = strong, run = run_options }
+    -- explicit steps have less mass at the node that alone is given a velocity
+    local speed = run_options.integrator == "explicit" and 30 or 20
+    local run = ended { yield = 100e6, speed = speed, declare = strong, run = run_options }
     local e = run.energy
     expect(math.abs(e.remainder) < 1e-2 * e.initial, "%s, yielding: open by %.3g", what, e.remainder / e.initial)
     expect(e.plastic > 0 and e.damping > 0.1 * e.initial, "%s: plastic %.3g, damping %.3g of %.3g", what,
