@@ -61,7 +61,7 @@ struct Strip {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.plane, s.element, s.gone, s.piece.stiffness, s.piece.damping, s.piece.width, s.piece.length,
+        a(s.plane, s.element, s.gone, s.piece.stiffness, s.piece.damping, s.piece.width, s.piece.length, s.piece.taper,
           s.piece.end_area, s.end, s.touches, s.stored);
     }
 };
@@ -228,6 +228,7 @@ public:
             const StripTouch& t = touches_[i];
             if (!t.touches && !s.touches && !waits(s)) continue;
             take(s, t);
+            if (!t.touches) take_up_widths(s);
             for (int e : {0, 1}) {
                 End& end = s.end[e];
                 const double inside = overlap_of(s, end, place_of(end, w_.trial, arm_of(end, w_.trial)));
@@ -246,12 +247,12 @@ public:
     /// longer.
     void broke(const Break& b) override {
         double lost = 0;
+        const int partner = w_.structure.elements()[b.element].partner;
         for (Strip& s : strips()) {
             if (s.gone) continue;
-            const int partner = w_.structure.elements()[b.element].partner;
-            if (s.element == b.element || (w_.structure.lumped() && s.element == partner)) {  // its lumps change
+            if (s.element == b.element) {
                 lost += energy(s);
-                if (w_.state.broken[s.element]) attach(s);
+                attach(s);
                 const StripTouch t = look(s, w_.state);
                 take(s, t);
                 lost -= energy(s);
@@ -259,6 +260,8 @@ public:
             if (w_.state.gone[s.end[0].node] || w_.state.gone[s.end[1].node])
                 lost += energy(s), s.gone = true, take(s, StripTouch());
             for (int e : {0, 1}) s.end[e].has_face = member_ends(s, e);
+            const bool lumps_change = s.element == b.element || s.element == partner;
+            if (lumps_change && !s.touches && !s.gone) take_up_widths(s);
         }
         w_.state.accumulated["ground_dissipated"] += lost;
         touches_.clear();
@@ -365,10 +368,7 @@ private:
         const double length = chord.norm(), rise = n.dot(chord) / length;
         t.place.lean[0] = rise, t.place.lean[1] = -rise;
         for (int e : {0, 1}) t.place.rate[e] = -row_of(n, t.arm[e]).dot(w_.velocity(at, s.end[e].node));
-        contact::LayerPiece piece = s.piece;
-        for (int e : {0, 1})
-            if (const double part = part_of(s, e); part != 0.5) piece.taper[e] = 6 * part - 2;
-        t.press = contact::press(piece, t.place, touching);
+        t.press = contact::press(s.piece, t.place, touching);
         const Vec3 turned = (n - rise / length * chord) / length;  // derivative of `rise` by the second end
         for (int e : {0, 1}) {
             const double sign = e == 0 ? -1 : 1;
@@ -469,6 +469,10 @@ private:
         s.end[free].node = w_.structure.elements()[s.element].node[1 - free];
         s.end[free].arm = w_.state.offset_arm[s.element];
     }
+    /// Where it is apart from the ground: so no energy changes with a break.
+    void take_up_widths(Strip& s) const {
+        for (int e : {0, 1}) s.piece.taper[e] = 6 * part_of(s, e) - 2;
+    }
     /// Friction's spring is that of the face where there is one: what lands on an end then sticks as firmly with short
     /// elements as with long ones.
     void take_up_face(Strip& s, int e) const {
@@ -487,6 +491,7 @@ private:
         s.piece.width = 2 * e.radius, s.piece.length = e.length;
         for (int i : {0, 1}) s.end[i].node = e.node[i];
         if (w_.state.broken[element]) attach(s);
+        take_up_widths(s);
         for (int i : {0, 1}) {
             End& end = s.end[i];
             end.area = structure.model().members()[e.member].section->area;

@@ -47,8 +47,8 @@ local function spin(elements, axis, across, options)
 end
 
 case("a free bar takes the spin of m L^2 / 12 with 2, 4 and 8 elements", function()
-  -- the section's rotary inertia is the polar one, twice rho I L: (0.1 / 3)^2 or so, 0.2 %; the bar's own bending, which
-  -- is not over, adds as much. Halves of elements would give 0.66 with two
+  -- the section's rotary inertia is the polar one, twice rho I L, which is 0.2 % more; the bar's own bending, which is
+  -- not over, adds as much. Halves of elements would give 0.66 with two
   for _, n in ipairs { 2, 4, 8 } do
     near(spin(n, { 1, 0, 0 }, { 0, 0, 1 }), 1, 0.006, "spin, " .. n .. " elements")
   end

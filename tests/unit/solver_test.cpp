@@ -329,7 +329,7 @@ TEST_CASE(
     "rounding)",
     "[solver]") {
     for (int n = 1; n <= 12; ++n) {
-        Frame frame;
+        Frame frame(any_number_of_elements());
         frame.elements = n;
         frame.member(frame.node(0, 0, 0), frame.node(1, 2, 2));
         const auto structure = std::make_shared<const Structure>(frame.model, MassKind::lumped);
