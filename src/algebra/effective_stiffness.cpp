@@ -46,13 +46,14 @@ const ElementTangent* find(const std::vector<ElementTangent>& given, int element
 
 }  // namespace
 
-/// m M + gamma dt C.
-Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const ElementFrame& place) const {
+/// m M + gamma dt C; without what `given` has of C.
+Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const ElementFrame& place,
+                                       const ElementTangent* given) const {
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     const double of_M = mass_factor_ + by_damping_ * c.of_mass;
     const Mat3 axes = axes_of(place);
     Mat12 M = of_M * inertia_matrix(inertia_now(structure_, state, index), axes);
-    if (c.of_stiffness != 0) {  // in proportion to the elastic stiffness alone, also where an element yields
+    if (c.of_stiffness != 0 && !(given && given->with_damping)) {
         const Mat6 k = stiffness_now(structure_, state, index).matrix();
         M += (by_damping_ * c.of_stiffness) *
              (structure_.large() ? element_tangent(place, state.force[index], k, false)
@@ -61,8 +62,10 @@ Mat12 EffectiveStiffness::inertia_part(int index, const State& state, const Elem
     return M;
 }
 
-Mat12 EffectiveStiffness::single_part(int index, const State& state, const Configuration& pose, const Mat6& k) const {
+Mat12 EffectiveStiffness::single_part(int index, const State& state, const Configuration& pose,
+                                      const ElementTangent* given) const {
     const Element& e = structure_.elements()[index];
+    const Mat6 k = given ? given->own : stiffness_now(structure_, state, index, heat_of(pose.heat, index)).matrix();
     const ElementFrame place = element_frame(structure_, index, pose);
     const auto stiffness = [&](bool geometric) {
         return structure_.large() ? element_tangent(place, state.force[index], k, geometric)
@@ -74,7 +77,7 @@ Mat12 EffectiveStiffness::single_part(int index, const State& state, const Confi
     else A = (0.5 * stiffness_factor_) * (K + K.transpose());
     const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[index];
     if (mass_factor_ + by_damping_ * c.of_mass == 0) return A;
-    const Mat12 M = inertia_part(index, state, place);
+    const Mat12 M = inertia_part(index, state, place, given);
     A += M;
     if (geometric_ && (keeping_ == MatrixStorage::iterative || keeping_ == MatrixStorage::single_precision) &&
         A.llt().info() != Eigen::Success)
@@ -86,15 +89,15 @@ EffectiveStiffness::PairPart EffectiveStiffness::pair_part(int first, const Stat
                                                            const std::vector<ElementTangent>& given) const {
     const ElementFrame place[2] = {element_frame(structure_, first, pose), element_frame(structure_, first + 1, pose)};
     beam::PairMatrix k;
-    if (const ElementTangent* g = find(given, first))
-        k << g->own, g->partner, g->partner.transpose(), find(given, first + 1)->own;
+    const ElementTangent* const g[2] = {find(given, first), find(given, first + 1)};
+    if (g[0]) k << g[0]->own, g[0]->partner, g[0]->partner.transpose(), g[1]->own;
     else k = elastic_pair_tangent(structure_, state, pose, first, place);
     Mat12 M[2] = {Mat12::Zero(), Mat12::Zero()};
     bool heavy = false;
     for (int i : {0, 1}) {
         const ElementDamping c = damping_.empty() ? ElementDamping{} : damping_[first + i];
         if (mass_factor_ + by_damping_ * c.of_mass == 0) continue;
-        M[i] = inertia_part(first + i, state, place[i]), heavy = true;
+        M[i] = inertia_part(first + i, state, place[i], g[i]), heavy = true;
     }
     // rows of the first element's nodes, columns of the second one's
     const Mat6 coupled = stiffness_factor_ * k.topRightCorner<6, 6>();
@@ -134,10 +137,7 @@ ElementPart EffectiveStiffness::part(int index, const State& state, const Config
         const PairPart both = pair_part(index & ~1, state, pose, given);
         return {both.A[index & 1], index & 1 ? Mat6(both.bridge.transpose()) : both.bridge};
     }
-    const ElementTangent* g = find(given, index);
-    return {single_part(index, state, pose,
-                        g ? g->own : stiffness_now(structure_, state, index, heat_of(pose.heat, index)).matrix()),
-            Mat6::Zero()};
+    return {single_part(index, state, pose, find(given, index)), Mat6::Zero()};
 }
 
 void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Configuration& pose,

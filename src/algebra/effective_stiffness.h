@@ -28,6 +28,7 @@ struct ElementTangent {
     int element;
     Mat6 own;
     Mat6 partner;  ///< d(its p)/d(its partner's d); zero where its bending does not follow the axial force
+    bool with_damping = false;  ///< both include the derivative of the forces of damping by stiffness
 };
 
 class EffectiveStiffness {
@@ -115,10 +116,10 @@ private:
         Mat12 A[2];
         Mat6 bridge;
     };
-    Mat12 single_part(int element, const State& state, const Configuration& pose, const Mat6& k) const;
+    Mat12 single_part(int element, const State& state, const Configuration& pose, const ElementTangent* given) const;
     PairPart pair_part(int first, const State& state, const Configuration& pose,
                        const std::vector<ElementTangent>& given) const;
-    Mat12 inertia_part(int element, const State& state, const ElementFrame& place) const;
+    Mat12 inertia_part(int element, const State& state, const ElementFrame& place, const ElementTangent* given) const;
     const DirectFactors& symmetric_factors();
     void add_to(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal) const;
     bool factorise_shifted(DirectFactors& factors, bool symmetric_part, const Vec6& on_diagonal);

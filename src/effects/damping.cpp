@@ -2,9 +2,11 @@
 // effective stiffness has gamma dt C (algebra/effective_stiffness.cpp); here are the forces C v and what they
 // dissipate.
 //
-// The part of beta takes the rates of the element's own deformation: rotating and flying as a whole is not damped by
-// it, however fast. A yielding element keeps its elastic K here; a broken one is not damped at all, nor is the mass
-// that is left of it.
+// The part of beta takes the elastic rates of the element's own deformation, p_v = beta k (d' - d_p'), where p is the
+// force of its springs, p = k (d - d_p). So rotating and flying as a whole is not damped by it, however fast, and
+// neither are the rotations of plastic hinges (state/elastic_rate.h). With the whole rate a hinge would stand beside a
+// dashpot of the element's bending and shear stiffness, and that is the stiffer the shorter the element is. Yield is
+// decided by p alone. A broken element is not damped at all, nor is the mass that is left of it.
 //
 // The part of alpha takes the nodes' velocities relative to the supports of their body (whole elements and connectors
 // join it): along x, y and z each the mean velocity of those of its supports that are held in that direction, zero
@@ -22,7 +24,7 @@
 #include "effects/declared.h"
 #include "effects/joined_bodies.h"
 #include "effects/kinds.h"
-#include "state/hinges.h"
+#include "state/elastic_rate.h"
 #include "state/lone_elements.h"
 #include "state/node_mass.h"
 
@@ -85,9 +87,13 @@ public:
         const std::vector<DeclaredLoad> loads = declared_loads(w.structure.model());
         supports_move_ = std::any_of(loads.begin(), loads.end(), [](const DeclaredLoad& l) { return l.motion; });
         find_footings();
+        for (const int e : damped_)
+            if (damping_[e].of_stiffness != 0 && (w.state.hinge[e] || slack_of(w.structure, w.state, e) != 0))
+                flowed_.push_back({e, true});
     }
 
-    void add_forces(double, std::vector<Vec6>& resisting) override {
+    void add_forces(double time, std::vector<Vec6>& resisting) override {
+        find_rates(time);
         find_forces();
         for (std::size_t n = 0; n < now_.size(); ++n) resisting[n] += now_[n];
         if (masses_lag()) renew(w_.trial);
@@ -135,15 +141,19 @@ public:
     /// damping would do work on the bodies.
     void before_commit(const Step&) override {
         before_ = now_;
+        flowed_ = rates_;
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
     void acceleration_found() override { before_ = now_; }
 
-    void save(Writer& to) const override { to(before_, built_); }
-    void restore(Reader& from) override { from(before_, built_); }
+    void save(Writer& to) const override { to(before_, built_, flowed_); }
+    void restore(Reader& from) override { from(before_, built_, flowed_); }
     bool restored(std::span<const State* const>) override {
         find_footings();
-        return before_.size() == now_.size() && built_.size() == masses_.size();
+        const int n = int(damping_.size());
+        return before_.size() == now_.size() && built_.size() == masses_.size() &&
+               std::all_of(flowed_.begin(), flowed_.end(),
+                           [n](const ElasticRate& r) { return r.element >= 0 && r.element < n; });
     }
 
 private:
@@ -192,6 +202,23 @@ private:
         host_.blocks_changed(at);
     }
 
+    /// Of the elements that flow on the way to the trial pose. Where a step begins, and the acceleration is found, what
+    /// flowed in the step before flows on.
+    void find_rates(double time) {
+        rates_.clear();
+        if (time == w_.state.time) rates_ = flowed_;
+        else
+            for (const PlasticIncrement& y : w_.yielding)
+                if (damping_[y.element].of_stiffness != 0)
+                    rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step()));
+    }
+    const ElasticRate* flow_of(int element) const {
+        if (rates_.empty()) return nullptr;
+        const auto at = std::lower_bound(rates_.begin(), rates_.end(), element,
+                                         [](const ElasticRate& r, int e) { return r.element < e; });
+        return at != rates_.end() && at->element == element ? &*at : nullptr;
+    }
+
     /// C v at the trial pose, N and N m of each node.
     void find_forces() {
         for (std::size_t i = 0; i < footings_.size(); ++i)
@@ -230,7 +257,9 @@ private:
         if (c.of_stiffness != 0) {
             const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
             const Vec6 rate = to_nodes.transpose() * v;
-            force += to_nodes * (c.of_stiffness * stiffness_now(w_.structure, w_.state, index).times(rate));
+            const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
+            const ElasticRate* flow = flow_of(index);
+            force += to_nodes * (c.of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
         }
         return force;
     }
@@ -246,6 +275,7 @@ private:
     std::vector<Vec3> velocities_;    ///< m/s, of the supports of each body at the trial pose
     long impulses_ = 0;               ///< Workspace::impulses, where the forces of this step were found
     std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
+    std::vector<ElasticRate> flowed_, rates_;  ///< the same of damped elements that flow, rising
 };
 
 std::vector<PlanLine> damping_plan(const Structure& s, const RunKind&) {

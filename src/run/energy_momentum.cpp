@@ -359,8 +359,9 @@ void EnergyMomentum::renew_effective_stiffness() {
     for (const PlasticIncrement& y : w_.yielding) flowing_.push_back(y.element), stiffness_changed(y.element);
     if (!rebuild_.empty()) {
         sort_rebuild();
-        const std::vector<ElementTangent> given =
+        std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
+        damped_.add(given, w_.yielding);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         build(middle_, given);

@@ -21,7 +21,7 @@ constexpr double held_back = 0.6, grows = 1.5, least_damping = 0.1;
 }  // namespace
 
 ImplicitIntegrator::ImplicitIntegrator(Workspace& w, KeptMass& mass, Stages& stages, const Scheme& scheme)
-    : Integrator(w, mass, stages), scheme_(scheme) {
+    : Integrator(w, mass, stages), scheme_(scheme), damped_(w, scheme, damping_of(w.structure)) {
     const std::size_t nodes = w.structure.position().size();
     right_.assign(nodes, Vec6::Zero());
     change_.assign(nodes, Vec6::Zero());

@@ -2,6 +2,7 @@
 // are to be built anew, and the scaling of Newton's corrections.
 #pragma once
 
+#include "run/damped_tangents.h"
 #include "run/integrator.h"
 #include "run/yield_tangents.h"
 
@@ -41,6 +42,7 @@ protected:
 
     const Scheme scheme_;
     std::unique_ptr<EffectiveStiffness> effective_;
+    const DampedTangents damped_;  ///< of elements that flow
     std::vector<Vec6> right_;   ///< the right side of eq 15
     std::vector<Vec6> change_;  ///< of the acceleration
     std::vector<int> rebuild_;  ///< elements whose effective stiffness is to be built anew

@@ -171,7 +171,8 @@ void Newmark::mark_yielding() {
     const std::vector<PlasticIncrement>& yielding = w_.yielding;
     tangents_.clear();
     for (const PlasticIncrement& y : yielding)
-        tangents_.push_back(yield_tangent(w_.structure, w_.state, w_.trial, w_.assembly, y));
+        tangents_.push_back(
+            damped_.with_damping(yield_tangent(w_.structure, w_.state, w_.trial, w_.assembly, y), y));
     std::size_t next = 0;
     for (int e : was_yielding_) {
         while (next < yielding.size() && yielding[next].element < e) ++next;
@@ -193,8 +194,9 @@ void Newmark::mark_yielding() {
 void Newmark::renew_effective_stiffness() {
     if (!rebuild_.empty()) {
         sort_rebuild();
-        const std::vector<ElementTangent> given =
+        std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
+        damped_.add(given, w_.yielding);
         for (std::size_t i = 0; i < tangents_.size(); ++i)
             if (const int e = w_.yielding[i].element; is_to_be_built(e)) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now
