@@ -3249,14 +3249,19 @@ function node_joint:state(run) end
 ---run.energy.work. A body without supports, also one that has broken off, is damped by its velocity in space, in
 ---flight and rotation as a whole too. `hinge check` and `hinge run` warn of bodies that are free from the start,
 ---unless alpha is given with a group of such bodies only; give alpha with a group, or beta alone, where parts may
----break off and fly. beta damps the rates of the element's own deformation, so no rigid motion, and keeps the elastic
----stiffness where an element yields. A point mass (model:mass), its rotary inertia and its offset with it, has the
----alpha of the members at its node; where they differ, as by groups, their mean. A broken element is damped no more,
----nor is the mass left of it, and it no longer counts in that mean: a point mass whose members have all broken off
----flies undamped. Of several calls the last one that applies to a member's groups counts, so that alpha = 0 with a
----group leaves it undamped. The energy that it dissipates is in run.energy.damping. With explicit steps beta shortens
----the longest stable step (dt = "auto" includes this); Newmark's method takes predictor "displacement" where damping
----is as strong as that. It does not act in statics.
+---break off and fly. beta damps the elastic rates of the element's own deformation, beta k (d' - d_p') with the elastic
+---stiffness k. So it damps no rigid motion, and no rotation of a plastic hinge, with any number of elements. Yield is
+---decided by the elastic forces alone. Semi-rigid joints, panel zones (hinge.joint, model:joint) and the springs and
+---curves of connectors, those to the ground too, take part with beta k of their own; the slip of a joint that yields is
+---free, and rigid axes have no damping. A joint at a member's end has the beta of the member; a joint between nodes and
+---a connector have the mean of the members' elements at their nodes. joints = false leaves them out. The moments and
+---forces that a script reads of joints and connectors, and their capacities, are without that damping. A point mass
+---(model:mass), its rotary inertia and its offset with it, has the alpha of the members at its node; where they differ,
+---as by groups, their mean. A broken element is damped no more, nor is the mass left of it, and it no longer counts in
+---that mean: a point mass whose members have all broken off flies undamped. Of several calls the last one that applies
+---to a member's groups counts, so that alpha = 0 with a group leaves it undamped. The energy that it dissipates is in
+---run.energy.damping. With explicit steps beta shortens the longest stable step (dt = "auto" includes this); Newmark's
+---method takes predictor "displacement" where damping is as strong as that. It does not act in statics.
 ---```lua
 ---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
 ---```
@@ -3273,6 +3278,7 @@ function model:damping(options) end
 ---@field alpha? number 1/s, in the place of ratio and periods: of M, 0 or above, default 0
 ---@field beta? number s, likewise: of K, 0 or above, default 0
 ---@field group? hinge.group_like only its members, default all
+---@field joints? boolean false: beta does not damp the joints and connectors at these members; default true
 
 ---Adds a ground on which members can fall: the half space behind a plane. It pushes and never pulls. There are two
 ---laws.

@@ -7,9 +7,10 @@
 
 namespace hinge {
 
-/// Damping in proportion to an element's matrices, C = of_mass M + of_stiffness K; 1/s, s.
+/// Damping in proportion to an element's matrices, C = of_mass M + of_stiffness K; 1/s, s. `of_joints`: that of K of
+/// joints and connectors at its nodes.
 struct ElementDamping {
-    double of_mass = 0, of_stiffness = 0;
+    double of_mass = 0, of_stiffness = 0, of_joints = 0;
 };
 
 /// Stiffness, 12x12, that an effect adds between two nodes.

@@ -22,9 +22,20 @@ std::vector<ElementDamping> damping_of(const Structure& structure) {
         const std::vector<ElementDamping> more = kind.damping(structure);
         sum.resize(std::max(sum.size(), more.size()));
         for (std::size_t e = 0; e < more.size(); ++e)
-            sum[e].of_mass += more[e].of_mass, sum[e].of_stiffness += more[e].of_stiffness;
+            sum[e].of_mass += more[e].of_mass, sum[e].of_stiffness += more[e].of_stiffness,
+                sum[e].of_joints += more[e].of_joints;
     }
     return sum;
+}
+
+double joint_damping(const Structure& structure, const std::vector<ElementDamping>& damping,
+                     std::initializer_list<int> nodes) {
+    double sum = 0;
+    int elements = 0;
+    for (const int node : nodes)
+        if (node >= 0 && !damping.empty())
+            for (const int e : structure.elements_at(node)) sum += damping[e].of_joints, ++elements;
+    return elements ? sum / elements : 0;
 }
 
 double usual_step(const StableStep& limit, const Structure& structure) {

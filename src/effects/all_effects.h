@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <initializer_list>
 #include <vector>
 
 #include "algebra/stable_step.h"
@@ -13,6 +14,10 @@ const std::vector<EffectKind>& all_effects();
 
 /// What all effects damp each element by; empty where none does.
 std::vector<ElementDamping> damping_of(const Structure& structure);
+/// Damping in proportion to the stiffness of what joins these nodes (-1: the ground), s: the mean of what the elements
+/// at them have for it. `damping`: of each element.
+double joint_damping(const Structure& structure, const std::vector<ElementDamping>& damping,
+                     std::initializer_list<int> nodes);
 
 /// Default step of explicit steps, s, a part of the stable step: room for large rotations, for stiffness of contact,
 /// and for accuracy. Where hinges form, the energy error goes with the square of the step: of 68 random scenes in

@@ -3,12 +3,17 @@
 // Node a carries the connector on a rigid arm that reaches to node b. With r from a to b, A the axes (they rotate with
 // a) and w the relative rotation vector, the deformation is d = [A^T r - A0^T r0, A^T w], d' = B v, and the forces of
 // the nodes are B^T f: they are in balance, moments too, wherever the nodes have gone.
+//
+// Damping by stiffness (model:damping) adds beta times the rate of the force of springs and curves. It is beside the
+// force that a script reads and that a capacity limits, and its work is in the account of damping.
 #include "effects/connectors.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/errors.h"
+#include "effects/all_effects.h"
+#include "effects/connector_curve.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
 
@@ -16,57 +21,9 @@ namespace hinge {
 namespace {
 
 using Mat6x12 = Eigen::Matrix<double, 6, 12>;
-using Curve = std::vector<std::pair<double, double>>;
 
 /// Part of a deformation, or of its rate, by which a law's slope is told from a difference; and the least of both.
 constexpr double slope_part = 1e-6, slope_least = 1e-3;
-
-/// A curve from 0 on holds for both signs. Beyond its ends it goes on as straight as it ends.
-bool is_odd(const Curve& curve) { return curve.front().first >= 0; }
-
-struct OnCurve {
-    double force = 0, slope = 0, energy = 0;
-};
-
-OnCurve on_piece(const Curve& c, std::size_t i, double from, double to) {
-    const double slope = (c[i].second - c[i - 1].second) / (c[i].first - c[i - 1].first);
-    const auto at = [&](double d) { return c[i - 1].second + slope * (d - c[i - 1].first); };
-    return {at(to), slope, 0.5 * (at(from) + at(to)) * (to - from)};
-}
-
-/// Force, slope, and the energy from no deformation on.
-OnCurve on_curve(const Curve& curve, double d) {
-    if (curve.empty()) return {};
-    if (is_odd(curve) && d < 0) {
-        const OnCurve mirrored = on_curve(curve, -d);
-        return {-mirrored.force, mirrored.slope, mirrored.energy};
-    }
-    const std::size_t last = curve.size() - 1;
-    const auto piece_of = [&](double x) {
-        std::size_t i = 1;
-        while (i < last && x > curve[i].first) ++i;
-        return i;
-    };
-    OnCurve at;
-    double energy = 0, from = 0;
-    std::size_t i = piece_of(0);
-    for (const std::size_t end = piece_of(d);; i < end ? ++i : --i) {
-        const double to = i == end ? d : i < end ? curve[i].first : curve[i - 1].first;
-        at = on_piece(curve, i, from, to);
-        energy += at.energy;
-        from = to;
-        if (i == end) break;
-    }
-    at.energy = energy;
-    return at;
-}
-
-double steepest(const Curve& curve) {
-    double most = 0;
-    for (std::size_t i = 1; i < curve.size(); ++i)
-        most = std::max(most, std::abs(on_piece(curve, i, curve[i - 1].first, curve[i].first).slope));
-    return most;
-}
 
 /// Where a connector is.
 struct Placed {
@@ -94,11 +51,13 @@ public:
         if (!w.state.data.find<ConnectorsNow>(connectors_effect)) w.state.data.set(connectors_effect, ConnectorsNow{});
         list().resize(declared().size());
         at_start_ = stored(w.state);
+        const std::vector<ElementDamping> damping = damping_of(w.structure);
+        for (const Connector& c : declared()) damping_.push_back(joint_damping(w.structure, damping, {c.a, c.b}));
     }
 
     // ---- what acts ------------------------------------------------------------------------------------------------
     void begin_statics() override {
-        for (ConnectorNow& c : list()) c.of_dashpots.setZero();
+        for (ConnectorNow& c : list()) c.of_dashpots.setZero(), c.viscous.setZero();
     }
     void add_forces(double time, std::vector<Vec6>& resisting) override {
         for (std::size_t i = 0; i < now_.size(); ++i) {
@@ -106,7 +65,7 @@ public:
             const Connector& c = declared()[i];
             const Placed p = place(i, w_.trial, list()[i]);
             evaluate(i, p, time - w_.state.time);
-            const Vec12 force = p.B.transpose() * now_[i].force();
+            const Vec12 force = p.B.transpose() * (now_[i].force() + now_[i].viscous);
             if (c.a >= 0) resisting[c.a] += force.head<6>();
             resisting[c.b] += force.tail<6>();
         }
@@ -127,26 +86,27 @@ public:
             const Connector& c = declared()[i];
             const Evaluated& now = now_[i];
             const Placed p = place(i, at, list()[i]);
-            Vec6 slope = c.stiffness + now.law_slope;
-            for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], p.deformation[k]).slope;
+            const Vec6 springs = slope_of(c, p.deformation), slope = springs + now.law_slope;
             Mat12 K = p.B.transpose() * slope.asDiagonal() * p.B;
             if (w_.structure.large() && w_.kind.geometric) add_rotation_of_axes(p, now.force(), c.a < 0, K);
-            add(c, K, p.B, c.damping + now.law_rate_slope, blocks);
+            add(c, K, p.B, c.damping + now.law_rate_slope + damping_[i] * springs, blocks);
         }
     }
 
     // ---- a step ---------------------------------------------------------------------------------------------------
     /// The work of dashpots and laws, by the trapezium rule.
     void accumulate_energy(const Step&, Accounts& sums) const override {
-        double work = 0;
+        double work = 0, by_stiffness = 0;
         for (std::size_t i = 0; i < now_.size(); ++i) {
             const ConnectorNow& before = list()[i];
             if (before.broken) continue;
             const ConnectorNow end = at_end(i);
+            by_stiffness += 0.5 * (before.viscous + end.viscous).dot(end.deformation - before.deformation);
             work += 0.5 * (before.of_dashpots + before.of_laws + end.of_dashpots + end.of_laws)
                               .dot(end.deformation - before.deformation);
         }
         sums["connector_dissipated"] += work;
+        if (by_stiffness != 0) sums["damping"] += by_stiffness;
     }
 
     void before_commit(const Step& step) override {
@@ -178,7 +138,8 @@ public:
 
     void acceleration_found() override {
         for (std::size_t i = 0; i < now_.size(); ++i)
-            if (!list()[i].broken) list()[i].of_dashpots = now_[i].dashpot, list()[i].of_laws = now_[i].law;
+            if (ConnectorNow& c = list()[i]; !c.broken)
+                c.of_dashpots = now_[i].dashpot, c.of_laws = now_[i].law, c.viscous = now_[i].viscous;
     }
 
     bool allows_long_step() const override {
@@ -201,7 +162,7 @@ public:
             const Placed p = place(i, w_.state, list()[i]);
             Vec6 slope = c.stiffness;
             for (int k = 0; k < 6; ++k) slope[k] += steepest(c.curve[k]);
-            add(c, p.B.transpose() * slope.asDiagonal() * p.B, p.B, c.damping, most);
+            add(c, p.B.transpose() * slope.asDiagonal() * p.B, p.B, c.damping + damping_[i] * slope, most);
         }
     }
 
@@ -227,11 +188,12 @@ private:
         Vec6 deformation = Vec6::Zero(), rate = Vec6::Zero();
         Vec6 spring = Vec6::Zero(), dashpot = Vec6::Zero(), law = Vec6::Zero();
         Vec6 law_slope = Vec6::Zero(), law_rate_slope = Vec6::Zero();
+        Vec6 viscous = Vec6::Zero();
         LawState state[6];
         Vec6 force() const { return spring + dashpot + law; }
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.deformation, s.rate, s.spring, s.dashpot, s.law, s.law_slope, s.law_rate_slope, s.state);
+            a(s.deformation, s.rate, s.spring, s.dashpot, s.law, s.law_slope, s.law_rate_slope, s.viscous, s.state);
         }
     };
     template <class Self, class A>
@@ -290,6 +252,16 @@ private:
         return p.B * v;
     }
 
+    Vec6 viscous_of(std::size_t i, const Vec6& deformation, const Vec6& rate) const {
+        if (damping_[i] == 0) return Vec6::Zero();
+        return damping_[i] * slope_of(declared()[i], deformation).cwiseProduct(rate);
+    }
+
+    static Vec6 slope_of(const Connector& c, const Vec6& deformation) {
+        Vec6 slope = c.stiffness;
+        for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], deformation[k]).slope;
+        return slope;
+    }
     static Vec6 spring_of(const Connector& c, const Vec6& deformation) {
         Vec6 force = c.stiffness.cwiseProduct(deformation);
         for (int k = 0; k < 6; ++k) force[k] += on_curve(c.curve[k], deformation[k]).force;
@@ -315,6 +287,7 @@ private:
         now.rate = rate_of(i, p);
         now.spring = spring_of(c, p.deformation);
         now.dashpot = c.damping.cwiseProduct(now.rate);
+        now.viscous = viscous_of(i, now.deformation, now.rate);
         for (int k = 0; k < 6; ++k) {
             if (!c.law[k]) continue;
             const double d = now.deformation[k], v = now.rate[k];
@@ -342,9 +315,11 @@ private:
         end.deformation = p.deformation;
         end.of_dashpots = now.dashpot;
         end.of_laws = now.law;
+        end.viscous = now.viscous;
         if (!w_.kind.explicit_steps) {
             const Vec6 rate = rate_of(i, p);
             end.of_dashpots = declared()[i].damping.cwiseProduct(rate);
+            end.viscous = viscous_of(i, p.deformation, rate);
             end.of_laws += now.law_slope.cwiseProduct(p.deformation - now.deformation) +
                            now.law_rate_slope.cwiseProduct(rate - now.rate);
         }
@@ -400,7 +375,8 @@ private:
     }
 
     std::vector<Evaluated> now_;
-    double at_start_ = 0;  ///< J
+    std::vector<double> damping_;  ///< s: beta of model:damping
+    double at_start_ = 0;          ///< J
 };
 
 std::vector<PlanLine> connectors_plan(const Structure& s, const RunKind&) {

@@ -49,11 +49,12 @@ struct ConnectorNow {
     Vec6 force = Vec6::Zero();        ///< of all together: N, N m; what broke it, where it is broken
     Vec6 of_dashpots = Vec6::Zero();  ///< the part of it that dissipates
     Vec6 of_laws = Vec6::Zero();      ///< and that of the script's laws
+    Vec6 viscous = Vec6::Zero();      ///< of damping by stiffness, not in `force`
     LawState law[6];
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.law);
+        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.viscous, s.law);
     }
 };
 

@@ -15,6 +15,9 @@
 // rotate. The dashpots stand on the moving supports, so these do work on them: force times the way of the supports is
 // in the account of work, force times the way relative to them in that of damping.
 //
+// Joints and connectors take part in beta by themselves (joint_damping in all_effects.h), unless the declaration leaves
+// them out.
+//
 // A point mass has the alpha of the elements at its node that are whole, the mean where they differ, and none once all
 // are broken. Its part of C is a block of its node.
 #include "effects/damping.h"
@@ -43,7 +46,7 @@ std::vector<ElementDamping> damping_of_elements(const Structure& structure) {
     bool any = false;
     for (std::size_t e = 0; e < of.size(); ++e) {
         for (const Damping& d : structure.model().declared<Damping>(damping_effect))
-            if (d.group < 0 || structure.in_group(int(e), d.group)) of[e] = {d.alpha, d.beta};
+            if (d.group < 0 || structure.in_group(int(e), d.group)) of[e] = {d.alpha, d.beta, d.joints ? d.beta : 0};
         any = any || damps(of[e]);
     }
     if (!any) of.clear();

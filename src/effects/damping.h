@@ -13,10 +13,11 @@ inline constexpr const char* damping_effect = "damping";
 struct Damping {
     double alpha = 0, beta = 0;                    ///< 1/s, s
     int group = -1;                                ///< -1: all
+    bool joints = true;                            ///< beta damps joints and connectors at the elements, too
     double ratio[2] = {0, 0}, period[2] = {0, 0};  ///< that alpha and beta follow from, s; 0: given themselves
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.alpha, s.beta, s.group);
+        a(s.alpha, s.beta, s.group, s.joints);
     }
 };
 

@@ -8,6 +8,11 @@
 // dissipates energy or none. Tension may take strength from the sliders; it is that where the step begins. It follows
 // the force of the member with the delay of an axial wave: a moment that falls changes that force at once, and without
 // a delay the two would swing from step to step, however short the steps.
+//
+// Damping by stiffness (model:damping) gives each spring of finite stiffness a dashpot that takes the rate of the
+// spring alone: the slip of its slider is free. In a step that turns the joint by D and moves the slider by P that is
+// k beta ((D - P) / dt + x (rate - D / dt)), x = (D - P) / D between 0 and 1: of second order, as in elastic_rate.h.
+// The moment of the dashpots is beside that of the joint. Neither strength nor capacity is asked of it.
 #include "effects/joints.h"
 
 #include <algorithm>
@@ -16,7 +21,9 @@
 
 #include "core/errors.h"
 #include "core/text.h"
+#include "effects/all_effects.h"
 #include "effects/constrainer.h"
+#include "effects/joint_parts.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
 
@@ -31,52 +38,6 @@ constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
 constexpr double of_sliding = 1e-9;
 
 const char* const axis_names[] = {"Mx", "My", "Mz"};
-
-/// A spring in series with a slider that holds up to `strength`.
-struct JointPart {
-    double stiffness, strength;  ///< N m/rad, N m
-};
-
-std::vector<JointPart> parts_of(const JointAxis& axis) {
-    std::vector<double> slopes;
-    std::pair<double, double> last{0, 0};
-    for (const auto& point : axis.curve) {
-        slopes.push_back((point.second - last.second) / (point.first - last.first));
-        last = point;
-    }
-    slopes.push_back(0);
-    std::vector<JointPart> parts;
-    for (std::size_t i = 0; i < axis.curve.size(); ++i) {
-        const double k = slopes[i] - slopes[i + 1];
-        parts.push_back({k, k * axis.curve[i].first});
-    }
-    return parts;
-}
-
-/// What an axis resists with at a rotation.
-struct Resistance {
-    double moment = 0, slope = 0, stored = 0, dissipated = 0;
-};
-
-/// `slid`: where the sliders are; they are moved. `left`: part of their strength.
-Resistance resist(const std::vector<JointPart>& parts, double left, double rotation, std::vector<double>& slid) {
-    Resistance r;
-    for (std::size_t i = 0; i < parts.size(); ++i) {
-        const double k = parts[i].stiffness, strength = left * parts[i].strength;
-        if (k == 0) continue;
-        double m = k * (rotation - slid[i]);
-        if (std::abs(m) > strength) {
-            m = std::copysign(strength, m);
-            r.dissipated += m * (rotation - m / k - slid[i]);
-            slid[i] = rotation - m / k;
-        } else {
-            r.slope += k;
-        }
-        r.moment += m;
-        r.stored += 0.5 * m * m / k;
-    }
-    return r;
-}
 
 class Joints : public Effect,
                public Force,
@@ -102,13 +63,19 @@ public:
     }
 
     // ---- forces ---------------------------------------------------------------------------------------------------
-    void add_forces(double, std::vector<Vec6>& resisting) override {
+    void begin_statics() override {
+        for (JointNow& j : list()) j.viscous.setZero(), j.elastic.setOnes();
+    }
+    void add_forces(double time, std::vector<Vec6>& resisting) override {
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
             const Made& m = made_[i];
             now_[i].of_end = resisting[m.end].head<3>() - w_.external[m.end].head<3>();
             const RelativeRotation r = turn(i, w_.trial);
-            const Vec3 in_space = r.by_spin().transpose() * evaluate(i, r.rotation).moment;
+            const Evaluated e = evaluate(i, r.rotation);
+            Vec3 moment = e.moment;
+            if (m.damping > 0) moment += now_[i].viscous = viscous(i, r, e, time == w_.state.time).moment;
+            const Vec3 in_space = r.by_spin().transpose() * moment;
             resisting[m.node].tail<3>() -= in_space;
             resisting[m.end].tail<3>() += in_space;
         }
@@ -128,13 +95,17 @@ public:
             const RelativeRotation r = turn(i, at);
             const Evaluated e = evaluate(i, r.rotation);
             // a joint that slides leaves a mechanism: without any stiffness what solves for it would divide by rounding
-            const Vec3 slope = e.slope.cwiseMax(of_sliding * made_[i].stiffness);
-            add(i, r, slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks);
+            Vec3 slope = e.slope.cwiseMax(of_sliding * made_[i].stiffness);
+            Viscous v;
+            if (made_[i].damping > 0) v = viscous(i, r, e, false), slope += v.by_rotation;
+            add(i, r, slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks,
+                v.by_rate);
         }
     }
     void add_stiffest(Blocks& most) const override {
         for (std::size_t i = 0; i < made_.size(); ++i)
-            if (!list()[i].broken) add(i, turn(i, w_.state), made_[i].stiffness, Vec3::Zero(), most);
+            if (!list()[i].broken)
+                add(i, turn(i, w_.state), made_[i].stiffness, Vec3::Zero(), most, made_[i].damping * damped(i));
     }
 
     // ---- constraints ----------------------------------------------------------------------------------------------
@@ -170,9 +141,17 @@ public:
     // ---- a step ---------------------------------------------------------------------------------------------------
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = 0;
-        for (std::size_t i = 0; i < made_.size(); ++i)
-            if (!list()[i].broken) work += dissipated_in_step(i);
+        for (std::size_t i = 0; i < made_.size(); ++i) {
+            if (list()[i].broken) continue;
+            work += dissipated_in_step(i);
+            if (made_[i].damping == 0) continue;
+            const Vec3 turned = turn(i, w_.trial).rotation - list()[i].rotation;
+            sums["damping"] += 0.5 * (list()[i].viscous + viscous_at_end(i).moment).dot(turned);
+        }
         sums["joint_dissipated"] += work;
+    }
+    void acceleration_found() override {
+        for (std::size_t i = 0; i < made_.size(); ++i) list()[i].viscous = now_[i].viscous;
     }
     void before_commit(const Step& step) override {
         bool any = false;
@@ -244,8 +223,9 @@ private:
         int node, end;   ///< the script's node, and the member's own
         Vec3 stiffness;  ///< of the elastic part about each axis, N m/rad
         std::vector<JointPart> parts[3];
-        Mat3 axes;        ///< columns x y z of the section
-        double wave = 0;  ///< s, in which an axial wave runs through the member
+        Mat3 axes;           ///< columns x y z of the section
+        double wave = 0;     ///< s, in which an axial wave runs through the member
+        double damping = 0;  ///< s: beta of model:damping
     };
     struct Evaluated {
         Vec3 moment = Vec3::Zero(), slope = Vec3::Zero();
@@ -254,7 +234,13 @@ private:
     };
     /// What the member's end has put on its node where forces were found last.
     struct Now {
-        Vec3 of_end = Vec3::Zero();  ///< N, in space
+        Vec3 of_end = Vec3::Zero();   ///< N, in space
+        Vec3 viscous = Vec3::Zero();  ///< N m: the moment of damping
+    };
+    /// Moment of damping about each axis, N m, and its derivatives by the rate and by the rotation. `elastic`: part of
+    /// the rate that the springs have.
+    struct Viscous {
+        Vec3 moment = Vec3::Zero(), by_rate = Vec3::Zero(), by_rotation = Vec3::Zero(), elastic = Vec3::Ones();
     };
 
     const std::vector<Joint>& declared() const { return declared_; }
@@ -271,6 +257,7 @@ private:
         m.axes = e.axes.toRotationMatrix();
         m.wave = length * std::sqrt(e.rigidity.rhoA / e.rigidity.EA);
         find_parts(j, Vec3(4 * e.rigidity.EIx, 4 * e.rigidity.EIy, e.rigidity.GJ) / length, m);
+        m.damping = joint_damping(s, damping_of_elements_, {m.end});
         return m;
     }
     Made between_nodes(const Joint& j) const {
@@ -288,6 +275,7 @@ private:
             }
         }
         find_parts(j, Vec3::Constant(stiffest), m);
+        m.damping = joint_damping(s, damping_of_elements_, {j.from, j.to});
         return m;
     }
     /// `own`: stiffness of the member about each axis, N m/rad.
@@ -338,6 +326,46 @@ private:
         return e;
     }
 
+    /// Stiffness of the axes that are damped: a rigid one has no rate of its own.
+    Vec3 damped(std::size_t i) const {
+        Vec3 k = made_[i].stiffness;
+        for (int c = 0; c < 3; ++c)
+            if (!std::isfinite(declared()[i].is.axis[c].stiffness)) k[c] = 0;
+        return k;
+    }
+    /// `begins`: where a step begins, the joint slips on as in the step before.
+    Viscous viscous(std::size_t i, const RelativeRotation& r, const Evaluated& e, bool begins) const {
+        const Made& m = made_[i];
+        const JointNow& from = list()[i];
+        const Vec3 k = damped(i), turned = r.rotation - from.rotation,
+                   rate = r.by_spin() * (w_.velocity(w_.trial, m.end) - w_.velocity(w_.trial, m.node)).tail<3>();
+        const double dt = w_.assembly.step();
+        Viscous v;
+        if (begins) v.elastic = from.elastic;
+        for (int c = 0; c < 3 && !begins; ++c) {
+            if (m.parts[c].empty() || turned[c] == 0 || dt == 0 || k[c] == 0) continue;
+            double springs = 0, mean = 0;  // k x, and k (D - P) / D
+            for (std::size_t p = 0; p < m.parts[c].size(); ++p) {
+                const double part = 1 - (e.slid[c][p] - from.slid[c][p]) / turned[c];
+                springs += m.parts[c][p].stiffness * std::clamp(part, 0.0, 1.0);
+                mean += m.parts[c][p].stiffness * part;
+            }
+            v.elastic[c] = springs / k[c];
+            v.moment[c] = m.damping * (mean - springs) * turned[c] / dt;
+            v.by_rotation[c] = m.damping * (e.slope[c] - springs) / dt;
+        }
+        v.by_rate = m.damping * k.cwiseProduct(v.elastic);
+        v.moment += v.by_rate.cwiseProduct(rate);
+        return v;
+    }
+    /// Where the trial has ended; explicit steps took it at the predicted velocity.
+    Viscous viscous_at_end(std::size_t i) const {
+        const RelativeRotation r = turn(i, w_.trial);
+        Viscous v = viscous(i, r, evaluate(i, r.rotation), false);
+        if (w_.kind.explicit_steps) v.moment = now_[i].viscous;
+        return v;
+    }
+
     /// Where tension has weakened the joint, the step began with the moment that it had before: half of what that lost
     /// does work with the step's rotation.
     double dissipated_in_step(std::size_t i) const {
@@ -349,12 +377,19 @@ private:
         return work;
     }
 
-    void add(std::size_t i, const RelativeRotation& r, const Vec3& slope, const Vec3& moment, Blocks& blocks) const {
+    /// `by_rate`: N m s/rad about each axis.
+    void add(std::size_t i, const RelativeRotation& r, const Vec3& slope, const Vec3& moment, Blocks& blocks,
+             const Vec3& by_rate) const {
         const Mat3 S = r.by_spin();
-        const Mat3 k = S.transpose() * slope.asDiagonal() * S;
-        Mat12 K = Mat12::Zero();
-        K.block<3, 3>(3, 3) = K.block<3, 3>(9, 9) = k;
-        K.block<3, 3>(3, 9) = K.block<3, 3>(9, 3) = -k;
+        const auto between = [&S](const Vec3& of_axes) {
+            const Mat3 k = S.transpose() * of_axes.asDiagonal() * S;
+            Mat12 K = Mat12::Zero();
+            K.block<3, 3>(3, 3) = K.block<3, 3>(9, 9) = k;
+            K.block<3, 3>(3, 9) = K.block<3, 3>(9, 3) = -k;
+            return K;
+        };
+        Mat12 K = between(slope);
+        if (!by_rate.isZero(0)) blocks.damping(made_[i].node, made_[i].end, between(by_rate));
         Mat12 G = Mat12::Zero();
         add_moment_curvature(r, moment, G);
         K += 0.5 * (G + G.transpose());
@@ -366,6 +401,10 @@ private:
         const Made& m = made_[i];
         const JointProperties& is = declared()[i].is;
         JointNow& j = list()[i];
+        if (m.damping > 0) {
+            const Viscous v = viscous_at_end(i);
+            j.viscous = v.moment, j.elastic = v.elastic;
+        }
         j.rotation = turn(i, w_.trial).rotation;
         Evaluated e = evaluate(i, j.rotation);
         for (int k = 0; k < 3; ++k)
@@ -445,6 +484,7 @@ private:
         host_.blocks_changed(at);
     }
 
+    const std::vector<ElementDamping> damping_of_elements_ = damping_of(w_.structure);
     std::vector<Made> made_;
     std::vector<std::size_t> in_order_;  ///< joints between nodes first
     std::vector<Now> now_;

@@ -74,11 +74,14 @@ struct JointNow {
     std::vector<double> slid[3];    ///< rad: plastic rotation of each part of the curve
     double pull = 0;                ///< N: the tension that weakens, which follows that above with a delay
     double left = 1;                ///< part of the curves of x and y that it leaves
+    Vec3 viscous = Vec3::Zero();    ///< N m: moment of damping about each axis, beside `moment`
+    Vec3 elastic = Vec3::Ones();    ///< part of the rate of rotation that the springs had, the rest is slip
     int over = -1;  ///< what has reached its capacity: 0 to 2 a rotation, 3 tension, 4 shear; -1: nothing
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.pull, s.left, s.over);
+        a(s.broken, s.broken_at, s.rotation, s.moment, s.offset, s.tension, s.shear, s.slid, s.pull, s.left, s.viscous,
+          s.elastic, s.over);
     }
 };
 

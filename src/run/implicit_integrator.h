@@ -43,11 +43,11 @@ protected:
     const Scheme scheme_;
     std::unique_ptr<EffectiveStiffness> effective_;
     const DampedTangents damped_;  ///< of elements that flow
-    std::vector<Vec6> right_;   ///< the right side of eq 15
-    std::vector<Vec6> change_;  ///< of the acceleration
-    std::vector<int> rebuild_;  ///< elements whose effective stiffness is to be built anew
-    double damping_ = 1;        ///< factor of Newton's corrections
-    double last_size_ = 0;      ///< of the last correction
+    std::vector<Vec6> right_;      ///< the right side of eq 15
+    std::vector<Vec6> change_;     ///< of the acceleration
+    std::vector<int> rebuild_;     ///< elements whose effective stiffness is to be built anew
+    double damping_ = 1;           ///< factor of Newton's corrections
+    double last_size_ = 0;         ///< of the last correction
 
     const EffectList* effects_ = nullptr;
 

@@ -171,8 +171,7 @@ void Newmark::mark_yielding() {
     const std::vector<PlasticIncrement>& yielding = w_.yielding;
     tangents_.clear();
     for (const PlasticIncrement& y : yielding)
-        tangents_.push_back(
-            damped_.with_damping(yield_tangent(w_.structure, w_.state, w_.trial, w_.assembly, y), y));
+        tangents_.push_back(damped_.with_damping(yield_tangent(w_.structure, w_.state, w_.trial, w_.assembly, y), y));
     std::size_t next = 0;
     for (int e : was_yielding_) {
         while (next < yielding.size() && yielding[next].element < e) ++next;

@@ -80,6 +80,13 @@ Energy Run::energy_of(const State& state) const {
 
 Blocks Run::added_stiffness() const { return added_blocks(*effects_, state_, 0); }
 
+Blocks Run::added_damping() const {
+    Blocks blocks(1, false);
+    for (const auto& force : effects_->forces)
+        if (force->has_blocks()) force->add_blocks(state_, blocks);
+    return blocks;
+}
+
 void Run::change_steady_load(int node, const Vec3& force) {
     w_.external[node].head<3>() += force;
     w_.steady[node].head<3>() += force;

@@ -48,6 +48,8 @@ public:
     Energy energy() const { return energy_of(state_); }
     /// What effects add to the stiffness of the elements where the state is.
     Blocks added_stiffness() const;
+    /// Damping that effects have there, in blocks of one node or two, N s/m; in dynamics that of point masses, too.
+    Blocks added_damping() const;
     /// Constraints between degrees of freedom; null where there are none.
     const Constraints* constraints() const { return constraints_.get(); }
     /// The accounts of the energy balance, in the order in which they are shown.

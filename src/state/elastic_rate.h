@@ -2,8 +2,8 @@
 //
 // An element that does not flow has the rates d' = B v of its nodes. Of one that flows in a step of length dt, with the
 // deformation D and the plastic deformation P of the step, the mean elastic rate is (D - P) / dt. The rate where the
-// step ends differs from the mean by o = d' - D / dt, half a step of acceleration. Its elastic part is what is left of o
-// without the direction of flow:
+// step ends differs from the mean by o = d' - D / dt, half a step of acceleration. Its elastic part is what is left of
+// o without the direction of flow:
 //
 //   e' = (D - P) / dt + o - theta (P . k o) / (P . k P) P,    theta = (P . k P) / (P . k D), between 0 and 1
 //
@@ -20,8 +20,8 @@ namespace hinge {
 /// Of an element that flows: k e' = steady + (k - q q^T) d'.
 struct ElasticRate {
     int element;
-    bool unknown = false;         ///< it flowed when the run began; e' is taken as zero
-    Vec6 steady = Vec6::Zero();   ///< N m/s and N/s, in the places of p
+    bool unknown = false;        ///< it flowed when the run began; e' is taken as zero
+    Vec6 steady = Vec6::Zero();  ///< N m/s and N/s, in the places of p
     Vec6 q = Vec6::Zero();
 
     Vec6 forces(const beam::Stiffness& k, const Vec6& rate) const {
@@ -48,9 +48,9 @@ inline ElasticRate elastic_rate(const Structure& structure, const State& state, 
     const Vec6 kP = k.times(P);
     const double square = P.dot(kP);
     const bool moved = !only_begins(y);
-    const Vec6 D = moved ? Vec6(element_deformation(structure, y.element, pose) -
-                                element_deformation(structure, y.element, state))
-                         : Vec6(Vec6::Zero());
+    const Vec6 D =
+        moved ? Vec6(element_deformation(structure, y.element, pose) - element_deformation(structure, y.element, state))
+              : Vec6(Vec6::Zero());
     if (square > 0) {
         const double both = kP.dot(D), theta = moved && both > square ? square / both : 1;
         of.q = std::sqrt(theta / square) * kP;

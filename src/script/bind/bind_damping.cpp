@@ -65,7 +65,7 @@ Damping read_ratios(Options& o) {
 int add_damping(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:damping").value;
     Options o(L, 2, "model:damping");
-    o.expect({"alpha", "beta", "ratio", "periods", "group"});
+    o.expect({"alpha", "beta", "ratio", "periods", "group", "joints"});
     Damping d;
     if (o.has("ratio") || o.has("periods")) {
         d = read_ratios(o);
@@ -79,6 +79,7 @@ int add_damping(lua_State* L) {
     }
     if (o.push_field("group") != LUA_TNIL) d.group = group_argument(L, -1, "model:damping: field 'group'", *m);
     lua_pop(L, 1);
+    d.joints = o.flag("joints", true);
     m->declare(damping_effect, d);
     m->ask(damping_effect, where(L));
     lua_pushnumber(L, d.alpha);
