@@ -27,7 +27,7 @@ enum class MatrixStorage : std::uint8_t {
 struct ElementTangent {
     int element;
     Mat6 own;
-    Mat6 partner;  ///< d(its p)/d(its partner's d); zero where its bending does not follow the axial force
+    Mat6 partner;               ///< d(its p)/d(its partner's d); zero where its bending does not follow the axial force
     bool with_damping = false;  ///< both include the derivative of the forces of damping by stiffness
 };
 

@@ -12,25 +12,29 @@
 namespace hinge {
 namespace {
 
-/// K and M of the elements at these nodes and of what effects add, on the degrees of freedom that no support holds.
+/// K, M and C of the elements at these nodes and of what effects add, on the degrees of freedom that no support holds.
 struct Matrices {
     bool adds_stiffness;  ///< effects do
-    SparseMatrix K, M;
+    SparseMatrix K, M, C;
     int size() const { return int(K.rows()); }
 
     Matrices(const Structure& structure, const std::vector<int>& nodes, const AddedToModes& added) {
         std::vector<std::uint8_t> free(structure.position().size());
         for (int n : nodes) free[n] = ~structure.fixed()[n] & 63;
         const FreeUnknowns unknowns(free, added.constraints);
-        FreeUnknowns::Triplets stiffness, mass;
+        FreeUnknowns::Triplets stiffness, mass, damping;
         for (int n : nodes)
             for (int index : structure.elements_at(n)) {
                 const Element& e = structure.elements()[index];
                 if (e.node[0] != n) continue;
                 const Mat3 axes = e.axes.toRotationMatrix();
-                unknowns.add(stiffness, n, e.node[1],
-                             beam::linear_tangent(axes.transpose(), e.length, e.stiffness.matrix()));
-                unknowns.add(mass, n, e.node[1], structure.inertia(index).matrix(axes));
+                const Mat12 k = beam::linear_tangent(axes.transpose(), e.length, e.stiffness.matrix()),
+                            m = structure.inertia(index).matrix(axes);
+                unknowns.add(stiffness, n, e.node[1], k);
+                unknowns.add(mass, n, e.node[1], m);
+                if (added.damping.empty()) continue;
+                const ElementDamping& c = added.damping[std::size_t(index)];
+                unknowns.add(damping, n, e.node[1], Mat12(c.of_mass * m + c.of_stiffness * k));
             }
         const std::size_t of_elements = stiffness.size();
         for (const Coupling& c : added.stiffness.pairs) unknowns.add(stiffness, c.a, c.b, c.K);
@@ -38,7 +42,9 @@ struct Matrices {
         // constraints may join bodies that are not rigid together
         adds_stiffness = stiffness.size() > of_elements || !added.constraints.empty();
         for (const Blocks::Node& n : added.mass) unknowns.add(mass, n.node, n.node, n.K);
-        K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
+        for (const Coupling& c : added.more_damping.pairs) unknowns.add(damping, c.a, c.b, c.K);
+        for (const Blocks::Node& n : added.more_damping.nodes) unknowns.add(damping, n.node, n.node, n.K);
+        K = unknowns.reduced(stiffness), M = unknowns.reduced(mass), C = unknowns.reduced(damping);
     }
 };
 
@@ -100,20 +106,42 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
            triple(m.w.normalized());
 }
 
-std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
-                                        const AddedToModes& added) {
-    const Matrices of(structure, nodes, added);
+namespace {
+
+std::vector<DampedMode> modes(const Matrices& of, int rigid, int count, bool with_damping) {
     const int wanted = std::min(rigid + count, of.size());
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
-    const auto values = lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, false).values;
+    const Eigenpairs found = lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, with_damping);
+    const std::vector<double>& values = found.values;
     int first = rigid;
     if (of.adds_stiffness)
         for (first = 0; first < wanted && values[first] < 1e-11; ++first) {}
+    std::vector<DampedMode> list;
+    for (int i = first; i < wanted && i < first + count; ++i) {
+        DampedMode mode{std::sqrt(std::max(0.0, values[i] * k / m)), 0};
+        if (with_damping) {
+            const Eigen::VectorXd x = found.vectors.col(i) / std::sqrt(m);  // x . M x = 1
+            mode.ratio = x.dot(of.C.selfadjointView<Eigen::Lower>() * x) / (2 * mode.frequency);
+        }
+        list.push_back(mode);
+    }
+    return list;
+}
+
+}  // namespace
+
+std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
+                                        const AddedToModes& added) {
     std::vector<double> frequencies;
-    for (int i = first; i < wanted && i < first + count; ++i)
-        frequencies.push_back(std::sqrt(std::max(0.0, values[i] * k / m)));
+    for (const DampedMode& m : modes(Matrices(structure, nodes, added), rigid, count, false))
+        frequencies.push_back(m.frequency);
     return frequencies;
+}
+
+std::vector<DampedMode> damped_modes(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
+                                     const AddedToModes& added) {
+    return modes(Matrices(structure, nodes, added), rigid, count, true);
 }
 
 }  // namespace hinge

@@ -42,8 +42,17 @@ struct AddedToModes {
     Blocks stiffness = Blocks();
     std::vector<Blocks::Node> mass = {};
     std::vector<LinearConstraint> constraints = {};  ///< those of other nodes count for nothing
+    std::vector<ElementDamping> damping = {};        ///< of each element; empty: none
+    Blocks more_damping = Blocks();                  ///< of effects, in the place of stiffness, N s/m
 };
 std::vector<double> natural_frequencies(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
                                         const AddedToModes& added = {});
+
+/// The same with the part of critical damping that each mode x has, x . C x / (2 w x . M x).
+struct DampedMode {
+    double frequency, ratio;  ///< rad/s
+};
+std::vector<DampedMode> damped_modes(const Structure& structure, const std::vector<int>& nodes, int rigid, int count,
+                                     const AddedToModes& added);
 
 }  // namespace hinge

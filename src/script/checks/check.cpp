@@ -9,6 +9,7 @@
 #include "script/checks/damping_check.h"
 #include "script/checks/load_warnings.h"
 #include "script/checks/plan.h"
+#include "effects/all_effects.h"
 #include "effects/declared.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
@@ -54,13 +55,25 @@ Bodies joined_bodies(const Structure& structure, const AddedToModes& added) {
     return found;
 }
 
+/// In statics nothing is damped, but the ratios of the model are those that its dynamics would have: point masses have
+/// the mean alpha of the elements at their nodes.
+void damp_masses(const Structure& s, AddedToModes& added) {
+    for (const Blocks::Node& mass : added.mass) {
+        const std::span<const int> at = s.elements_at(mass.node);
+        double alpha = 0;
+        for (const int e : at) alpha += added.damping[std::size_t(e)].of_mass / double(at.size());
+        added.more_damping.nodes.push_back({mass.node, alpha * mass.K});
+    }
+}
+
 AddedToModes added_by_effects(const Run& run) {
-    AddedToModes added{run.added_stiffness(), {}, {}};
+    AddedToModes added{run.added_stiffness(), {}, {}, damping_of(run.structure()), run.added_damping()};
     if (run.constraints()) added.constraints = run.constraints()->list_at(run.state());
     const State& s = run.state();
     for (std::size_t n = 0; n < s.offset_mass.size(); ++n)
         if (s.offset_mass[n].mass > 0)
             added.mass.push_back({int(n), offset_mass_in_space(s.offset_mass[n], s.rotation[n])});
+    if (!added.damping.empty() && !dynamic_cast<const Dynamics*>(&run)) damp_masses(run.structure(), added);
     return added;
 }
 
@@ -112,15 +125,15 @@ Waves shortest_waves(const Structure& structure) {
 
 struct Periods {
     std::string text;
-    std::vector<double> frequencies;  ///< rad/s, rising
+    std::vector<DampedMode> modes;  ///< rising
 };
 Periods periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
     if (!body.heavy) return {"no periods without a density", {}};
     if (int(body.nodes.size()) > most_nodes)
         return {"periods are not looked for beyond " + std::to_string(most_nodes) + " nodes", {}};
-    Periods found{"", natural_frequencies(structure, body.nodes, rigid, periods_told, added)};
-    for (double w : found.frequencies)
-        found.text += (found.text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / w);
+    Periods found{"", damped_modes(structure, body.nodes, rigid, periods_told, added)};
+    for (const DampedMode& m : found.modes)
+        found.text += (found.text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / m.frequency);
     found.text = found.text.empty() ? "nothing that vibrates" : "natural periods " + found.text + " s";
     return found;
 }
@@ -240,9 +253,8 @@ std::string checked_model(const RunRecord& record) {
                                                        : count(body.members, "member") + " on " +
                                                              count(body.supports.size(), "supported node");
         const Periods of = periods(s, body, int(free_motions(s, body.nodes).size()), added);
-        text += "  " + name + ", " + digits(body.mass, 6) + " kg: " + of.text +
-                damping_ratios(s, body.nodes, of.frequencies) + "\n";
-        if (auto w = damped_otherwise(s, body.nodes, of.frequencies, name)) list.push_back(std::move(*w));
+        text += "  " + name + ", " + digits(body.mass, 6) + " kg: " + of.text + damping_ratios(of.modes) + "\n";
+        if (auto w = damped_otherwise(s, body.nodes, of.modes, name)) list.push_back(std::move(*w));
     }
     if (bodies.size() > bodies_told)
         text += "  and " + std::to_string(bodies.size() - bodies_told) +

@@ -5,17 +5,17 @@
 #include <string>
 #include <vector>
 
+#include "algebra/modes.h"
 #include "model/structure.h"
 #include "model/warnings.h"
 
 namespace hinge::script {
 
-/// Text such as "; damping ratios 5, 4.1, 5 %" for a body's circular frequencies, rad/s; "" without damping.
-std::string damping_ratios(const Structure& structure, const std::vector<int>& nodes,
-                           const std::vector<double>& frequencies);
+/// Text such as "; damping ratios 5, 4.1, 5 %" of a body's modes; "" without damping.
+std::string damping_ratios(const std::vector<DampedMode>& modes);
 
 /// Warns of a first mode with far more or less damping than model:damping has at its two periods. `body`: its name.
 std::optional<Warning> damped_otherwise(const Structure& structure, const std::vector<int>& nodes,
-                                        const std::vector<double>& frequencies, const std::string& body);
+                                        const std::vector<DampedMode>& modes, const std::string& body);
 
 }  // namespace hinge::script
