@@ -29,7 +29,7 @@ void EffectiveStiffness::subtract_stiffness(const std::vector<Vec6>& u, const Bl
     };
     for (const int e : elements) {
         const auto& node = structure_.elements()[e].node;
-        const Mat12 K = matrices_.whole_part(e) - inertia_part(e, state, element_frame(structure_, e, pose));
+        const Mat12 K = matrices_.whole_part(e) - inertia_part(e, state, element_frame(structure_, e, pose), nullptr);
         subtract(node[0], node[1], K / stiffness_factor_);
     }
     for (const int first : pairs) {
