@@ -243,7 +243,7 @@ Fracture::Fracture(Workspace& w, Host& host)
     for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
     std::vector<Break> past;  // statics breaks nothing
     for (std::size_t i = 0; i < elements; ++i)
-        if (!w.state.broken[i]) hinges_.add_reached(int(i), past);
+        if (!w.state.broken[i]) hinges_.add_reached(int(i), past, true);
     for (const Break& b : past) add_candidate(b.element);
 }
 
@@ -419,7 +419,7 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
 void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = rules_[rule_of(e)];
-    hinges_.add_reached(index, step_->breaks);
+    hinges_.add_reached(index, step_->breaks, in_candidates_[index]);
     if (rule.no_strains() && !rule.hook) return;
     Vec6 plastic = flowed(w_.state, index);
     if (flow) plastic += flow->plastic;

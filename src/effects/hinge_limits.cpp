@@ -134,9 +134,11 @@ std::optional<Break> HingeLimits::elongated(int element) const {
     return Break{longest, weaker_end(longest), {beam::Limit::elongation, sum, rule.elongation}};
 }
 
-void HingeLimits::add_reached(int element, std::vector<Break>& breaks) const {
+void HingeLimits::add_reached(int element, std::vector<Break>& breaks, bool all) const {
     const FractureRule* rule = rule_of(element);
     if (!rule || rule->no_hinges()) return;
+    const PlasticIncrement* y = flow_of(element);
+    if (!y && !all) return;
     const auto add = [&](const std::optional<Break>& b) {
         const auto same = [&](const Break& known) { return known.element == b->element; };
         if (b && std::none_of(breaks.begin(), breaks.end(), same)) breaks.push_back(*b);
@@ -145,10 +147,11 @@ void HingeLimits::add_reached(int element, std::vector<Break>& breaks) const {
         if (w_.structure.conventional()) {
             add(rotated({element, weaker_end(element)}));
         } else {
-            for (int end : {1, 2}) add(rotated({element, end}));
+            for (int end : {1, 2})
+                if (all || y->flow.lambda[end - 1] > 0) add(rotated({element, end}));
         }
     }
-    if (std::isfinite(rule->elongation)) add(elongated(element));
+    if (std::isfinite(rule->elongation) && (all || y->flow.plastic[4] > y->flow.slack)) add(elongated(element));
 }
 
 }  // namespace hinge

@@ -26,8 +26,9 @@ public:
     double rotation(int element, int end, int plane) const;
 
     /// Adds what breaks since a limit of the element's rule is reached at one of its sections or in its member: this
-    /// element, or another one with a larger part in the hinge or in the elongation.
-    void add_reached(int element, std::vector<Break>& breaks) const;
+    /// element, or another one with a larger part in the hinge or in the elongation. `all`: its sections that do not
+    /// flow in the step as well.
+    void add_reached(int element, std::vector<Break>& breaks, bool all) const;
 
 private:
     struct End {
