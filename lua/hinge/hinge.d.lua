@@ -3072,11 +3072,12 @@ function model:contact(rule) end
 ---rule. false: they never have contact. A table: other numbers (rule, stiffness, friction, binding_time, release,
 ---contact_length, coplanarity_tolerance)
 ---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
----a function that is called at the end of a step in which two elements were tied or began to press on each other
+---a function that is called at the end of a step in which two elements were tied (gap), or two members began to press on
+---each other (surface: once for each contact, with the elements that were deepest in each other)
 ---@field on_contact? fun(event: hinge.contact_event)
 ---@field on_release? fun(event: hinge.contact_event) the same, when they were released or parted
----surface: k, N/m. Default EA / L: EA is the harmonic mean of the two members, L is the mean length of their elements,
----or the sum of their half depths where that is more
+---surface: k of one contact of two members, N/m, wherever their elements end. Default EA / L: EA is the harmonic mean of
+---the two members, L is their mean length, or the sum of their half depths where that is more
 ---@field stiffness? number
 ---@field friction? number surface: Coulomb's coefficient, default 0; contact_released of run.energy has its heat
 ---@field binding_time? number gap: default 0.5e-3 s

@@ -2,7 +2,7 @@
 // misses.
 #include <algorithm>
 
-#include "contact/surface_contact.h"
+#include "contact/shared_spring.h"
 #include "helpers.h"
 
 using namespace hinge;
@@ -229,4 +229,44 @@ TEST_CASE("surface contact: the impulse that a step misses gives a bounce its sp
     }
     CHECK_FIGURE("speed after a bounce", worst, 3e-3);
     CHECK(worst_without > 5 * worst);
+}
+
+TEST_CASE("shared spring: pairs of one contact press as the energy's derivative, none pulls, all are one spring",
+          "[surface_contact]") {
+    Dice dice(5);
+    const double k = 1e6, g = 1e-3;
+    const auto energy = [&](std::vector<SurfaceContact>& pairs, const std::vector<double>& depths) {
+        double sum = 0;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            pairs[i].stiffness = k;
+            pairs[i].penetration = depths[i];
+            pairs[i].group = 0;
+            pairs[i].next = i + 1 < pairs.size() ? int(i) + 1 : -1;
+        }
+        share_depth(pairs, 0);
+        for (const SurfaceContact& c : pairs) sum += 0.5 * k * c.depth * c.penetration;
+        return sum;
+    };
+    for (int n = 1; n <= 6; ++n) {
+        std::vector<SurfaceContact> pairs(n), other(n);
+        const double equal = energy(pairs, std::vector<double>(n, g)) / (0.5 * k * g * g);
+        CHECK(equal == Approx(1 / (1 - own_part + own_part / n)));
+        CHECK(equal < 1.042);
+        for (int trial = 0; trial < 20; ++trial) {
+            std::vector<double> depths(n);
+            for (double& d : depths) d = g * dice(0.9, 1.0);
+            if (trial % 2) depths[0] = -g;
+            energy(pairs, depths);
+            double worst = 0;
+            for (int i = 0; i < n; ++i) {
+                CHECK(pairs[i].depth >= 0);
+                CHECK(pairs[i].depth <= std::max(0.0, depths[i]) * (1 + 1e-12));
+                std::vector<double> up = depths, down = depths;
+                up[i] += 1e-5 * g, down[i] -= 1e-5 * g;
+                const double slope = (energy(other, up) - energy(other, down)) / (2e-5 * g);
+                worst = largest_of(worst, std::abs(slope - k * pairs[i].depth) / (k * g));
+            }
+            CHECK_FIGURE("slope of the energy", worst, 1e-3);  // the step may lie across a pair's beginning
+        }
+    }
 }
