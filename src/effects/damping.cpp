@@ -213,7 +213,8 @@ private:
         else
             for (const PlasticIncrement& y : w_.yielding)
                 if (damping_[y.element].of_stiffness != 0)
-                    rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step()));
+                    rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
+                                                  damping_[y.element].of_stiffness));
     }
     const ElasticRate* flow_of(int element) const {
         if (rates_.empty()) return nullptr;

@@ -3,7 +3,7 @@
 // With e' of state/elastic_rate.h the forces are c k e'. Over a step d changes by beta dt^2, d' by gamma dt times what
 // the acceleration changes by; P by k^-1 (k - D_p) times the change of d. In units of beta dt^2 that is
 //
-//   c / dt D_p + c (gamma / (beta dt) - 1 / dt) (k - q q^T)
+//   c / dt D_p + c (gamma / (beta dt) - 1 / dt) (k - q q^T) + c / dt (mean mean^T - q q^T)
 #pragma once
 
 #include "algebra/effective_stiffness.h"
@@ -43,8 +43,9 @@ private:
     Mat6 k_of(int element) const { return stiffness_now(w_.structure, w_.state, element).matrix(); }
     Mat6 with_damping(const Mat6& tangent, const PlasticIncrement& y, double c) const {
         const double dt = w_.assembly.step();
-        const Vec6 q = elastic_rate(w_.structure, w_.state, w_.trial, y, dt).q;
-        return (1 + c / dt) * tangent + c * (rate() - 1 / dt) * (k_of(y.element) - q * q.transpose());
+        const ElasticRate flow = elastic_rate(w_.structure, w_.state, w_.trial, y, dt, c);
+        const Mat6 q = flow.q * flow.q.transpose(), mean = flow.mean * flow.mean.transpose();
+        return (1 + c / dt) * tangent + c * (rate() - 1 / dt) * (k_of(y.element) - q) + c / dt * (mean - q);
     }
     static const PlasticIncrement* find(const std::vector<PlasticIncrement>& yielding, int element) {
         const auto at = std::lower_bound(yielding.begin(), yielding.end(), element,

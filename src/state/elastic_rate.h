@@ -23,6 +23,7 @@ struct ElasticRate {
     bool unknown = false;        ///< it flowed when the run began; e' is taken as zero
     Vec6 steady = Vec6::Zero();  ///< N m/s and N/s, in the places of p
     Vec6 q = Vec6::Zero();
+    Vec6 mean = Vec6::Zero();  ///< q of long steps; mean mean^T D / dt is in `steady`
 
     Vec6 forces(const beam::Stiffness& k, const Vec6& rate) const {
         if (unknown) return Vec6::Zero();
@@ -39,9 +40,14 @@ inline bool only_begins(const PlasticIncrement& y) {
     return y.flow.yields() && std::max(y.flow.lambda[0], y.flow.lambda[1]) <= 1e-300;
 }
 
-/// Of the flow `y` between the state and the pose.
+/// In steps shorter than beta / 50 a part of (d' - d'_before) / 2 along P stays in e', which grows to all of it: forces
+/// that are many times those of the springs would vanish at once where flow begins, and be there again where it ends,
+/// from step to step. It acts as an inertia of beta k dt / 2 across the hinge, and is of first order in dt.
+constexpr double rests_on_mean = 50;
+
+/// Of the flow `y` between the state and the pose. `beta`: of damping, s.
 inline ElasticRate elastic_rate(const Structure& structure, const State& state, const Configuration& pose,
-                                const PlasticIncrement& y, double dt) {
+                                const PlasticIncrement& y, double dt, double beta) {
     ElasticRate of{y.element};
     const beam::Stiffness k = stiffness_now(structure, state, y.element);
     const Vec6& P = y.flow.plastic;
@@ -53,10 +59,17 @@ inline ElasticRate elastic_rate(const Structure& structure, const State& state, 
               : Vec6(Vec6::Zero());
     if (square > 0) {
         const double both = kP.dot(D), theta = moved && both > square ? square / both : 1;
-        of.q = std::sqrt(theta / square) * kP;
+        of.mean = std::sqrt(theta / square) * kP;
+        const Element& e = structure.elements()[y.element];
+        Vec12 v;
+        v << state.velocity[e.node[0]], state.velocity[e.node[1]];
+        const double part = std::min(1.0, rests_on_mean * dt / beta);
+        of.q = std::sqrt(0.5 * (1 + part)) * of.mean;
+        of.steady -= 0.5 * (1 - part) * of.mean *
+                     of.mean.dot(forces_at_nodes(element_frame(structure, y.element, pose)).transpose() * v);
     }
-    // k (D - P) / dt - (k - q q^T) D / dt
-    if (moved) of.steady = (of.q * of.q.dot(D) - kP) / dt;
+    // k (D - P) / dt - (k - mean mean^T) D / dt
+    if (moved) of.steady += (of.mean * of.mean.dot(D) - kP) / dt;
     return of;
 }
 
