@@ -84,8 +84,8 @@ function hinge.model(options) end
 ---members with two elements in small displacement. nodes: at the nodes alone, as in the paper. The end moments of a
 ---clamped member of two elements are then 0.63 of w L^2 / 12, with four 0.91, and the shear forces at its ends 1/2 and
 ---3/4 of w L / 2. Beside compression the moments in the span are too small, by some 15, 30, 44 % at 0.3, 0.6, 0.9 of
----Euler's load; a run warns of it. With mass cubic the nodes' weights give the end moments by themselves. In dynamics weight acts along
----the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
+---Euler's load; a run warns of it. With mass cubic the nodes' weights give the end moments by themselves. In dynamics
+---weight acts along the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
 ---or a connector (broken or not) joins it to the ground or to such a body. What falls, and what lies on others or on
 ---model:ground, has weight at nodes alone: there inertia bends a member as little as weight does. So has a member with
 ---a broken element, and in dynamics one whose weight is beyond its plastic limit load between clamped ends,
@@ -3072,12 +3072,12 @@ function model:contact(rule) end
 ---rule. false: they never have contact. A table: other numbers (rule, stiffness, friction, binding_time, release,
 ---contact_length, coplanarity_tolerance)
 ---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
----a function that is called at the end of a step in which two elements were tied (gap), or two members began to press on
----each other (surface: once for each contact, with the elements that were deepest in each other)
+---a function that is called at the end of a step in which two elements were tied (gap), or two members began to press
+---on each other (surface: once for each contact, with the elements that were deepest in each other)
 ---@field on_contact? fun(event: hinge.contact_event)
 ---@field on_release? fun(event: hinge.contact_event) the same, when they were released or parted
----surface: k of one contact of two members, N/m, wherever their elements end. Default EA / L: EA is the harmonic mean of
----the two members, L is their mean length, or the sum of their half depths where that is more
+---surface: k of one contact of two members, N/m, wherever their elements end. Default EA / L: EA is the harmonic mean
+---of the two members, L is their mean length, or the sum of their half depths where that is more
 ---@field stiffness? number
 ---@field friction? number surface: Coulomb's coefficient, default 0; contact_released of run.energy has its heat
 ---@field binding_time? number gap: default 0.5e-3 s

@@ -68,8 +68,7 @@ return hinge.scenario {
   run = function(p, job)
     local model, head, vehicle = scene(p)
     local rest = model:static { fixed_group = vehicle }:finish()
-    -- rad: columns of wide flanges under monotonic load, NIST GCR 17-917-46; m: 15 % of the lower part's 0.8 m
-    model:fracture { group = "column", hinge_rotation_x = 0.15, hinge_rotation_y = 0.15, elongation = 0.12 }
+    model:fracture { group = "column", curvature_x = 2, curvature_y = 2, axial_strain = 0.15 }
     local run = model:dynamic { from = rest, dt = "auto", integrator = "explicit", duration = p.duration }
     run:finish()
     local broken = run:count { group = "column", state = "broken" }

@@ -13,12 +13,26 @@
 namespace hinge {
 namespace {
 
+/// What the middle sections of the pairs had in the last step that was kept, about x and y, N m. A step from there that
+/// begins anew begins with the same forces.
+struct BowMoments {
+    static constexpr bool in_state_hash = false;
+    std::vector<double> list;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.list);
+    }
+};
+
 class Bow : public Effect, public SectionForceSource {
 public:
     Bow(Workspace& w, Host& host) : Effect("bow", w, host, {.mean_forces = true}) {
         const auto& elements = w.structure.elements();
         blocks_.resize((elements.size() + lane_count - 1) / lane_count);
         added_.assign(blocks_.size() * lane_count / 2, Eigen::Vector2d::Zero());
+        if (const auto* before = w.state.data.find<BowMoments>("bow");
+            !before || before->list.size() != 2 * added_.size())
+            w.state.data.set("bow", BowMoments{std::vector<double>(2 * added_.size(), 0.0)});
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const Element& e = elements[i];
             Block& b = blocks_[i / lane_count];
@@ -29,11 +43,21 @@ public:
     }
 
     bool has_fixed_ends() const override {
-        for (std::size_t block = 0; block < blocks_.size(); ++block)
-            if (counts(blocks_[block], compression(int(block), w_.force_of_fixed_ends()))) return true;
-        return false;
+        any_added_ = false;
+        if (w_.at_state) {
+            const std::vector<double>& list = kept().list;
+            return std::any_of(list.begin(), list.end(), [](double m) { return m != 0; });
+        }
+        for (std::size_t block = 0; block < blocks_.size() && !any_added_; ++block)
+            any_added_ = counts(blocks_[block], compression(int(block), w_.force_of_fixed_ends()));
+        return any_added_;
     }
     void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+        if (w_.at_state) {
+            for (std::size_t i = 0; i < all.size(); ++i)
+                add_to(int(i), {kept().list[i / 2 * 2], kept().list[i / 2 * 2 + 1]}, all[i]);
+            return;
+        }
         const std::vector<Vec6>& force = w_.force_of_fixed_ends();
         w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
             for (int block = first; block < end; ++block) {
@@ -49,12 +73,19 @@ public:
     void accumulate_energy(const Step&, Accounts& sums) const override {
         for (const PlasticIncrement& y : w_.yielding) {
             const auto& more = added_[std::size_t(y.element / 2)];
-            if (w_.assembly.fixed_ends().empty() || more.isZero(0)) continue;
+            if (!any_added_ || w_.assembly.fixed_ends().empty() || more.isZero(0)) continue;
             beam::FixedEnd part;
             add_to(y.element, more, part);
             sums["work"] += work_on_flow(y, part);
         }
     }
+
+    void after_commit(const Step&) override {
+        std::vector<double>& list = w_.state.data.find<BowMoments>("bow")->list;
+        for (std::size_t i = 0; i < added_.size(); ++i)
+            for (int plane : {0, 1}) list[2 * i + plane] = any_added_ ? added_[i][plane] : 0;
+    }
+    bool restored(std::span<const State* const>) override { return kept().list.size() == 2 * added_.size(); }
 
     void add_section_forces(int element, double side, SectionForces& forces) const override {
         const int first = first_of(element);
@@ -68,6 +99,7 @@ private:
     struct Block {
         Lanes flexible[2] = {};  ///< l^2/EI in the two planes, 1/N; 0 where it is in no pair
     };
+    const BowMoments& kept() const { return *w_.state.data.find<BowMoments>("bow"); }
     static int first_of(int element) { return element & ~1; }
     /// Where `force_of_fixed_ends` belongs to.
     ConfigurationView place() const {
@@ -125,14 +157,17 @@ private:
                                   const std::vector<beam::FixedEnd>& all) const {
         constexpr double near = 0.25;  // of f_y in the middle: half of the plastic moment
         Eigen::Vector2d peak = Eigen::Vector2d::Zero();
-        const beam::YieldSurface& w = w_.structure.elements()[first].yield;
-        const Vec6 before = force[first] + all[first].at(1), begin = force[first] + all[first].at(-1),
-                   end = force[first + 1] + all[first + 1].at(1);
-        if (!(beam::yield_function(before, 1, w) > near)) return peak;
+        const beam::SectionLaw* law = w_.structure.elements()[first].law;
+        if (!law) return peak;
+        const beam::YieldSurface w = law->screen();
+        const Vec6 before = force[first] + all[first].at(1), after = force[first + 1] + all[first + 1].at(-1),
+                   begin = force[first] + all[first].at(-1), end = force[first + 1] + all[first + 1].at(1);
+        if (!(beam::yield_function(before, 1, w) > near && beam::yield_function(after, -1, w) > near)) return peak;
         for (int plane : {0, 1}) {
             if (!(std::abs(p[plane]) > counts_in_full)) continue;
-            peak[plane] = beam::bow_peak(std::min(p[plane], beam::pair_most), -begin[2 * plane], before[2 * plane + 1],
-                                         end[2 * plane + 1], host_.points_on_pair(first, plane, at, factor));
+            peak[plane] = beam::bow_peak(std::min(p[plane], beam::pair_most), -begin[2 * plane],
+                                         0.5 * (before[2 * plane + 1] - after[2 * plane]), end[2 * plane + 1],
+                                         host_.points_on_pair(first, plane, at, factor));
         }
         return peak;
     }
@@ -177,6 +212,7 @@ private:
     }
 
     std::vector<Block> blocks_;
+    mutable bool any_added_ = false;              ///< add_fixed_ends has been called for the present step
     mutable std::vector<Eigen::Vector2d> added_;  ///< of each pair, what add_fixed_ends added last, N m
 };
 

@@ -105,7 +105,9 @@ struct Workspace {
     /// Steps with one solution need the current offset masses: an outdated mass loses velocity at every step, by as
     /// much in a short step as in a long one.
     bool solved_at_once = false;
-    std::vector<Vec6> steady = {};       ///< the part of F that does not change with time: weights at nodes
+    std::vector<Vec6> steady = {};  ///< the part of F that does not change with time: weights at nodes
+    /// The acceleration is being found where the state is: forces are those with which its last step ended.
+    bool at_state = false;
     Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
 
     /// Whether the node belongs to a body at rest.

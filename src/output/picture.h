@@ -39,7 +39,7 @@ struct Bar {
     /// P L^2 / EI about x and y, P positive in compression: the axial force acts on the bow of the bar between its ends
     /// (BarBending::compression); 0: on its chord.
     double compression[2] = {0, 0};
-    double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;       ///< fully plastic resultants, N and N m; 0 without limit
+    double N0 = 0, Mx0 = 0, My0 = 0, Mz0 = 0;  ///< fully plastic resultants, N and N m; 0 without limit
     std::uint8_t hinges = 0;        ///< sections that were ever fully plastic: 1 first end, 2 second end, 4 middle
     std::uint8_t touched = 0;       ///< 1: it has been in contact
     double rotation[2] = {0, 0};    ///< plastic rotation of its hinges about x and y together, rad, not negative

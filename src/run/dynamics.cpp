@@ -322,7 +322,9 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     if (constraints_) constraints_->renew(), constraints_->set_accelerations(false);
     const std::vector<Vec6> towards_centre = w_.trial.acceleration;
     step_.iteration = 0;
+    w_.at_state = true;
     recover(state_.time);
+    w_.at_state = false;
     integrator_->start_from_forces();
     Mass& mass = mass_.renewed(w_.trial);
     out_of_balance.resize(w_.resisting.size());

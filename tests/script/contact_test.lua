@@ -204,8 +204,8 @@ end
 
 case("a blow passes energy and momentum of the modal series, or the run says that elements are too few", function()
   -- by theory a quarter of the wave is 0.36, 0.25 and 0.14 m long
-  for _, blow in ipairs { { 5, 5e6, 8 }, { 1, 5e6, 16 }, { 1, 5e7, 16 } } do
-    local M, k, enough = table.unpack(blow)
+  for _, row in ipairs { { 5, 5e6, 8 }, { 1, 5e6, 16 }, { 1, 5e7, 16 } } do
+    local M, k, enough = table.unpack(row)
     local energy, momentum = series(M, k)
     for _, n in ipairs { enough // 4, enough } do
       local e, m, few = by_elements(M, k, n)

@@ -341,7 +341,7 @@ case("damping and contact impulses keep the energy balance", function()
     model:contact { rule = "surface" }
     model:damping(damping)
     local run = model:dynamic { dt = 2e-5, duration = 2e-3, record = false }:finish()
-    expect(run.verdict == "completed" and run.contacts.bound > 2, "an impact that is damped: %s", run.reason)
+    expect(run.verdict == "completed" and run.contacts.bound > 0, "an impact that is damped: %s", run.reason)
     near(run.energy.remainder / run.energy.initial, 0, 1e-5, "balance of an impact that is damped")
     expect(run.energy.damping > 0.03 * run.energy.initial, "it takes %g J", run.energy.damping)
   end

@@ -191,14 +191,14 @@ case("a support between two members leaves each side a hinge of its own", functi
     end
     for _, far in ipairs { a, c } do
       model:fix(far, "y rx rz")
-      model:move { node = far, z = function(t) return 0.2 * t end }
+      model:move { node = far, z = function(t) return 0.1 * t end }
     end
     model:fracture { hinge_rotation_x = theta }
-    local run = model:dynamic { dt = 1e-3, duration = 0.6, record = false }
+    local run = model:dynamic { dt = 1e-3, duration = 1.2, record = false }
     for _ in run:steps() do
       if broken_elements(run) > 0 then break end
     end
-    return 0.2 * run.time, broken_elements(run)
+    return 0.1 * run.time, broken_elements(run)
   end
   local elastic = tip(1) - theta * L
   local whole, one = rises "xyz rx rz"

@@ -158,7 +158,9 @@ case("a mass on a post whose ground is accelerated follows the closed form", fun
     local moving, u = shaken(o)
     o.moves = false
     local still, wanted = shaken(o)
-    near(u, wanted, 2e-3 * math.abs(wanted), what .. "as in the axes of the ground")
+    -- In explicit steps the bar's mass is in Simpson's lumps, and its weight acts by halves of its elements.
+    local exact = o.integrator == "explicit" and 5e-3 or 2e-3
+    near(u, wanted, exact * math.abs(wanted), what .. "as in the axes of the ground")
     near(moving.energy.damping, still.energy.damping, 0.02 * still.energy.damping, what .. "energy damped")
     expect(still.energy.damping > 0.01, what .. "something is damped")
     expect(math.abs(moving.energy.remainder) < 1e-4 * moving.energy.work, "%senergy error %g of %g J", what,

@@ -154,7 +154,7 @@ model:fix(held)
 model:member { held[1], held[2], section = bar, material = steel }
 model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = bar, material = steel,
   group = "flying" }
-model:velocity("flying", { 0, 0, -100 })
+model:velocity("flying", { 0, 0, -70 })
 model:contact {}
 model:fracture { curvature_x = 0.01, curvature_y = 0.01 }
 model:dynamic { dt = 1e-3, duration = 1e-3, step_control = 0, energy_tolerance = 1e9 }:finish()

@@ -72,7 +72,7 @@ TEST_CASE("each role lists its effects in the order in which they act", "[effect
     with_effects(true, true, [](const EffectList& list) {
         CHECK(names(list.loads) == Names{"loads", "gravity", "broken members"});
         CHECK(names(list.forces) == Names{"contact"});
-        CHECK(names(list.section_forces) == Names{"gravity"});
+        CHECK(names(list.section_forces) == Names{"gravity", "bow"});
         CHECK(names(list.breakers) == Names{"fracture", "contact"});
         CHECK(names(list.break_listeners) == Names{"gravity", "fracture", "broken members", "contact"});
         CHECK(names(list.sleepers) == Names{"plasticity", "contact"});
