@@ -4,7 +4,7 @@
 -- Shows   five loose bars fall half a metre, at 1 m/s to the right, on a grating of fixed bars. They bounce, hit each
 --         other and slide. Friction dissipates a part of their energy
 -- Expect  first_touch_ms = 319.3 within 0.02 %     sqrt(2 h / g) of the lowest one, h = 0.5 m between the surfaces
---         fallen_through = 0 within 1              bars below the grating in the end: one that turns along it fits through
+--         fallen_through = 0 within 1              bars below it in the end; one along the grating fits through
 --         heat_percent = 21 within 8               heat of friction, of the work of gravity; there is no other damping,
 --                                                  so the rest is motion and vibration
 --         energy_error_percent = 0 within 0.1      energy error, of the work of gravity

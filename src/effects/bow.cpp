@@ -4,6 +4,8 @@
 // The forces on the nodes do not change. Yield, fracture and all that reads section forces take the moment. The part of
 // loads between the ends is in the effects of those loads (PressedPair, clamped_member.h). A hinge between the ends is
 // in the middle, and forms when the largest moment of the span reaches the plastic one.
+#include <algorithm>
+
 #include "beam/pair_bow.h"
 #include "core/lanes.h"
 #include "effects/clamped_member.h"
@@ -141,6 +143,7 @@ private:
             Eigen::Vector2d m(more[0][i], more[1][i]);
             const double most = std::max(blocks_[block].flexible[0][i], blocks_[block].flexible[1][i]) * P[i];
             if (most > beam::bow_by_moments) m = middle_moment(from + i, force, place());
+            if (w_.kind.dynamic) m = limited(from + i, m, force, all);
             for (int k : {0, 1}) add_to(from + i + k, m, all[from + i + k]);
             const Eigen::Vector2d p(blocks_[block].flexible[0][i] * P[i], blocks_[block].flexible[1][i] * P[i]),
                 peak = beyond_middle(from + i, p, force, at, factor, all);
@@ -148,6 +151,19 @@ private:
                 for (int k : {0, 1}) add_to(from + i + k, peak, all[from + i + k]);
             added_[std::size_t((from + i) / 2)] = m + peak;
         }
+    }
+
+    /// In dynamics the moment follows the step before. Where it were larger than that of the elements, flow in a step
+    /// would be more than undone in the next: compression beyond Euler's load of a pinned pair.
+    Eigen::Vector2d limited(int first, Eigen::Vector2d m, const std::vector<Vec6>& force,
+                            const std::vector<beam::FixedEnd>& all) const {
+        constexpr double part = 0.8;
+        const Vec6 node = force[first] + all[first].at(1);
+        for (int plane : {0, 1}) {
+            const double most = part * std::abs(node[2 * plane + 1]);
+            m[plane] = std::clamp(m[plane], -most, most);
+        }
+        return m;
     }
 
     /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where that comes

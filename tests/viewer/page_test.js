@@ -58,7 +58,8 @@ async function on_a_wide_screen(b, report, picture) {
   await b.value("hinge_report.player.seek(hinge_report.player.begin)");
   const first = await b.value(drawing);
   expect(first.hash !== last.hash, "the first frame looks like the last");
-  const range = await b.value("(() => { const r = document.querySelector('.timeline input').getBoundingClientRect();"
+  const range = await b.value("(() => { const slider = document.querySelector('.timeline input');"
+    + " slider.scrollIntoView({ block: 'center' }); const r = slider.getBoundingClientRect();"
     + " return [r.left, r.top + r.height / 2, r.width]; })()");
   await b.click(range[0] + 0.6 * range[2], range[1]);
   const share = await b.value("(hinge_report.player.time - hinge_report.player.begin) / (hinge_report.player.end"
