@@ -197,8 +197,8 @@ std::string Dynamics::failure_of_elements() const {
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {
     for (Vec6& n : w_.resisting) n.setZero();
-    find_fixed_ends(w_, *effects_, 1);
     assembly_.set_step(step_.dt);
+    find_fixed_ends(w_, *effects_, 1);
     assembly_.run(state_, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
     for (const auto& load : effects_->loads) load->subtract_following_loads(w_.resisting);

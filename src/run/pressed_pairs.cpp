@@ -41,6 +41,20 @@ double of_span(double p, double M, double by_load) {
     return missed_of_span * std::min(p * M, most);
 }
 
+/// Shortening of a pair between its ends by the bow of an even load q, over its length l of one element: half of what
+/// Q^2 H'(p) + 2 K Q F'(p) is, with Q = q l^3 / EI, K the rotation of both ends, C of beam/beam_column.h,
+///   F = (1 - C) / p,  H = (F - 1/3) / p
+double shortened_by_load(double p, double Q, double K) {
+    if (std::abs(p) < 0.02) return 0.5 * (Q * Q * 2 / 945 + 2 * K * Q / 45);
+    const auto F = [](double at) {
+        const double u = std::sqrt(std::abs(at));
+        return (1 - (at > 0 ? u / std::tan(u) : u / std::tanh(u))) / at;
+    };
+    const auto H = [&](double at) { return (F(at) - 1.0 / 3) / at; };
+    const double h = 1e-3 * std::abs(p);
+    return 0.5 * (Q * Q * (H(p + h) - H(p - h)) + 2 * K * Q * (F(p + h) - F(p - h))) / (2 * h);
+}
+
 std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
 
 }  // namespace
@@ -113,6 +127,45 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
                           " times the moment in the middle that they make without compression: its moments are some " +
                           percent(worst) + " too small, and more so as it is compressed further",
                       "two elements cannot show that, four can", member};
+}
+
+std::optional<RunWarning> PressedPairs::missed_tension(const Structure& structure, const State& state,
+                                                       const std::function<Vec3(int)>& load_on,
+                                                       const std::string& where) {
+    if (tension_told_ || !structure.p_delta()) return {};
+    constexpr double negligible_strain = 2e-5, most_part = 0.05, most_p = 2.4;
+    double worst = most_part, force = 0;
+    int at = -1;
+    for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
+        const Element& e = structure.elements()[i];
+        if (e.partner != int(i) + 1 || state.broken[i] || state.broken[i + 1]) continue;
+        const Vec3 load = load_on(e.node[1]);
+        if (load.isZero(0)) continue;
+        const Mat3 axes = axes_of(element_frame(structure, int(i), state));
+        const double N = 0.5 * (state.force[i][4] + state.force[i + 1][4]), l = e.length;
+        double strain = 0;
+        for (int plane : {0, 1}) {
+            const double EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;
+            const double across = axes.col(1 - plane).dot(load), Q = across * l * l / EI;
+            double K = 0;
+            for (const int k : {0, 1}) {
+                const Vec6 d = element_deformation(structure, int(i) + k, state) - state.plastic[i + k];
+                K += 0.5 * (d[2 * plane + 1] - d[2 * plane]);
+            }
+            // a load along y, and one against x, makes positive moments in the span
+            strain += shortened_by_load(std::min(-N * l * l / EI, most_p), (plane == 0 ? 1 : -1) * Q, K);
+        }
+        if (!(std::abs(strain) > negligible_strain)) continue;
+        const double missed = e.rigidity.EA * strain, part = std::abs(missed) / (std::abs(N) + std::abs(missed));
+        if (part > worst) worst = part, force = missed, at = int(i);
+    }
+    if (at < 0) return {};
+    tension_told_ = true;
+    const int member = structure.elements()[at].member;
+    return RunWarning{"member " + std::to_string(member + 1) + " sags under the loads between its nodes " + where +
+                          ": if its ends are held apart, up to " + number_text(std::abs(force), 2) +
+                          " N of tension by that sag are missing",
+                      "two elements cannot show that, eight can", member};
 }
 
 }  // namespace hinge

@@ -31,13 +31,17 @@ public:
                                              const std::function<Vec3(int)>& load_on,
                                              const std::function<Eigen::Vector2d(int)>& largest_moment,
                                              const std::string& where);
+    /// Tension that loads between the nodes of a pair make by its sag, if its ends are held apart: a pair bows by the
+    /// rotations of its ends alone.
+    std::optional<RunWarning> missed_tension(const Structure& structure, const State& state,
+                                             const std::function<Vec3(int)>& load_on, const std::string& where);
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.euler_told_, s.moments_told_);
+        a(s.euler_told_, s.moments_told_, s.tension_told_);
     }
 
 private:
-    bool euler_told_ = false, moments_told_ = false;
+    bool euler_told_ = false, moments_told_ = false, tension_told_ = false;
 };
 
 }  // namespace hinge

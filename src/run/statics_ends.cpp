@@ -78,6 +78,10 @@ void Statics::warn_of_missed_moments() {
         *structure_, state_,
         [this](int node) -> Vec3 { return forces_.load(std::size_t(node), state_.factor).head<3>(); },
         [this](int element) { return largest_moment(element); }, "at load factor " + number_text(state_.factor)));
+    warn(pairs_.missed_tension(
+        *structure_, state_,
+        [this](int node) -> Vec3 { return forces_.load(std::size_t(node), state_.factor).head<3>(); },
+        "at load factor " + number_text(state_.factor)));
 }
 
 /// A run whose results are all 0, since a load or a load case was forgotten.
