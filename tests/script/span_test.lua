@@ -245,4 +245,23 @@ case("weight at the nodes beside compression is warned of", function()
   expect(#run.warnings == 1 and run.warnings[1]:find("too small", 1, true), "told: %s", tostring(run.warnings[1]))
 end)
 
+case("a held beam whose sag would pull it is warned of with two elements, and not with eight", function()
+  for _, ends in ipairs { { 8, 0, 6 }, { 0, 10, 0 } } do
+    local N, told = {}, {}
+    for _, elements in ipairs { 2, 8 } do
+      local model = hinge.model { elements_per_member = elements }
+      local a, b = model:node { 0, 0, 0 }, model:node(ends)
+      model:fix { a, b }
+      local member = model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+        material = steel, up = { 1, 1, 1 } }
+      model:gravity { 0, 0, -9.80665 }
+      local run = model:static { steps = 4 }:finish()
+      N[elements], told[elements] = member:forces(run).N, table.concat(run.warnings, "; ")
+    end
+    expect(N[2] < 0.5 * N[8], "the scene: %g and %g N", N[2], N[8])
+    expect(told[2]:find("sags under the loads", 1, true), "two elements: told '%s'", told[2])
+    equal(told[8], "", "eight elements")
+  end
+end)
+
 checks.done()
