@@ -85,10 +85,11 @@ function hinge.model(options) end
 ---clamped member of two elements are then 0.63 of w L^2 / 12, with four 0.91, and the shear forces at its ends 1/2 and
 ---3/4 of w L / 2. Beside compression the moments in the span are too small, by some 15, 30, 44 % at 0.3, 0.6, 0.9 of
 ---Euler's load; a run warns of it. With mass cubic the nodes' weights give the end moments by themselves. In dynamics
----weight acts along the members of bodies that are carried: a support holds one of the body's nodes in a direction in which gravity acts,
----or a connector (broken or not) joins it to the ground or to such a body. What falls, and what lies on others or on
----model:ground, has weight at nodes alone: there inertia bends a member as little as weight does. So has a member with
----a broken element, and in dynamics one whose weight is beyond its plastic limit load between clamped ends,
+---weight acts along the members of bodies that are carried: a support holds one of the body's nodes in a direction in
+---which gravity acts, or a connector (broken or not) joins it to the ground or to such a body. What falls, and what
+---lies on others or on model:ground, has weight at nodes alone: there inertia bends a member as little as weight does.
+---So has a member with a broken element, and in dynamics one whose weight is beyond its plastic limit load between
+---clamped ends,
 ---16 M_p / L^2
 ---@field weight? "members"|"nodes"
 ---linear (default): the paper's consistent mass of linear shape functions (after eq 15). cubic: the mass of a pair of

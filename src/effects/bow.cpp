@@ -187,9 +187,9 @@ private:
     Eigen::Vector2d limited(int first, Eigen::Vector2d m, const std::vector<Vec6>& force,
                             const std::vector<beam::FixedEnd>& all) const {
         constexpr double part = 0.5;  // 0.43 at 0.9 of the load at which a pinned pair buckles
-        const Vec6 node = force[first] + all[first].at(1);
+        const Vec6 before = force[first] + all[first].at(1), after = force[first + 1] + all[first + 1].at(-1);
         for (int plane : {0, 1}) {
-            const double most = part * std::abs(node[2 * plane + 1]);
+            const double most = part * 0.5 * std::abs(before[2 * plane + 1] - after[2 * plane]);
             m[plane] = std::clamp(m[plane], -most, most);
         }
         return m;

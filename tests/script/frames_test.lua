@@ -93,7 +93,8 @@ case("VTK reads a frame before anything breaks and at the end, with every array"
     cell = { "f_y", "group", "state", "member", "element", "width [m]", "N [N]", "Mx 1 [N m]", "Mx 2 [N m]",
     "My 1 [N m]",
       "My 2 [N m]", "Mz [N m]", "hinge rotation 1 [rad]", "hinge rotation 2 [rad]", "N0 [N]", "Mx0 [N m]", "My0 [N m]",
-      "Mz0 [N m]", "Qx 1 [N]", "Qx 2 [N]", "Qy 1 [N]", "Qy 2 [N]", "P L2/EIx", "P L2/EIy", "hinges", "touched", "section", "up [1/127]" },
+      "Mz0 [N m]", "Qx 1 [N]", "Qx 2 [N]", "Qy 1 [N]", "Qy 2 [N]", "P L2/EIx", "P L2/EIy", "hinges",
+      "touched", "section", "up [1/127]" },
   }
   for _, frame in ipairs { first, last } do
     local count = 0

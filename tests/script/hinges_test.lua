@@ -139,7 +139,7 @@ local function struck(from, duration)
   model:mass { node = tip, mass = 50 }
   if from then return model end
   model:velocity(tip, { 20, 3, 0 })
-  return model:dynamic { dt = 1e-4, duration = duration or 0.04, step_control = 0 }, model
+  return model:dynamic { dt = 1e-4, duration = duration or 0.04 }, model
 end
 case("the time of first yield holds over checkpoints and chains of runs", function()
   local run = struck()
@@ -179,12 +179,13 @@ case("the time of first yield holds over checkpoints and chains of runs", functi
   local short, model = struck(nil, 0.02)
   short:finish()
   local before = short:hinges()[1]
-  local on = model:dynamic { from = short, dt = 1e-4, duration = 0.02, step_control = 0 }:finish()
+  local on = model:dynamic { from = short, dt = 1e-4, duration = 0.02 }:finish()
   local after = on:hinges()[1]
   equal(after.first_yield, before.first_yield, "from another run: first yield")
   equal(after.before, true, "from another run: before it")
   expect(after.work > before.work, "from another run: work %g after %g", after.work, before.work)
-  near(after.work, list[1].work, 1e-6 * after.work, "from another run: as in one")
+  -- the default control looks at other steps in a run that is half as long
+  near(after.work, list[1].work, 2e-3 * after.work, "from another run: as in one")
 end)
 
 -- Limits --------------------------------------------------------------------------------------------------------------

@@ -62,6 +62,7 @@ async function on_a_wide_screen(b, report, picture) {
     + " slider.scrollIntoView({ block: 'center' }); const r = slider.getBoundingClientRect();"
     + " return [r.left, r.top + r.height / 2, r.width]; })()");
   await b.click(range[0] + 0.6 * range[2], range[1]);
+  await b.value("window.scrollTo(0, 0)");
   const share = await b.value("(hinge_report.player.time - hinge_report.player.begin) / (hinge_report.player.end"
     + " - hinge_report.player.begin)");
   expect(Math.abs(share - 0.6) < 0.05, `a click at 60 % of the slider leads to ${share}`);
