@@ -33,6 +33,12 @@ double bow_peak(double p, double first, double middle, double second, std::span<
     };
     const double in_middle = middle - of_points(0), at_second = second - of_points(1),
                  A = (in_middle - 0.5 * (first + at_second)) / (1 - cosine(1)), B = 0.5 * (at_second - first) / sine(1);
+    // Where the slope is zero nowhere between the ends there is nothing to look for: most pairs of a frame that sways.
+    if (points.empty()) {
+        const bool inside = p > 0 ? u > 1.57 || std::abs(B) < std::abs(A) * std::tan(u) * (1 + 1e-9)
+                                  : std::abs(B) < std::abs(A) * std::tanh(u) * (1 + 1e-9);
+        if (!inside) return 0;
+    }
     const auto moment = [&](double x) { return in_middle + A * (cosine(x) - 1) + B * sine(x) + of_points(x); };
     // An extreme value close to that of an end is the end's: the hinge there is as near.
     double largest = middle;

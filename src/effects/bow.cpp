@@ -174,8 +174,9 @@ private:
         if (!w_.kind.dynamic) return now;
         const Block& b = blocks_[block];
         const std::size_t pair = std::size_t(block * lane_count + lane) / 2;
+        const std::vector<double>& list = kept().list;
         for (int plane : {0, 1}) {
-            const double before = kept().list[2 * pair + plane], by = b.omega[plane][lane] * w_.assembly.step();
+            const double before = list[2 * pair + plane], by = b.omega[plane][lane] * w_.assembly.step();
             now[plane] = before + (now[plane] - before) * by / (1 + by);
             if (!(std::abs(now[plane]) > b.nothing[plane][lane])) now[plane] = 0;
         }
