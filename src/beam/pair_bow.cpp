@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace hinge::beam {
 
@@ -21,6 +22,11 @@ double bow_of_force(double p, double x) {
 }
 
 double bow_peak(double p, double first, double middle, double second, std::span<const BowPoint> points) {
+    if (points.empty() && p < 1) {
+        // Without a zero of the slope between the ends: |B| >= |A| tan u or |A| tanh u, with cos u >= 1 - p/2.
+        const double even = std::abs(0.5 * (first + second) - middle), odd = 0.5 * std::abs(second - first);
+        if (odd >= even * (1 + 1 / (1 - 0.5 * std::max(p, 0.0)))) return 0;
+    }
     constexpr int pieces = 64;  // the parabola through a piece is 1e-4 higher than its ends
     const double u = std::sqrt(std::abs(p));
     const auto sine = [&](double x) { return p > 0 ? std::sin(u * x) : std::sinh(u * x); };
@@ -33,12 +39,6 @@ double bow_peak(double p, double first, double middle, double second, std::span<
     };
     const double in_middle = middle - of_points(0), at_second = second - of_points(1),
                  A = (in_middle - 0.5 * (first + at_second)) / (1 - cosine(1)), B = 0.5 * (at_second - first) / sine(1);
-    // Where the slope is zero nowhere between the ends there is nothing to look for: most pairs of a frame that sways.
-    if (points.empty()) {
-        const bool inside = p > 0 ? u > 1.57 || std::abs(B) < std::abs(A) * std::tan(u) * (1 + 1e-9)
-                                  : std::abs(B) < std::abs(A) * std::tanh(u) * (1 + 1e-9);
-        if (!inside) return 0;
-    }
     const auto moment = [&](double x) { return in_middle + A * (cosine(x) - 1) + B * sine(x) + of_points(x); };
     // An extreme value close to that of an end is the end's: the hinge there is as near.
     double largest = middle;
@@ -46,6 +46,19 @@ double bow_peak(double p, double first, double middle, double second, std::span<
     const auto compare = [&](double M) {
         if (M * middle > 0 && std::abs(M) > std::abs(largest) && std::abs(M) > least) largest = M;
     };
+    if (points.empty()) {
+        // A cos + B sin has the amplitude R, at the angle atan(B / A); A cosh + B sinh sqrt(A^2 - B^2) at -atanh(B /
+        // A).
+        if (p > 0) {
+            const double R = std::hypot(A, B), angle = std::atan2(B, A),
+                         opposite = angle - std::copysign(std::numbers::pi, angle);
+            if (std::abs(angle) < u) compare(in_middle - A + R);
+            if (std::abs(opposite) < u) compare(in_middle - A - R);
+        } else if (std::abs(B) < std::abs(A) * std::tanh(u)) {
+            compare(in_middle - A + std::copysign(std::sqrt(A * A - B * B), A));
+        }
+        return largest - middle;
+    }
     double before = std::abs(first), here = std::abs(moment(2.0 / pieces - 1));
     for (int i = 1; i < pieces; ++i) {
         const double next = std::abs(i + 1 == pieces ? second : moment(2.0 * (i + 1) / pieces - 1));

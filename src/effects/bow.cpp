@@ -6,6 +6,7 @@
 // in the middle, and forms when the largest moment of the span reaches the plastic one.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "beam/pair_bow.h"
@@ -48,6 +49,12 @@ public:
                 b.omega[plane][i % lane_count] = k * k * std::sqrt(EI[plane] / e.rigidity.rhoA);
                 b.nothing[plane][i % lane_count] = 1e-9 * EI[plane] / e.length;
             }
+            b.point[i % lane_count] = -e.s;
+            if (!e.law) continue;
+            const beam::YieldSurface& y = e.law->screen();
+            const double weights[4] = {y.x, y.y, y.n, y.z};
+            for (int j = 0; j < 4; ++j) b.yield[j][i % lane_count] = weights[j];
+            b.from[i % lane_count] = e.law->moves_surface() ? -1 : near;
         }
     }
 
@@ -58,8 +65,7 @@ public:
             return std::any_of(list.begin(), list.end(), [](double m) { return m != 0; });
         }
         for (std::size_t block = 0; block < blocks_.size() && !any_added_; ++block)
-            any_added_ =
-                has_kept(int(block)) || counts(blocks_[block], compression(int(block), w_.force_of_fixed_ends()));
+            any_added_ = has_kept(int(block)) || counts(int(block), w_.force_of_fixed_ends());
         return any_added_;
     }
     void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
@@ -70,11 +76,13 @@ public:
             return;
         }
         const std::vector<Vec6>& force = w_.force_of_fixed_ends();
+        const bool all_of_them = !w_.kind.dynamic || host_.breaks_by_strain();
         w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
             for (int block = first; block < end; ++block) {
-                const Lanes P = compression(block, force);
                 for (int i = 0; i < lane_count / 2; ++i) added_[std::size_t(block * lane_count / 2 + i)].setZero();
-                if (has_kept(block) || counts(blocks_[block], P)) add_to_block(block, P, force, at, factor, all);
+                if (!(has_kept(block) || counts(block, force))) continue;
+                const Forces of(*this, block, force, all);
+                if (all_of_them || of.any_near(blocks_[block])) add_to_block(block, of, force, at, factor, all);
             }
         });
     }
@@ -106,11 +114,44 @@ public:
     }
 
 private:
+    static constexpr double near = 0.25;  ///< of f_y in the middle: half of the plastic moment
+
     /// Eight elements, which are four pairs.
     struct Block {
         Lanes flexible[2] = {};  ///< l^2/EI in the two planes, 1/N; 0 where it is in no pair
         Lanes omega[2] = {};     ///< of the first bending vibration of the pair between pins, rad/s
         Lanes nothing[2] = {};   ///< a moment that is taken as none, N m
+        Lanes point = {};        ///< the elements' integration points, -1 to 1
+        Lanes yield[4] = {};     ///< of the law's screen for Mx, My, N, Mz; 0 without a law
+        /// f_y of the middle section below which a section cannot flow in dynamics, where the bow adds at most half
+        /// of the moment. Infinite without a law, below 0 where the surface moves.
+        Lanes from = spread(std::numeric_limits<double>::infinity(), Lanes{});
+    };
+    /// What the forces of a block's elements are.
+    struct Forces {
+        Forces(const Bow& bow, int block, const std::vector<Vec6>& force, const std::vector<beam::FixedEnd>& all) {
+            const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
+            transpose_rows<6>(force[from].data(), count, p);
+            Lanes fixed[lane_count];
+            transpose_rows<8>(all[from].moment, count, fixed);
+            P = bow.compression(from, count, p[4]);
+            for (int plane : {0, 1})
+                middle[plane] =
+                    even_and_odd(p[2 * plane + 1] + fixed[2 * plane + 1], -(p[2 * plane] + fixed[2 * plane]));
+            const Lanes N = p[4] + even_and_odd(fixed[5], fixed[4]), Mz = p[5] + even_and_odd(fixed[7], fixed[6]);
+            const Lanes(&y)[4] = bow.blocks_[block].yield;
+            f = y[0] * middle[0] * middle[0] + y[1] * middle[1] * middle[1] + y[2] * N * N + y[3] * Mz * Mz;
+            for (int i = 0; !bow.w_.trial.heat.empty() && i < count; ++i) {
+                const double strength = bow.w_.trial.heat[std::size_t(from + i)].strength;
+                f[i] /= strength * strength;
+            }
+        }
+        bool any_near(const Block& b) const { return any_true(~(f <= b.from)); }
+
+        Lanes p[lane_count];
+        Lanes P;          ///< compression of the pairs over what heat leaves of E, N; 0 where one is broken
+        Lanes middle[2];  ///< moments in the middle of the pair about x and about y, N m
+        Lanes f;          ///< f_y there
     };
     const BowMoments& kept() const { return *w_.state.data.find<BowMoments>("bow"); }
     static int first_of(int element) { return element & ~1; }
@@ -120,48 +161,66 @@ private:
     }
     bool whole(int first) const { return !w_.state.broken[first] && !w_.state.broken[first + 1]; }
 
-    /// Compression of the pairs of a block over what heat leaves of E, N; 0 where one is broken.
-    Lanes compression(int block, const std::vector<Vec6>& force) const {
-        Lanes P = {};
-        const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
-        for (int i = 0; i + 1 < count; i += 2) {
-            if (!whole(from + i)) continue;
-            const double N = 0.5 * (force[from + i][4] + force[from + i + 1][4]);
-            P[i] = P[i + 1] = -N / heat_of(w_.trial.heat, from + i).stiffness;
+    /// From the axial forces of elements.
+    Lanes compression(int from, int count, const Lanes& N) const {
+        Lanes P = -0.5 * (N + neighbours(N));
+        for (int i = 0; i < lane_count; i += 2) {
+            if (!(i + 1 < count && whole(from + i))) P[i] = P[i + 1] = 0;
+            else if (!w_.trial.heat.empty()) P[i] = P[i + 1] = P[i] / w_.trial.heat[std::size_t(from + i)].stiffness;
         }
         return P;
     }
-    static bool counts(const Block& b, const Lanes& P) {
-        for (const Lanes& flexible : b.flexible) {
+    double compression(int first, const std::vector<Vec6>& force) const {
+        return whole(first) ? -0.5 * (force[first][4] + force[first + 1][4]) / heat_of(w_.trial.heat, first).stiffness
+                            : 0;
+    }
+    bool counts(int block, const std::vector<Vec6>& force) const {
+        const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
+        Lanes N = {};
+        for (int i = 0; i < count; ++i) N[i] = force[from + i][4];
+        const Lanes P = compression(from, count, N);
+        for (const Lanes& flexible : blocks_[block].flexible) {
             const Lanes p = flexible * P;
             if (any_above(p < 0 ? -p : p, counts_from)) return true;
         }
         return false;
     }
 
-    void add_to_block(int block, const Lanes& P, const std::vector<Vec6>& force, const ConfigurationView& at,
+    void add_to_block(int block, const Forces& of, const std::vector<Vec6>& force, const ConfigurationView& at,
                       double factor, std::vector<beam::FixedEnd>& all) const {
+        const Block& b = blocks_[block];
         const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
-        Lanes more[2] = {};
+        Lanes p[2], more[2];
         for (int plane : {0, 1}) {
-            const Lanes p = blocks_[block].flexible[plane] * P;
-            if (!any_above(p < 0 ? -p : p, counts_from)) continue;
-            Lanes G = {};
-            for (int i = 0; i < count; ++i) G[i] = 0.5 * moment_at_point(from + i, plane, force);
-            more[plane] = (G + neighbours(G)) * beam::bow_of_moment<Lanes>(counted(p));
+            p[plane] = b.flexible[plane] * of.P;
+            more[plane] = bow_of_block(b, of, plane, p[plane]);
         }
         for (int i = 0; i + 1 < count; i += 2) {
-            Eigen::Vector2d m(more[0][i], more[1][i]);
-            const double most = std::max(blocks_[block].flexible[0][i], blocks_[block].flexible[1][i]) * P[i];
-            if (most > beam::bow_by_moments) m = middle_moment(from + i, force, place());
-            if (w_.kind.dynamic) m = limited(from + i, m, force, all);
-            for (int k : {0, 1}) add_to(from + i + k, m, all[from + i + k]);
-            const Eigen::Vector2d p(blocks_[block].flexible[0][i] * P[i], blocks_[block].flexible[1][i] * P[i]),
-                now = m + beyond_middle(from + i, p, force, at, factor, all);
-            Eigen::Vector2d& added = added_[std::size_t((from + i) / 2)];
-            added = whole(from + i) ? followed(block, i, now) : Eigen::Vector2d(0, 0);
-            for (int k : {0, 1}) add_to(from + i + k, added - m, all[from + i + k]);
+            if (!(std::max(p[0][i], p[1][i]) > beam::bow_by_moments)) continue;
+            const Eigen::Vector2d m = middle_moment(from + i, force, place());
+            for (int plane : {0, 1}) more[plane][i] = more[plane][i + 1] = m[plane];
         }
+        if (w_.kind.dynamic)
+            for (int plane : {0, 1}) more[plane] = limited(more[plane], of.middle[plane]);
+        for (int i = 0; i + 1 < count; i += 2) {
+            if (!(of.f[i] > near && of.f[i + 1] > near)) continue;
+            const Eigen::Vector2d m(more[0][i], more[1][i]);
+            const Eigen::Vector2d peak = beyond_middle(from + i, {p[0][i], p[1][i]}, m, force, at, factor, all);
+            for (int plane : {0, 1}) more[plane][i] = more[plane][i + 1] = m[plane] + peak[plane];
+        }
+        if (w_.kind.dynamic)
+            for (int plane : {0, 1}) more[plane] = followed(block, plane, more[plane]);
+        for (int i = 0; i + 1 < count; i += 2) {
+            Eigen::Vector2d& added = added_[std::size_t((from + i) / 2)];
+            if (!whole(from + i)) continue;
+            added = {more[0][i], more[1][i]};
+            for (int k : {0, 1}) add_to(from + i + k, added, all[from + i + k]);
+        }
+    }
+    static Lanes bow_of_block(const Block& b, const Forces& of, int plane, const Lanes& p) {
+        if (!any_above(p < 0 ? -p : p, counts_from)) return Lanes{};
+        const Lanes G = 0.5 * ((b.point - 1) / 2 * of.p[2 * plane] + (b.point + 1) / 2 * of.p[2 * plane + 1]);
+        return (G + neighbours(G)) * beam::bow_of_moment<Lanes>(counted(p));
     }
 
     bool has_kept(int block) const {
@@ -171,50 +230,38 @@ private:
     }
     /// In dynamics a bow follows an axial force no faster than the pair bends: the waves along a bar that yields would
     /// otherwise make it flow to and fro in each step.
-    Eigen::Vector2d followed(int block, int lane, Eigen::Vector2d now) const {
-        if (!w_.kind.dynamic) return now;
+    Lanes followed(int block, int plane, const Lanes& now) const {
         const Block& b = blocks_[block];
-        const std::size_t pair = std::size_t(block * lane_count + lane) / 2;
-        const std::vector<double>& list = kept().list;
-        for (int plane : {0, 1}) {
-            const double before = list[2 * pair + plane], by = b.omega[plane][lane] * w_.assembly.step();
-            now[plane] = before + (now[plane] - before) * by / (1 + by);
-            if (!(std::abs(now[plane]) > b.nothing[plane][lane])) now[plane] = 0;
-        }
-        return now;
+        const double* list = &kept().list[std::size_t(block * lane_count)];
+        Lanes before;
+        for (int i = 0; i < lane_count; ++i) before[i] = list[i / 2 * 2 + plane];
+        const Lanes by = b.omega[plane] * w_.assembly.step(), m = before + (now - before) * by / (1 + by);
+        return (m < 0 ? -m : m) > b.nothing[plane] ? m : Lanes{};
     }
 
     /// In dynamics the moment follows the step before. Where it were larger than that of the elements, flow in a step
     /// would be more than undone in the next: compression beyond Euler's load of a pinned pair.
-    Eigen::Vector2d limited(int first, Eigen::Vector2d m, const std::vector<Vec6>& force,
-                            const std::vector<beam::FixedEnd>& all) const {
+    static Lanes limited(const Lanes& m, const Lanes& in_middle) {
         constexpr double part = 0.5;  // 0.43 at 0.9, 0.50 at 0.99 of a pinned pair
-        const Vec6 before = force[first] + all[first].at(1), after = force[first + 1] + all[first + 1].at(-1);
-        for (int plane : {0, 1}) {
-            const double most = part * 0.5 * std::abs(before[2 * plane + 1] - after[2 * plane]);
-            m[plane] = std::clamp(m[plane], -most, most);
-        }
-        return m;
+        const Lanes sum = part * 0.5 * (in_middle + neighbours(in_middle)), most = sum < 0 ? -sum : sum,
+                    below = m > most ? most : m;
+        return below < -most ? -most : below;
     }
 
-    /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where that comes
-    /// near to the plastic one.
-    Eigen::Vector2d beyond_middle(int first, const Eigen::Vector2d& p, const std::vector<Vec6>& force,
-                                  const ConfigurationView& at, double factor,
+    /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where both sides
+    /// of the middle come near to the plastic one. `m`: the bow's part there.
+    Eigen::Vector2d beyond_middle(int first, const Eigen::Vector2d& p, const Eigen::Vector2d& m,
+                                  const std::vector<Vec6>& force, const ConfigurationView& at, double factor,
                                   const std::vector<beam::FixedEnd>& all) const {
-        constexpr double near = 0.25;  // of f_y in the middle: half of the plastic moment
         Eigen::Vector2d peak = Eigen::Vector2d::Zero();
-        const beam::SectionLaw* law = w_.structure.elements()[first].law;
-        if (!law) return peak;
-        const beam::YieldSurface w = law->screen();
+        if (!w_.structure.elements()[first].law) return peak;
         const Vec6 before = force[first] + all[first].at(1), after = force[first + 1] + all[first + 1].at(-1),
                    begin = force[first] + all[first].at(-1), end = force[first + 1] + all[first + 1].at(1);
-        if (!(beam::yield_function(before, 1, w) > near && beam::yield_function(after, -1, w) > near)) return peak;
         for (int plane : {0, 1}) {
             if (!(std::abs(p[plane]) > counts_in_full)) continue;
             peak[plane] = beam::bow_peak(std::min(p[plane], beam::pair_most), -begin[2 * plane],
-                                         0.5 * (before[2 * plane + 1] - after[2 * plane]), end[2 * plane + 1],
-                                         host_.points_on_pair(first, plane, at, factor));
+                                         0.5 * (before[2 * plane + 1] - after[2 * plane]) + m[plane],
+                                         end[2 * plane + 1], host_.points_on_pair(first, plane, at, factor));
         }
         return peak;
     }
@@ -231,10 +278,10 @@ private:
         const auto& elements = w_.structure.elements();
         if (first + 1 >= int(elements.size()) || elements[first].partner != first + 1 || !whole(first)) return m;
         const Block& b = blocks_[first / lane_count];
-        const Lanes P = compression(first / lane_count, force);
+        const double P = compression(first, force);
         const int lane = first % lane_count;
         for (int plane : {0, 1}) {
-            const double p = counted(b.flexible[plane][lane] * P[lane]);
+            const double p = counted(b.flexible[plane][lane] * P);
             if (p == 0 || !std::isfinite(p)) continue;
             if (p <= beam::bow_by_moments) {
                 const double G =

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "beam/pair_bow.h"
 #include "effects/joined_bodies.h"
 #include "state/hinges.h"
 #include "state/node_mass.h"
@@ -120,7 +121,8 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         block.most_pairs = std::max(i == 0 ? 0 : block.most_pairs, block.pairs[i]);
         block.flexible[0][i] = a.length * a.length / a.rigidity.EIx;
         block.flexible[1][i] = a.length * a.length / a.rigidity.EIy;
-        block.a_pair[i] = a.rigidity.rhoA * a.length * a.length / 3 / std::max(1, block.pairs[i]);
+        block.of_pair[i] = a.rigidity.rhoA * a.length * a.length;
+        block.a_pair[i] = block.of_pair[i] / 3 / std::max(1, block.pairs[i]);
     }
     axes_.assign(s.p_delta() ? blocks_.size() : 0, {});
     for (int i = 0; i < int(s.elements().size()); ++i)
@@ -161,27 +163,53 @@ Vec3 MemberWeights::middle_by_N(const Structure& s, const Vec3& local, const std
     return m;
 }
 
-bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat,
-                              Lanes (&of)[2]) const {
-    of[0] = of[1] = Lanes{};
+Lanes MemberWeights::force_of_pairs(const Block& b, int k, const std::vector<Vec6>& force, const ElementHeats& heat) {
+    Lanes N = {};
+    for (int i = 0; i < lane_count; ++i) {
+        if (k >= b.pairs[i]) continue;
+        const Vec6* p = &force[b.first[i] + 2 * k];
+        N[i] = 0.5 * (p[0][4] + p[1][4]) / heat_of(heat, b.first[i] + 2 * k).stiffness;
+    }
+    return N - N == 0 ? N : Lanes{};  // a step that has failed
+}
+
+/// Calls visit(k, plane, p) for the k-th pairs of its members where any is pressed or drawn enough to count.
+template <class Visit>
+bool MemberWeights::visit_pressed(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat,
+                                  Visit visit) const {
     bool any = false;
     for (int k = 0; k < b.most_pairs && !force.empty(); ++k) {
-        Lanes N = {};
-        for (int i = 0; i < lane_count; ++i) {
-            if (k >= b.pairs[i]) continue;
-            const Vec6* p = &force[b.first[i] + 2 * k];
-            N[i] = 0.5 * (p[0][4] + p[1][4]) / heat_of(heat, b.first[i] + 2 * k).stiffness;
-        }
-        N = N - N == 0 ? N : Lanes{};  // a step that has failed
+        const Lanes N = force_of_pairs(b, k, force, heat);
         for (int plane : {0, 1}) {
             const Lanes p = -b.flexible[plane] * N;
             if (!any_above(p < 0 ? -p : p, counts_from)) continue;
             any = true;
-            of[plane] += b.a_pair * (1 / beam::stability_functions(counted(p)).A - 1);
+            visit(k, plane, counted(p));
         }
     }
-    of[0] = -of[0];
     return any;
+}
+
+Lanes MemberWeights::end_by_N(const Block& b, int plane, const Lanes& p) {
+    const Lanes m = b.a_pair * (1 / beam::stability_functions(p).A - 1);
+    return plane == 0 ? -m : m;
+}
+
+void MemberWeights::add_middle(const Block& b, int k, int plane, const Lanes& p, const Lanes& across,
+                               std::vector<beam::FixedEnd>& all) {
+    const Lanes m = b.of_pair * (beam::bow_functions(p).share - 0.5) * across;
+    for (int i = 0; i < b.count; ++i) {
+        if (k >= b.pairs[i]) continue;
+        beam::FixedEnd* pair = &all[b.first[i] + 2 * k];
+        pair[0].moment[2 * plane + 1] += m[i];
+        pair[1].moment[2 * plane] -= m[i];
+    }
+}
+
+bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat,
+                              Lanes (&of)[2]) const {
+    of[0] = of[1] = Lanes{};
+    return visit_pressed(b, force, heat, [&](int, int plane, const Lanes& p) { of[plane] += end_by_N(b, plane, p); });
 }
 
 void MemberWeights::find_moments(const Structure& s, const Vec3& g, const ConfigurationView& at,
@@ -269,28 +297,27 @@ void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const V
             const Lanes components[lane_count] = {local[1], local[1], local[0], local[0], local[2], local[2], {}, {}};
             Lanes of[lane_count], more[lane_count];  // each member's own, in the places of FixedEnd
             transpose(components, of);
-            const bool pressed = find_by_N(b, force, at.heat, by_N);
-            if (pressed) {
-                const Lanes mx = by_N[0] * local[1], my = by_N[1] * local[0];
-                const Lanes parts[lane_count] = {-mx, mx, -my, my};
-                transpose(parts, more);
-            }
             for (int i = 0; i < b.count; ++i) {
-                const MemberEnds& ends = ends_[b.member[i]];
                 const Kind& kind = kinds_[kind_[b.member[i]]];
                 const LanesAnywhere* by_gravity = reinterpret_cast<const LanesAnywhere*>(kind.by_gravity.data());
-                LanesAnywhere* to = reinterpret_cast<LanesAnywhere*>(&all[ends.first]);
-                for (int k = 0; k < ends.count; ++k) {
-                    Lanes part = by_gravity[k] * of[i];
-                    if (pressed) part += more[i];
+                LanesAnywhere* to = reinterpret_cast<LanesAnywhere*>(&all[b.first[i]]);
+                for (std::size_t k = 0; k < kind.by_gravity.size(); ++k) {
+                    const Lanes part = by_gravity[k] * of[i];
                     to[k] = anew ? part : to[k] + part;
                 }
-                if (!pressed) continue;
-                const Vec3 g_here(local[0][i], local[1][i], local[2][i]);
-                for (int k = 0; k + 1 < ends.count; k += 2) {
-                    const Vec3 middle = middle_by_N(s, g_here, force, at.heat, ends.first + k);
-                    for (int side : {0, 1}) all[ends.first + k + 1 - side].add(side, middle.x(), middle.y(), 0, 0);
-                }
+            }
+            by_N[0] = by_N[1] = Lanes{};
+            const bool pressed = visit_pressed(b, force, at.heat, [&](int k, int plane, const Lanes& p) {
+                by_N[plane] += end_by_N(b, plane, p);
+                add_middle(b, k, plane, p, plane == 0 ? local[1] : -local[0], all);
+            });
+            if (!pressed) continue;
+            const Lanes mx = by_N[0] * local[1], my = by_N[1] * local[0];
+            const Lanes parts[lane_count] = {-mx, mx, -my, my};
+            transpose(parts, more);
+            for (int i = 0; i < b.count; ++i) {
+                LanesAnywhere* to = reinterpret_cast<LanesAnywhere*>(&all[b.first[i]]);
+                for (int k = 0; k < ends_[b.member[i]].count; ++k) to[k] += more[i];
             }
         }
     });

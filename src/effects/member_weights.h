@@ -61,6 +61,7 @@ private:
         int first[lane_count], pairs[lane_count], most_pairs;  ///< elements; pairs of each, and the most of them
         Lanes flexible[2];                                     ///< l^2/EI in the two planes, l: one element, 1/N
         Lanes a_pair;                                          ///< rho A l^2 / 3, divided by the number of pairs, kg m
+        Lanes of_pair;                                         ///< rho A l^2, kg m
     };
     /// The axes x, y, z of a block's members in space.
     struct Axes {
@@ -71,6 +72,15 @@ private:
     /// As by MemberEnds::axes and to the same bits.
     void find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
+    /// N of the k-th pair of its members over what heat leaves of E, N; 0 where a member has none.
+    static Lanes force_of_pairs(const Block& b, int k, const std::vector<Vec6>& force, const ElementHeats& heat);
+    template <class Visit>
+    bool visit_pressed(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat, Visit visit) const;
+    /// A pair's part of moment_by_N by gravity of 1 m/s^2 across its member, from p of PressedPair, kg m.
+    static Lanes end_by_N(const Block& b, int plane, const Lanes& p);
+    /// middle_by_N of its members' k-th pairs. `across`: gravity across them, with the moment's sign, m/s^2.
+    static void add_middle(const Block& b, int k, int plane, const Lanes& p, const Lanes& across,
+                           std::vector<beam::FixedEnd>& all);
     /// moment_by_N of its members, in two planes, by gravity of 1 m/s^2 across each. False: they are all zero.
     bool find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat, Lanes (&of)[2]) const;
     /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
