@@ -190,9 +190,7 @@ void Dynamics::restart() {
     begin_step();
 }
 
-std::string Dynamics::failure_of_elements() const {
-    return assembly_.failure(!breaks_by_strain());
-}
+std::string Dynamics::failure_of_elements() const { return assembly_.failure(!breaks_by_strain()); }
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {
