@@ -2,7 +2,7 @@
 --
 -- Run     hinge run scripts/studies/impact_elements.lua     (12 runs of 6000 steps: five minutes on two cores)
 --         hinge run scripts/studies/impact_elements.lua end=0.01 elements=2,4
---         hinge run scripts/studies/impact_elements.lua contact=surface rotation=0.3,inf   (inf: nothing breaks)
+--         hinge run scripts/studies/impact_elements.lua contact=surface rotation=0.3,inf (inf: nothing breaks)
 -- Shows   the table of lua/guide/impact.md: kinetic energy lost, plastic work and columns cut at the end, with 2, 4, 8
 --         elements a member, by the paper's rule of contact ("gap") and by contact of surfaces
 -- Expect  with curvature 0.04 1/m (the paper's rule) half of the plastic work with twice the elements: the rotation
