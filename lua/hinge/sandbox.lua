@@ -56,6 +56,46 @@ local function environment(require)
   return guarded(env, _G, "")
 end
 
+-- A copy of a module for the script: what it writes there changes nothing for the library itself. Tables inside are
+-- copies too, and so is what a module reads only when it is asked for.
+local function copy_for_script(original, copies)
+  if type(original) ~= "table" then return original end
+  if copies[original] then return copies[original] end
+  local copy, meta = {}, debug.getmetatable(original)
+  copies[original] = copy
+  for key, value in next, original do copy[key] = copy_for_script(value, copies) end
+  if not meta then return copy end
+  return setmetatable(copy, {
+    __metatable = false,
+    __index = function(_, key)
+      local value = copy_for_script(original[key], copies)
+      if value ~= nil then copy[key] = value end
+      return value
+    end,
+    __call = meta.__call and function(_, ...) return meta.__call(original, ...) end,
+  })
+end
+
+-- The script sees the metatables that it has set itself, and no other: those of the library's lists and results have
+-- the library's functions.
+local function metatables(env)
+  local own = setmetatable({}, { __mode = "k" })
+  function env.setmetatable(t, meta)
+    local done, why = pcall(setmetatable, t, meta)
+    if not done then error(why, 2) end
+    if meta then own[meta] = true end
+    return t
+  end
+  function env.getmetatable(t)
+    local meta = getmetatable(t)
+    if meta == nil or own[meta] then return meta end
+    return false
+  end
+end
+
+-- What starts processes and writes folders of its own.
+local starts_processes = { "benchmark", "cost", "study" }
+
 local sandbox = {}
 
 --- The globals for one script. From here on the state is the sandbox's: methods of strings are copies too.
@@ -72,13 +112,23 @@ function sandbox.environment()
     return loaded[name]
   end
   inner = environment(load_own) -- the library's own, with the core in reach
-  return environment(function(name)
+  local copies = {}
+  local env = environment(function(name)
     for _, own in ipairs(own_modules) do
-      if name == own then return load_own(name) end
+      if name == own then return copy_for_script(load_own(name), copies) end
     end
     check.fail("require: module %s is not available to a script in the sandbox; there are %s", check.show(name),
       table.concat(own_modules, ", "))
   end)
+  metatables(env)
+  local module = copy_for_script(load_own "hinge", copies)
+  for _, name in ipairs(starts_processes) do
+    module[name] = function()
+      check.fail("hinge.%s is not available to a script in the sandbox: it starts processes and writes folders of its "
+        .. "own; run it without --sandbox", name)
+    end
+  end
+  return env
 end
 
 return sandbox

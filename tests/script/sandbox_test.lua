@@ -117,6 +117,7 @@ case("every way out of the sandbox is closed", function()
       ("hinge: %s: %s is not available to a script in the sandbox\n"):format(place, name))
   end
 
+  local series = "{ series = { { x = { 1, 2 }, y = { 1, 2 } } } }"
   local ways = { -- script -> status, message
     { "require 'hinge.core'", 2,
       "s.lua:1: require: module 'hinge.core' is not available to a script in the sandbox; there are hinge, ..." },
@@ -143,7 +144,23 @@ case("every way out of the sandbox is closed", function()
     { "return require 'hinge'.scenario { run = function(_, job) job:plot('/tmp', 'x.svg') end }", 2,
       "s.lua:1: job:plot: what is '/tmp'; must be a plot or a run: a script in the sandbox reads no files" },
     { "require 'hinge.check'.fail = function() end; require 'hinge'.plot('/tmp', 'x.svg')", 2,
-      "io.open is not available" },
+      "what is '/tmp'; must be a plot or a run: a script in the sandbox reads no files" },
+    -- what it has of the library is a copy, at any depth and however it is read
+    { "require 'hinge.check'.value = function() end; require 'hinge'.plot(" .. series .. ", {})", 2,
+      "s.lua:1: hinge.plot: field 'filename' is a table; must be a string" },
+    { "for _, f in pairs(require 'hinge.models.ten_storey'.designs) do f.storey_height = 'x' end "
+      .. "require 'hinge.models.ten_storey'.add(require 'hinge'.model {}, { bays = { 1, 1 }, storeys = 1 })", 0, "" },
+    { "local h = require 'hinge' getmetatable(h).__index = nil", 2, "s.lua:1: attempt to index a boolean value" },
+    -- names of files are texts without line breaks, whatever stands for them
+    { "return require 'hinge'.scenario { run = function(_, job) job.out = setmetatable({}, { __concat = function(a) "
+      .. "return setmetatable({ match = function() return 'png' end }, getmetatable(a)) end }) "
+      .. "job:plot(" .. series .. ", 'x.png') end }", 2, "the picture's name is no text" },
+    { "return require 'hinge'.scenario { run = function(_, job) job.out = job.out .. '/a\\nb'; job:plot(" .. series
+      .. ", 'x.png') end }", 2, "goes on with the character number 10; it must not have line breaks" },
+    { "require 'hinge'.cost(nil, { out = './elsewhere' })", 2,
+      "hinge.cost is not available to a script in the sandbox: it starts processes" },
+    { "require 'hinge'.study(nil, { out = './elsewhere' })", 2,
+      "hinge.study is not available to a script in the sandbox" },
     { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '/tmp/x.png') end }", 2,
       "filename is '/tmp/x.png'; must be a plain name" },
     { "return require 'hinge'.scenario { run = function(_, job) job.out = '..'; job:plot({ series = {} }, 'x.png') "

@@ -14,6 +14,9 @@ local function quote(text)
   return "'" .. text:gsub("'", "''") .. "'"
 end
 
+-- The name of a file beside NAME.gp. gnuplot starts a program for a name that begins with < or |.
+local function quote_file(name) return quote(name:find "^[%w_]" and name or "./" .. name) end
+
 local function hex(colour) return ("rgb '#%06x'"):format(colour) end
 
 -- The font of titles. In an SVG the reader's browser chooses it, and gnuplot 5 makes none bold there.
@@ -33,14 +36,15 @@ function Writer:terminal(plot)
 end
 
 function Writer:head(plot, stem, kind)
-  self:out("# Draws %s.%s from %s.dat:  gnuplot %s.gp", stem, kind, stem, stem)
+  local plain = stem:gsub("[%c'\\]", " ")
+  self:out("# Draws %s.%s from %s.dat:  gnuplot %s.gp", plain, kind, plain, plain)
   self:out("# For a paper, in place of the next two lines, for example:")
-  self:out("#   set terminal pdfcairo size 9cm,6cm fontscale 1 font 'Times,8'; set output '%s.pdf'", stem)
+  self:out("#   set terminal pdfcairo size 9cm,6cm fontscale 1 font 'Times,8'; set output '%s.pdf'", plain)
   self:terminal(plot)
-  self:out("set output %s", quote(stem .. "." .. kind))
+  self:out("set output %s", quote_file(stem .. "." .. kind))
   self:out "set encoding utf8"
   self:out "set minussign"
-  self:out("data = %s", quote(stem .. ".dat"))
+  self:out("data = %s", quote_file(stem .. ".dat"))
 end
 
 -- What all panels have in common.

@@ -6,6 +6,7 @@ local read = require "hinge.plot.read"
 
 --- plot: as job:plot takes it; path: ends in .png, .svg or .pdf; where: who is named in messages.
 return function(given, path, where)
+  if type(path) ~= "string" then core.input_error(where .. " the picture's name is no text") end
   local plot = read.plot(where, given)
   local any, log = false, false
   for _, panel in ipairs(plot.panels) do

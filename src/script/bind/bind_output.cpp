@@ -16,9 +16,13 @@
 namespace hinge::script {
 
 /// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder,
-/// whatever links are there.
+/// whatever links are there. Names go into other files and to other programs: none has a line break in it.
 void prepare_folder(const Context& c, const std::string& file) {
     namespace fs = std::filesystem;
+    if (const auto at = std::find_if(file.begin(), file.end(), [](unsigned char c) { return c < ' ' || c == 127; });
+        at != file.end())
+        throw InputError("the file name '" + std::string(file.begin(), at) + "...' goes on with the character number " +
+                         std::to_string(int(*at)) + "; it must not have line breaks or other control characters");
     const fs::path folder = fs::path(file).parent_path();
     if (c.mode.sandbox) {
         const fs::path own = fs::weakly_canonical(fs::absolute(c.output.folder)),

@@ -59,7 +59,7 @@ std::string text_of(int file) {
 void run_gnuplot(const std::string& folder, const std::string& file) {
     const int messages = ::memfd_create("gnuplot-messages", MFD_CLOEXEC);
     if (messages < 0) throw OutsideError("gnuplot was not started: no memory for its messages");
-    std::string words[] = {"gnuplot", "-d", file};
+    std::string words[] = {"gnuplot", "-d", "./" + file};  // a name that begins with - is no option
     char* const argv[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
     pid_t pid = 0;
     int status = 0, problem = 0;
