@@ -63,6 +63,38 @@ case("what is not read stands in the last line, too", function()
   expect(printed:find("without the 3 things above that were not read", 1, true), "the last line: %s", printed)
 end)
 
+-- The first line of a script is a comment with the name of the file, which a line break would end.
+case("the name of a file writes nothing into the script", function()
+  local name = "a\nos.execute('touch HACKED') --.tcl"
+  support.write(folder .. "/" .. name, support.read(samples .. "frame.tcl"))
+  local status, _, complaint = run("export --units kN,m,t --out named.lua " .. support.quote(name))
+  equal(status, 0, complaint)
+  status, _, complaint = run "run -q named.lua"
+  equal(status, 0, complaint)
+  expect(not support.is_there(folder .. "/HACKED"), "the name of the file ran as a program")
+end)
+
+-- Long lines are broken after a comma, but not inside a text; and a word of Lua is no plain field.
+case("names with commas, quotes and words of Lua come back as they were", function()
+  local names = { ("c, "):rep(60), ('"], { os.exit(7), "'):rep(8), "]] --[[ \\", "while", "\r, \r" }
+  for i, name in ipairs(names) do
+    local script = ([[
+local hinge = require "hinge"
+local name = %q
+local frame = { nodes = { { name = "a", x = 0, y = 0, z = 0, fix = "all" }, { name = name, x = 0, y = 0, z = 3 } },
+  materials = { { name = name, E = 2e11, G = 8e10, density = 7850 } },
+  sections = { { name = name, area = 0.01, Ix = 1e-5, Iy = 1e-5, J = 1e-5 } },
+  members = { { name = name, a = "a", b = name, section = name, material = name } } }
+hinge.import.write(frame, "names%d.lua")
+]]):format(name, i):gsub("\\\n", "\\n")
+    support.write(folder .. "/write.lua", script)
+    local status, _, complaint = run "run -q write.lua --out ."
+    equal(status, 0, name .. ": " .. complaint)
+    local chunk, problem = loadfile(("%s/names%d.lua"):format(folder, i))
+    expect(chunk, "%s: %s", name, problem)
+  end
+end)
+
 case("a wrong call is told in one line, and a file of somebody else stays", function()
   support.write(folder .. "/mine.lua", "-- my own script\n")
   for arguments, words in pairs {

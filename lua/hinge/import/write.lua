@@ -23,7 +23,10 @@ local function quoted(text) return (("%q"):format(text):gsub("\\\n", "\\n")) end
 
 local literal
 
-local function is_name(key) return type(key) == "string" and key:find "^[%a_][%w_]*$" and key ~= "end" end
+local keywords = {}
+for word in ("and break do else elseif end false for function goto if in local nil not or repeat return then true "
+  .. "until while"):gmatch "%S+" do keywords[word] = true end
+local function is_name(key) return type(key) == "string" and key:find "^[%a_][%w_]*$" and not keywords[key] end
 
 -- A table on one line: lists first, then the fields in order.
 local function table_text(value)
@@ -44,11 +47,23 @@ function literal(value)
   return tostring(value)
 end
 
+-- The last place after ", " within the widest line, but none inside a text in quotes.
+local function last_break(text)
+  local at, i, inside = nil, 1, false
+  while i <= widest do
+    local c = text:sub(i, i)
+    if inside and c == "\\" then i = i + 1
+    elseif c == '"' then inside = not inside
+    elseif not inside and text:sub(i, i + 1) == ", " and i + 1 <= widest then at = i + 2 end
+    i = i + 1
+  end
+  return at
+end
+
 -- A line that is broken at blanks after commas where it is too long.
 local function add_line(lines, text, indent)
   while #text > widest do
-    local at
-    for stop in text:sub(1, widest):gmatch ", ()" do at = stop end
+    local at = last_break(text)
     if not at or at <= #indent + 1 then break end
     lines[#lines + 1] = text:sub(1, at - 2)
     text = indent .. "  " .. text:sub(at)
@@ -224,7 +239,8 @@ return function(frame, file, options, ...)
     check.fail("%s: the file is '%s'; its name must end in .lua", where, file)
   end
   local full = in_full(where, frame, options)
-  local source = frame.source and " of " .. tostring(frame.source):match "[^/]*$" or ""
+  -- in a comment, which a line break would end
+  local source = frame.source and " of " .. tostring(frame.source):match "[^/]*$":gsub("%c", " ") or ""
   local lines = { ("-- The frame%s, %s Units are SI: m, kg, s, N, Pa, rad."):format(source, mark),
     'local hinge = require "hinge"\n', ("local model = hinge.model %s\n"):format(
       next(full.options) and literal(full.options) or "{}") }
