@@ -2760,14 +2760,18 @@ function model:diaphragm(options) end
 function model:move(options) end
 
 ---Makes the structure crooked, without stress: it changes the declared places of nodes, and calls add up. Declare
----nodes and members first: it does not see later ones. No run goes on from one that was made before it. Give one of
----three. sway: the frame is out of plumb, each node by sway times its height above `base`, along `direction`. bow:
----members are bowed by half a sine wave, `bow` times their length in the middle, along the section's axis x or y. They
----need eight elements or more; the growth of the moment under compression is then 5 % too small, with sixteen 1.3 %:
----(pi / n)^2 / 3 with n elements, since the two elements of a pair are in line. mode: the shape of a mode of run:modes
----or run:buckling of this model, its largest displacement `largest`; members that bend in it need eight elements. sway
----and bow take numbers, or those of EN 1993-1-1:2005 5.3.2: phi of (5.5) for the height from `base` to the highest
----node and for `columns` in a row; e0 / L of table 5.1 for a buckling curve.
+---nodes, members, joints and supports first: it does not see later ones. No run goes on from one that was made before
+---it. Give one of three. sway: the frame is out of plumb, each node by sway times its height above `base`, along
+---`direction`. bow: columns are bowed by half a sine wave, `bow` times their length in the middle, along the section's
+---axis x or y. Members in line are one column up to a node that is held across the bow: by another member, a support,
+---a link; or to a joint that is free about the axis of bending. By default columns in line bow to opposite sides (sign
+---= "mode"), as they do where they buckle between such nodes: storeys that bow to the same side hold each other, and
+---carry up to half as much again. Columns need eight elements or more; the growth of the moment under compression is
+---then 5 % too small, with sixteen 1.3 %: (pi / n)^2 / 3 with n elements, since the two elements of a pair are in
+---line. mode: the shape of a mode of run:modes or run:buckling of this model, its largest displacement `largest`;
+---members that bend in it need eight elements. sway and bow take numbers, or those of EN 1993-1-1:2005 5.3.2: phi of
+---(5.5) for the height from `base` to the highest node and for `columns` in a row; e0 / L of table 5.1 for a buckling
+---curve.
 ---```lua
 ---local tower = hinge.model {}
 ---local foot, head = tower:node { 0, 0, 0 }, tower:node { 0, 0, 6 }
@@ -2787,6 +2791,10 @@ function model:imperfection(options) end
 ---part of the member's length, between -0.1 and 0.1; curve: "a0", "a", "b", "c", "d"; analysis: default "plastic"
 ---@field bow? number|{ curve: string, analysis?: "plastic"|"elastic" }
 ---@field axis? "x"|"y" of the bow; default "x"
+---"mode" (default): columns in line bow to opposite sides, the lowest one of a line along the axis of its lowest
+---member; "same": all bow along the axis of their sections. How columns beside each other bow is not in it: each line
+---begins along its axis; for another pattern give the shape of a buckling mode
+---@field sign? "mode"|"same"
 ---@field member? hinge.member of the bow; default: all members, or those of `group`
 ---@field group? hinge.group_like
 ---@field mode? hinge.mode

@@ -142,6 +142,94 @@ case("the shape of a mode: its largest displacement is as given, and the column 
   expect((b:displacement(pushed)) * b.x > 0, "under load it leans farther")
 end)
 
+-- The limit load over N0 of a pinned HEB 200 of 5 m, bowed by curve c, of so many members in line.
+local function in_line(parts, options)
+  local heb = hinge.section.named "HEB 200"
+  local hard = hinge.material { E = E, nu = 0.3, density = 7850, yield_stress = 355e6 }
+  local model, nodes, to = hinge.model {}, {}, options.along or { 0, 0, 5 }
+  for i = 0, parts do nodes[i] = model:node { to[1] * i / parts, to[2] * i / parts, to[3] * i / parts } end
+  for _, i in ipairs(options.order or { 1, 2, 3 }) do
+    if i <= parts then
+      local a, b = nodes[i - 1], nodes[i]
+      if options.reversed == i then a, b = b, a end
+      model:member { a, b, section = heb, material = hard, elements = 24 // parts, up = options.up }
+    end
+  end
+  local r = { "rx", "ry", "rz" } -- no twist
+  model:fix(nodes[0], "x,y,z," .. (to[3] > 0 and r[3] or to[1] > 0 and r[1] or r[2]))
+  model:fix(nodes[parts], to[3] > 0 and "x,y" or to[1] > 0 and "y,z" or "x,z")
+  local N0 = -heb.area * 355e6 / 5
+  model:load { node = nodes[parts], force = { N0 * to[1], N0 * to[2], N0 * to[3] } }
+  if options.sway then model:imperfection { sway = 1 / 1000 } end
+  model:imperfection { bow = { curve = "c" }, axis = "x" }
+  return model:static({ steps = 20, to_limit = true }):finish().factor
+end
+
+case("members in line are one column, in any order and direction", function()
+  local one = in_line(1, {})
+  -- curve c of EN 1993-1-1: 0.392
+  near(one, 0.392, 0.02 * 0.392, "one member, over N0")
+  for parts = 2, 3 do
+    for _, options in ipairs { {}, { order = { 3, 1, 2 } }, { reversed = 2 }, { along = { 5, 0, 0 }, up = { 0, 1, 0 } },
+      { along = { 0, 5, 0 } } } do
+      -- the same nodes; a member that is reversed turns its pairs round
+      near(in_line(parts, options), one, 1e-3 * one, parts .. " members, over N0")
+    end
+  end
+  near(in_line(2, { sway = true }), in_line(1, { sway = true }), 1e-3 * one, "out of plumb, over N0")
+end)
+
+case("a second bow of members in line follows the straight column, not the first bow", function()
+  local model = hinge.model {}
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 2 }, model:node { 0, 0, 5 } }
+  for i = 1, 2 do model:member { n[i], n[i + 1], section = pipe, material = steel, elements = 8, up = { 0, 1, 0 } } end
+  model:imperfection { bow = 1 / 50, axis = "x" }
+  model:imperfection { bow = 1 / 100, axis = "y" }
+  near(math.abs(n[2].x), 5 / 50 * math.sin(0.4 * math.pi), 1e-12, "along x, m")
+  near(math.abs(n[2].y), 5 / 100 * math.sin(0.4 * math.pi), 1e-12, "along y, m")
+end)
+
+-- A column of storeys of 4 m, held at the floors, of an HEB 160 about its weak axis; the limit load over N0.
+local function storeys(count, options)
+  local heb = hinge.section.named "HEB 160"
+  local hard = hinge.material { E = E, nu = 0.3, density = 7850, yield_stress = 355e6 }
+  local model, nodes = hinge.model {}, {}
+  for i = 0, count do nodes[i] = model:node { 0, 0, 4 * i } end
+  for k = 1, count do
+    local i = options.downwards and count + 1 - k or k
+    local a, b = nodes[i - 1], nodes[i]
+    if options.reversed == i then a, b = b, a end
+    model:member { a, b, section = heb, material = hard, elements = 8, up = { 0, 1, 0 }, group = "columns",
+      release = options.pinned and i == 2 and { a = "My" } or nil }
+  end
+  model:fix(nodes[0], "xyz rz")
+  for i = 1, count do model:fix(nodes[i], i < count and options.beams and "y" or "x,y") end
+  if options.beams then -- the floors are held by members
+    for i = 1, count - 1 do
+      local far = model:node { 6, 0, 4 * i }
+      model:fix(far)
+      model:member { nodes[i], far, section = pipe, material = steel, release = { a = { "Mx", "My" } } }
+    end
+  end
+  model:load { node = nodes[count], force = { 0, 0, -heb.area * 355e6 } }
+  model:imperfection { bow = { curve = "c" }, axis = "x", sign = options.sign,
+    group = "columns" }
+  return model:static({ steps = 20, to_limit = true }):finish().factor
+end
+
+case("storeys bow to opposite sides, as they buckle: the load of one storey", function()
+  -- curve c at a slenderness of 1.29: 0.392
+  local one = storeys(1, {})
+  near(one, 0.392, 0.02 * 0.392, "one storey, over N0")
+  for count = 2, 3 do
+    for _, options in ipairs { {}, { downwards = true }, { reversed = 2 }, { beams = true } } do
+      near(storeys(count, options), one, 0.005 * one, count .. " storeys, over N0")
+    end
+  end
+  near(storeys(2, { pinned = true }), one, 0.005 * one, "a joint that is free at the floor, over N0")
+  expect(storeys(2, { sign = "same" }) > 1.4 * one, "to the same side they hold each other")
+end)
+
 case("imperfections add up", function()
   local model, _, _, head = column(2)
   model:imperfection { sway = 1 / 100 }
@@ -190,6 +278,8 @@ case("what does not fit is refused, and changes nothing", function()
   refused(model, { bow = 0.5 }, "part of the member's length")
   refused(model, { bow = { curve = "e" } }, "'e'")
   refused(model, { bow = { analysis = "plastic" } }, "'curve' is missing")
+  refused(model, { bow = 0.01, sign = "both" }, "'both'")
+  refused(model, { sway = 0.01, sign = "same" }, "field 'sign' is given beside sway; belongs to 'bow'")
   refused(one, { bow = 0.01 }, "needs 8 elements or more in each member")
   local auto = hinge.model { elements_per_member = "auto" }
   auto:member { auto:node { 0, 0, 0 }, auto:node { 1, 0, 0 }, section = pipe, material = steel }

@@ -2,9 +2,11 @@
 // declared places of nodes, without stress.
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/text.h"
 #include "model/structure.h"
+#include "script/bind/bow_columns.h"
 #include "script/bind/mode_box.h"
 
 namespace hinge::script {
@@ -21,6 +23,12 @@ Options standard_of(lua_State* L, const char* field, const char* fields) {
     return Options(L, -1, std::string(call) + ": field '" + field + "', which takes " + fields);
 }
 
+void displace(ScriptModel& m, int node, const Vec3& by) {
+    m.displace(node, by);
+    if (m.crooked.size() <= std::size_t(node)) m.crooked.resize(std::size_t(node) + 1, Vec3::Zero());
+    m.crooked[std::size_t(node)] += by;
+}
+
 /// The lowest and the highest node, m.
 std::pair<double, double> heights(const Model& m) {
     double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -35,7 +43,7 @@ double sway_of_standard(Options& o, double height) {
     return of_height * std::sqrt(0.5 * (1 + 1.0 / columns)) / 200;
 }
 
-void add_sway(Options& o, Model& m) {
+void add_sway(Options& o, ScriptModel& m) {
     lua_State* L = o.L();
     if (m.nodes().empty()) throw InputError(std::string(call) + ": the model has no nodes yet; declare them first");
     const auto [low, high] = heights(m);
@@ -59,7 +67,7 @@ void add_sway(Options& o, Model& m) {
         o.complain("direction", "{" + show(to.x()) + ", " + show(to.y()) + ", " + show(to.z()) + "}",
                    "must be horizontal, such as { 1, 0, 0 }: the heights are along z");
     for (std::size_t n = 0; n < m.nodes().size(); ++n)
-        m.displace(int(n), sway * (m.nodes()[n].position.z() - base) * to.normalized());
+        displace(m, int(n), sway * (m.nodes()[n].position.z() - base) * to.normalized());
 }
 
 /// e0 / L of EN 1993-1-1:2005, table 5.1.
@@ -71,6 +79,47 @@ double bow_of_standard(Options& o) {
         throw InputError(o.function() + ": field 'curve' is missing; must be 'a0', 'a', 'b', 'c' or 'd'");
     const auto row = std::find(curves.begin(), curves.end(), curve) - curves.begin();
     return 1 / (o.word("analysis", {"plastic", "elastic"}, "plastic") == "plastic" ? plastic : elastic)[row];
+}
+
+void must_have_elements(const Options& o, const Model& m, const BowedColumn& column, double bow) {
+    int elements = 0;
+    for (const ColumnPart& part : column.parts) {
+        const MemberData& member = m.members()[std::size_t(part.member)];
+        elements += member.elements_by == ElementsBy::undecided ? -10000 : member.elements;
+    }
+    if (elements >= fewest) return;
+    const std::size_t count = column.parts.size();
+    o.complain("bow", show(bow),
+               "needs " + std::to_string(fewest) + " elements or more in each " +
+                   (count > 1 ? "column, which members in line make up" : "member") +
+                   ", given with the field 'elements'; member " + std::to_string(column.parts[0].member + 1) +
+                   (count > 1 ? " and " + std::to_string(count - 1) + " in line with it have " : " has ") +
+                   (elements < 0 ? "'auto'" : std::to_string(elements)));
+}
+
+/// Half a sine wave with `bow` times a column's length in its middle; across a member where it is now, out of plumb.
+void bend(ScriptModel& m, const BowedColumn& column, double bow, int axis) {
+    if (column.parts.size() == 1) {
+        const int only = column.parts[0].member;
+        const MemberData& member = m.members()[std::size_t(only)];
+        const Vec3 span = m.nodes()[std::size_t(member.node[1])].position -
+                          m.nodes()[std::size_t(member.node[0])].position,
+                   along = axes_of(member, span) * Vec3::Unit(axis);
+        return m.add_bow(only, std::copysign(bow, bow * along.dot(column.direction)) * span.norm() * along);
+    }
+    const Vec3 most = bow * column.length * column.direction;
+    const auto wave = [](double at) { return std::sin(std::numbers::pi * at); };
+    for (const ColumnPart& part : column.parts) {
+        const MemberData& member = m.members()[std::size_t(part.member)];
+        std::vector<Vec3> inner;
+        for (int k = 1; k < member.elements; ++k) {
+            const double t = double(k) / member.elements, at = part.begin + t * (part.end - part.begin);
+            inner.push_back((wave(at) - (1 - t) * wave(part.begin) - t * wave(part.end)) * most);
+        }
+        if (!inner.empty()) m.add_offsets(part.member, inner);
+        const int far = part.end > part.begin ? 1 : 0;  // each node once
+        if (const double at = std::max(part.begin, part.end); at < 1) displace(m, member.node[far], wave(at) * most);
+    }
 }
 
 void add_bow(Options& o, ScriptModel& m) {
@@ -95,22 +144,16 @@ void add_bow(Options& o, ScriptModel& m) {
         if (one >= 0 ? i == one : group < 0 || std::find(in.begin(), in.end(), group) != in.end()) chosen.push_back(i);
     }
     if (chosen.empty()) throw InputError(std::string(call) + ": there is no such member yet; declare members first");
-    for (const int i : chosen)
-        if (const MemberData& member = m.members()[i];
-            member.elements < fewest || member.elements_by == ElementsBy::undecided)
-            o.complain("bow", show(bow),
-                       "needs " + std::to_string(fewest) +
-                           " elements or more in each member, given with the field 'elements'; member " +
-                           std::to_string(i + 1) + " has " +
-                           (member.elements_by == ElementsBy::undecided ? "'auto'" : std::to_string(member.elements)));
-    for (const int i : chosen) {
-        const MemberData& member = m.members()[i];
-        const Vec3 span = m.nodes()[member.node[1]].position - m.nodes()[member.node[0]].position;
-        m.add_bow(i, bow * span.norm() * (axes_of(member, span) * Vec3::Unit(axis)));
-    }
+    std::vector<Vec3> straight;
+    for (std::size_t n = 0; n < m.nodes().size(); ++n)
+        straight.push_back(m.nodes()[n].position - (n < m.crooked.size() ? m.crooked[n] : Vec3(Vec3::Zero())));
+    const bool opposite = o.word("sign", {"mode", "same"}, "mode") == "mode";
+    const std::vector<BowedColumn> columns = bowed_columns(m, chosen, axis, opposite, straight);
+    for (const BowedColumn& column : columns) must_have_elements(o, m, column, bow);
+    for (const BowedColumn& column : columns) bend(m, column, bow, axis);
 }
 
-void add_mode(Options& o, Model& m) {
+void add_mode(Options& o, ScriptModel& m) {
     lua_State* L = o.L();
     o.push_field("mode");
     const ModeBox* mode = find<ModeBox>(L, -1);
@@ -150,7 +193,7 @@ void add_mode(Options& o, Model& m) {
     }
     for (std::size_t i = 0; i < inside.size(); ++i)
         if (!inside[i].empty()) m.add_offsets(int(i), inside[i]);
-    for (std::size_t n = 0; n < nodes; ++n) m.displace(int(n), moved(n));
+    for (std::size_t n = 0; n < nodes; ++n) displace(m, int(n), moved(n));
 }
 
 }  // namespace
@@ -159,7 +202,7 @@ void add_mode(Options& o, Model& m) {
 int add_imperfection(lua_State* L) {
     auto& m = self<ModelBox>(L, call).value;
     Options o(L, 2, call);
-    o.expect({"sway", "direction", "base", "bow", "axis", "member", "group", "mode", "largest"});
+    o.expect({"sway", "direction", "base", "bow", "axis", "sign", "member", "group", "mode", "largest"});
     const char* const kinds[] = {"sway", "bow", "mode"};
     const char* kind = nullptr;
     for (const char* each : kinds) {
@@ -170,8 +213,9 @@ int add_imperfection(lua_State* L) {
         kind = each;
     }
     if (!kind) throw InputError(std::string(call) + ": none of 'sway', 'bow' and 'mode' is given; give one");
-    const std::pair<const char*, const char*> of[] = {{"direction", "sway"}, {"base", "sway"}, {"axis", "bow"},
-                                                      {"member", "bow"},     {"group", "bow"}, {"largest", "mode"}};
+    const std::pair<const char*, const char*> of[] = {{"direction", "sway"}, {"base", "sway"},  {"axis", "bow"},
+                                                      {"sign", "bow"},       {"member", "bow"}, {"group", "bow"},
+                                                      {"largest", "mode"}};
     for (const auto& [field, belongs_to] : of)
         if (o.has(field) && std::string_view(kind) != belongs_to)
             o.complain(field, std::string("given beside ") + kind, std::string("belongs to '") + belongs_to + "'");

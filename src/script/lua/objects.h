@@ -112,6 +112,7 @@ struct ScriptModel : Model {
     std::string closed_at;  ///< the script's line that closed it, "" while it is open
     std::vector<std::weak_ptr<struct RunRecord>> runs;
     std::optional<int> gravity_case;  ///< that gravity belongs to, -1 for none
+    std::vector<Vec3> crooked;        ///< by what imperfections have moved the first nodes, m
 };
 struct ModelBox {
     static constexpr const char* lua_name = "hinge.model";
