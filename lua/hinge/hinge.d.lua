@@ -3871,21 +3871,29 @@ function run:read(quantity, group) end
 
 ---The natural modes of small vibrations about the state of the run, the lowest first: unloaded, under its loads, or
 ---damaged. Members are elastic, also where they have yielded; what is broken is left out; connectors, joints, masses,
----rigid links and diaphragms count. Axial forces change the stiffness as in the run. Bodies that nothing holds have
----modes of frequency 0.
+---rigid links and diaphragms count. Joints that have yielded have the stiffness with which they unload, the elastic
+---one; joints = "slide": those at their strength (to a millionth of it) have none, as long as the motion turns them
+---further. Axial forces change the stiffness as in the run. Bodies that nothing holds have modes of frequency 0.
+---Moments, and loads that turn with their member, make the stiffness unsymmetric; where that changes the square of a
+---frequency by a thousandth, it counts. It is an error if there are then more than 900 degrees of freedom, and if a
+---mode flutters: its vibrations grow, which no real frequency says. It is an error if a frequency is lost in rounding,
+---beside parts that are some 1e14 times as stiff.
 ---```lua
 ---for _, mode in ipairs(run:modes { n = 3 }) do print(mode.frequency, mode.period, mode.share.z) end
 ---```
----@param options? { n?: integer } how many, default 6
+---@param options? { n?: integer, joints?: "unload"|"slide" } how many, default 6
 ---@return hinge.mode[]
 function run:modes(options) end
 
----Load factors at which the structure buckles, the lowest first: the factor on the internal forces of the run, in the
----structure's declared place. Run a static run under the loads first, or under a part of them; the factor times its
----loads is Euler's load of the whole. What bends before it buckles has a limit load that is lower: the factor is an
----upper bound, which statics with an imperfection shows. The second result is the factor at which a pair of elements
----would buckle between clamped ends, which its two elements do not show: more elements a member show it; nil: there is
----none. It needs displacement = "large".
+---Load factors at which the structure buckles, the lowest first, in the structure's declared place. Run a static run
+---under the loads first, or under a part of them; the factor times its loads is Euler's load of the whole. The
+---internal forces at the end of the run are multiplied; where it has come to another load factor than 1, the result is
+---times that factor, so that it is on the declared loads. A run that has failed, or ended at its limit load, gives a
+---warning. A run that began with the loads of another one (`from`) has its factors on the internal forces. What bends
+---before it buckles has a limit load that is lower: the factor is an upper bound, which statics with an imperfection
+---shows. Joints that have yielded have the stiffness with which they unload, or with joints = "slide" none, as in
+---run:modes. The second result is the factor at which a pair of elements would buckle between clamped ends, which its
+---two elements do not show: more elements a member show it; nil: there is none. It needs displacement = "large".
 ---```lua
 ---local column = model:node { 1, 0, 2 }
 ---model:member { tip, column, section = square, material = steel }
@@ -3893,7 +3901,8 @@ function run:modes(options) end
 ---local modes = model:static():finish():buckling { n = 2 }
 ---print(modes[1].factor)
 ---```
----@param options? { n?: integer, most?: number } how many, default 1; factors above `most` are not looked for
+---how many, default 1; factors above `most` are not looked for
+---@param options? { n?: integer, most?: number, joints?: "unload"|"slide" }
 ---@return hinge.mode[] modes, number? hidden
 function run:buckling(options) end
 

@@ -1,6 +1,7 @@
 // Blocks of one node or of two that effects add to the left side of eq 15.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "core/types.h"
@@ -30,12 +31,16 @@ struct ElementPart {
     Mat6 bridge;
 };
 
+/// Stiffness of a joint that has reached its strength: what its curve has at the rotation, which rounding decides where
+/// a step ends (the tangent of a step, renewed as it is iterated); that of unloading, elastic; or that of going on.
+enum class Yielded : std::uint8_t { at_rotation, unloads, goes_on };
+
 /// Blocks of effects in the left side, (1 - alpha) M + gamma dt C + beta dt^2 K in dynamics, K in statics.
 class Blocks {
 public:
     /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves. Without stiffness: damping alone.
-    explicit Blocks(double of_damping = 0, bool with_stiffness = true)
-        : of_damping_(of_damping), with_stiffness_(with_stiffness) {}
+    explicit Blocks(double of_damping = 0, bool with_stiffness = true, Yielded as = Yielded::at_rotation)
+        : yielded(as), of_damping_(of_damping), with_stiffness_(with_stiffness) {}
     /// Adds d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], or of one to ground; N/m, N, N m.
     void stiffness(int a, int b, const Mat12& K) {
         if (with_stiffness_) pairs.push_back({a, b, K});
@@ -61,6 +66,7 @@ public:
     };
     std::vector<Coupling> pairs;
     std::vector<Node> nodes;
+    Yielded yielded;
 
 private:
     double of_damping_;

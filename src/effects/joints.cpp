@@ -37,6 +37,10 @@ constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
 /// Stiffness of a joint that slides, as a part of its elastic one: in the tangent alone.
 constexpr double of_sliding = 1e-9;
 
+/// Part of its strength from which on a joint counts as sliding where it is asked how it goes on (Yielded::goes_on):
+/// the residual of an equilibrium, and what it turns back by in dynamics from step to step.
+constexpr double at_strength = 1 - 1e-6;
+
 const char* const axis_names[] = {"Mx", "My", "Mz"};
 
 class Joints : public Effect,
@@ -95,7 +99,7 @@ public:
             const RelativeRotation r = turn(i, at);
             const Evaluated e = evaluate(i, r.rotation);
             // a joint that slides leaves a mechanism: without any stiffness what solves for it would divide by rounding
-            Vec3 slope = e.slope.cwiseMax(of_sliding * made_[i].stiffness);
+            Vec3 slope = slope_of(i, r.rotation, e, blocks.yielded).cwiseMax(of_sliding * made_[i].stiffness);
             Viscous v;
             if (made_[i].damping > 0) v = viscous(i, r, e, false), slope += v.by_rotation;
             add(i, r, slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks,
@@ -324,6 +328,23 @@ private:
             e.stored += r.stored, e.dissipated += r.dissipated;
         }
         return e;
+    }
+
+    /// Of each axis, N m/rad, as Blocks asks for those that have yielded.
+    Vec3 slope_of(std::size_t i, const Vec3& rotation, const Evaluated& e, Yielded as) const {
+        if (as == Yielded::at_rotation) return e.slope;
+        const Made& m = made_[i];
+        Vec3 slope = m.stiffness;
+        for (int k = 0; k < 3 && as == Yielded::goes_on; ++k) {
+            if (m.parts[k].empty()) continue;
+            slope[k] = 0;
+            for (std::size_t p = 0; p < m.parts[k].size(); ++p) {
+                const auto& [stiffness, strength] = m.parts[k][p];
+                const double has = std::abs(stiffness * (rotation[k] - e.slid[k][p]));
+                if (has < at_strength * (k < 2 ? list()[i].left : 1) * strength) slope[k] += stiffness;
+            }
+        }
+        return slope;
     }
 
     /// Stiffness of the axes that are damped: a rigid one has no rate of its own.

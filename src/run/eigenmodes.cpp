@@ -43,8 +43,7 @@ Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unk
     return entries;
 }
 
-void add_effects(const Run& run, const FreeUnknowns& unknowns, Triplets& to) {
-    const Blocks blocks = run.added_stiffness();
+void add_effects(const Blocks& blocks, const FreeUnknowns& unknowns, Triplets& to) {
     for (const Coupling& c : blocks.pairs) unknowns.add(to, c.a, c.b, c.K);
     for (const Blocks::Node& n : blocks.nodes) unknowns.add(to, n.node, n.node, n.K);
 }
@@ -57,11 +56,11 @@ void add_offset_masses(const State& state, const FreeUnknowns& unknowns, Triplet
 
 }  // namespace
 
-NaturalModes natural_modes(const Run& run, int count) {
+NaturalModes natural_modes(const Run& run, int count, Yielded yielded) {
     const State& state = run.state();
     const FreeUnknowns unknowns = unknowns_of(run, state);
     Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
-    add_effects(run, unknowns, stiffness);
+    add_effects(run.added_stiffness(yielded), unknowns, stiffness);
     add_offset_masses(state, unknowns, mass);
     const SparseMatrix K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
     const Eigen::VectorXd own = M.diagonal();
@@ -99,12 +98,12 @@ namespace {
 /// The structure in its declared place, with the internal forces of a run times a factor.
 class Loaded {
 public:
-    explicit Loaded(const Run& run)
+    Loaded(const Run& run, Yielded yielded)
         : run_(run),
           state_(initial_state(run.structure())),
           unknowns_(unknowns_of(run, state_)),
           forces_(run.state().force) {
-        add_effects(run, unknowns_, effects_);
+        add_effects(run.added_stiffness(yielded), unknowns_, effects_);
     }
     SparseMatrix at(double factor) {
         scale(factor);
@@ -147,9 +146,9 @@ private:
 
 }  // namespace
 
-BucklingModes buckling_modes(const Run& run, int count, double most) {
+BucklingModes buckling_modes(const Run& run, int count, double most, Yielded yielded) {
     constexpr double accuracy = 1e-7, together = 1e-6;  // of a factor; of those that are one multiple factor
-    Loaded loaded(run);
+    Loaded loaded(run, yielded);
     BucklingModes modes{{}, loaded.hidden()};
     const double end = std::min(most, modes.hidden * (1 - accuracy));
     double below = 0;

@@ -18,10 +18,10 @@ struct NaturalModes {
 };
 
 /// The lowest `count` modes of small vibrations about the state: with the forces that the elements carry, elastic where
-/// they have yielded, without what has broken, with the stiffness, masses and constraints of effects. Bodies that
-/// nothing holds have modes of frequency 0. Fewer where there are fewer degrees of freedom. Throws InputError where
+/// they have yielded, without what has broken, with the stiffness, masses and constraints of effects. `yielded`: what
+/// joints at their strength resist with. Bodies that nothing holds have modes of frequency 0. Fewer where there are fewer degrees of freedom. Throws InputError where
 /// a node that moves has no mass, std::runtime_error where no modes are found.
-NaturalModes natural_modes(const Run& run, int count);
+NaturalModes natural_modes(const Run& run, int count, Yielded yielded = Yielded::unloads);
 
 struct BucklingMode {
     double factor;            ///< on the internal forces of the run
@@ -36,6 +36,6 @@ struct BucklingModes {
     std::vector<BucklingMode> list;
     double hidden;
 };
-BucklingModes buckling_modes(const Run& run, int count, double most);
+BucklingModes buckling_modes(const Run& run, int count, double most, Yielded yielded = Yielded::unloads);
 
 }  // namespace hinge

@@ -78,7 +78,7 @@ Energy Run::energy_of(const State& state) const {
     return balance(accounts_, initial_, sums);
 }
 
-Blocks Run::added_stiffness() const { return added_blocks(*effects_, state_, 0); }
+Blocks Run::added_stiffness(Yielded yielded) const { return added_blocks(*effects_, state_, 0, yielded); }
 
 Blocks Run::added_damping() const {
     Blocks blocks(1, false);

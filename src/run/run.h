@@ -46,8 +46,9 @@ public:
     const Structure& structure() const { return *structure_; }
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return energy_of(state_); }
-    /// What effects add to the stiffness of the elements where the state is.
-    Blocks added_stiffness() const;
+    /// What effects add to the stiffness of the elements where the state is; joints that have yielded with that of
+    /// unloading, so that it does not follow the rounding of a moment that is at its strength.
+    Blocks added_stiffness(Yielded yielded = Yielded::unloads) const;
     /// Damping that effects have there, in blocks of one node or two, N s/m; in dynamics that of point masses, too.
     Blocks added_damping() const;
     /// Constraints between degrees of freedom; null where there are none.

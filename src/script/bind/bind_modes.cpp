@@ -12,6 +12,11 @@ namespace {
 
 int read_count(Options& o) { return o.integer("n", 1, 6); }
 
+/// joints = "unload" or "slide": what those at their strength resist with.
+Yielded read_yielded(Options& o) {
+    return o.word("joints", {"unload", "slide"}, "unload") == "slide" ? Yielded::goes_on : Yielded::unloads;
+}
+
 void push_numbers(lua_State* L, const Vec3& v) {
     lua_createtable(L, 0, 3);
     for (int c = 0; c < 3; ++c) lua_pushnumber(L, v[c]), lua_setfield(L, -2, std::array{"x", "y", "z"}[std::size_t(c)]);
@@ -20,10 +25,12 @@ void push_numbers(lua_State* L, const Vec3& v) {
 int modes(lua_State* L) {
     const auto record = self<RunBox>(L, "run:modes").value;
     Options o(L, 2, "run:modes", true);
-    o.expect({"n"});
+    o.expect({"n", "joints"});
+    const int count = read_count(o);
+    const Yielded yielded = read_yielded(o);
     NaturalModes found;
     try {
-        found = natural_modes(*record->run, read_count(o));
+        found = natural_modes(*record->run, count, yielded);
     } catch (const InputError& e) { throw InputError(std::string("run:modes: ") + e.what()); }
     lua_createtable(L, int(found.list.size()), 0);
     for (std::size_t i = 0; i < found.list.size(); ++i) {
@@ -40,9 +47,10 @@ int modes(lua_State* L) {
 int buckling(lua_State* L) {
     const auto record = self<RunBox>(L, "run:buckling").value;
     Options o(L, 2, "run:buckling", true);
-    o.expect({"n", "most"});
+    o.expect({"n", "most", "joints"});
     const int count = o.integer("n", 1, 1);
     const double most = o.number("most", "", Range::positive, 1e9);
+    const Yielded yielded = read_yielded(o);
     if (record->run->structure().model().options().displacement != Displacement::large)
         throw InputError(
             "run:buckling: the model has displacement = 'small', in which nothing buckles; make it with "
@@ -53,7 +61,7 @@ int buckling(lua_State* L) {
         throw InputError(
             "run:buckling: the members of this run carry nothing; run it first: the factors are on its "
             "internal forces");
-    const BucklingModes found = buckling_modes(*record->run, count, most);
+    const BucklingModes found = buckling_modes(*record->run, count, most, yielded);
     lua_createtable(L, int(found.list.size()), 0);
     for (std::size_t i = 0; i < found.list.size(); ++i) {
         push<ModeBox>(L, ModeBox{record, found.list[i].shape, found.list[i].factor});
