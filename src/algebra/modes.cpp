@@ -6,6 +6,7 @@
 
 #include "algebra/eigenpairs.h"
 #include "algebra/free_unknowns.h"
+#include "algebra/rigid_modes.h"
 #include "beam/tangent.h"
 #include "core/text.h"
 
@@ -14,14 +15,14 @@ namespace {
 
 /// K, M and C of the elements at these nodes and of what effects add, on the degrees of freedom that no support holds.
 struct Matrices {
+    const Structure& structure;
+    FreeUnknowns unknowns;
     bool adds_stiffness;  ///< effects do
     SparseMatrix K, M, C;
     int size() const { return int(K.rows()); }
 
-    Matrices(const Structure& structure, const std::vector<int>& nodes, const AddedToModes& added) {
-        std::vector<std::uint8_t> free(structure.position().size());
-        for (int n : nodes) free[n] = ~structure.fixed()[n] & 63;
-        const FreeUnknowns unknowns(free, added.constraints);
+    Matrices(const Structure& s, const std::vector<int>& nodes, const AddedToModes& added)
+        : structure(s), unknowns(free_at(s, nodes), added.constraints) {
         FreeUnknowns::Triplets stiffness, mass, damping;
         for (int n : nodes)
             for (int index : structure.elements_at(n)) {
@@ -45,6 +46,13 @@ struct Matrices {
         for (const Coupling& c : added.more_damping.pairs) unknowns.add(damping, c.a, c.b, c.K);
         for (const Blocks::Node& n : added.more_damping.nodes) unknowns.add(damping, n.node, n.node, n.K);
         K = unknowns.reduced(stiffness), M = unknowns.reduced(mass), C = unknowns.reduced(damping);
+    }
+
+private:
+    static std::vector<std::uint8_t> free_at(const Structure& s, const std::vector<int>& nodes) {
+        std::vector<std::uint8_t> free(s.position().size());
+        for (int n : nodes) free[n] = ~s.fixed()[n] & 63;
+        return free;
     }
 };
 
@@ -112,11 +120,16 @@ std::vector<DampedMode> modes(const Matrices& of, int rigid, int count, bool wit
     const int wanted = std::min(rigid + count, of.size());
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
-    const Eigenpairs found = lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, with_damping);
+    Eigenpairs found =
+        lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, with_damping || of.adds_stiffness);
     const std::vector<double>& values = found.values;
     int first = rigid;
-    if (of.adds_stiffness)
-        for (first = 0; first < wanted && values[first] < 1e-11; ++first) {}
+    if (of.adds_stiffness) {
+        tell_rigid_modes(of.K / k, of.M / m, 1e-9, found, [&](const Eigen::VectorXd& x) {
+            return strained_member(of.structure, initial_state(of.structure), of.unknowns.at_nodes(x));
+        });
+        for (first = 0; first < wanted && values[first] <= 0; ++first) {}
+    }
     std::vector<DampedMode> list;
     for (int i = first; i < wanted && i < first + count; ++i) {
         DampedMode mode{std::sqrt(std::max(0.0, values[i] * k / m)), 0};

@@ -7,6 +7,7 @@
 #include "algebra/effective_stiffness.h"
 #include "algebra/eigenpairs.h"
 #include "algebra/free_unknowns.h"
+#include "algebra/rigid_modes.h"
 #include "core/errors.h"
 #include "run/constraints.h"
 #include "run/pressed_pairs.h"
@@ -25,21 +26,31 @@ FreeUnknowns unknowns_of(const Run& run, const State& state, bool supports = fal
     return {free, run.constraints() ? run.constraints()->list_at(run.state()) : std::vector<LinearConstraint>()};
 }
 
-/// m M + k K of the elements, in a state.
-Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unknowns, double m, double k) {
+/// Adds m M + k K of the elements, in a state: add(a, b, block) with 12 x 12 of both nodes, add_between(a, b, block)
+/// with 6 x 6 that joins the outer ends of a pair.
+template <class Add, class AddBetween>
+void for_each_part(const Run& run, const State& state, double m, double k, MatrixStorage storage, Add add,
+                   AddBetween add_between) {
     ThreadPool alone(1);
     const Structure& s = run.structure();
-    const EffectiveStiffness matrix(s, alone, m, k, true, MatrixStorage::direct);
+    const EffectiveStiffness matrix(s, alone, m, k, true, storage);
     const Configuration pose = configuration_of(state);
-    Triplets entries;
     for (std::size_t i = 0; i < s.elements().size(); ++i) {
         if (state.broken[i]) continue;
         const Element& e = s.elements()[i];
         const ElementPart part = matrix.part(int(i), state, pose, {});
-        unknowns.add(entries, e.node[0], e.node[1], part.A);
+        add(e.node[0], e.node[1], part.A);
         if (i % 2 == 0 && !part.bridge.isZero(0))
-            unknowns.add_between(entries, e.node[0], s.elements()[std::size_t(e.partner)].node[1], part.bridge);
+            add_between(e.node[0], s.elements()[std::size_t(e.partner)].node[1], part.bridge);
     }
+}
+
+/// m M + k K of the elements, in a state.
+Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unknowns, double m, double k) {
+    Triplets entries;
+    for_each_part(
+        run, state, m, k, MatrixStorage::direct, [&](int a, int b, const Mat12& A) { unknowns.add(entries, a, b, A); },
+        [&](int a, int b, const Mat6& bridge) { unknowns.add_between(entries, a, b, bridge); });
     return entries;
 }
 
@@ -54,40 +65,55 @@ void add_offset_masses(const State& state, const FreeUnknowns& unknowns, Triplet
             unknowns.add(to, int(n), int(n), offset_mass_in_space(state.offset_mass[n], state.rotation[n]));
 }
 
+/// K and M of a state on its unknowns, each over its trace.
+struct Vibration {
+    FreeUnknowns unknowns;
+    Blocks blocks;
+    SparseMatrix K, M;
+    double k = 0, m = 0;  ///< the traces
+    double shift = 1e-9;  ///< small: bodies that nothing holds have modes of frequency 0
+
+    Vibration(const Run& run, Yielded yielded)
+        : unknowns(unknowns_of(run, run.state())), blocks(run.added_stiffness(yielded)) {
+        const State& state = run.state();
+        Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
+        add_effects(blocks, unknowns, stiffness);
+        add_offset_masses(state, unknowns, mass);
+        K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
+        const Eigen::VectorXd own = M.diagonal();
+        if (own.size() == 0) return;
+        if (!(own.minCoeff() > 0))
+            throw InputError(
+                "a node that can move has no mass, so that there are no natural modes; give all materials a "
+                "density");
+        k = K.diagonal().cwiseAbs().sum(), m = own.sum();
+        K = K / k, M = M / m;
+        while (negative_pivots(K + shift * M) > 0) shift *= 4;  // an unstable state has negative values, too
+    }
+    int size() const { return int(M.rows()); }
+};
+
 }  // namespace
 
 NaturalModes natural_modes(const Run& run, int count, Yielded yielded) {
     const State& state = run.state();
-    const FreeUnknowns unknowns = unknowns_of(run, state);
-    Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
-    add_effects(run.added_stiffness(yielded), unknowns, stiffness);
-    add_offset_masses(state, unknowns, mass);
-    const SparseMatrix K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
-    const Eigen::VectorXd own = M.diagonal();
-    if (own.size() == 0) return {{}, Vec3::Zero()};
-    if (!(own.minCoeff() > 0))
-        throw InputError(
-            "a node that can move has no mass, so that there are no natural modes; give all materials a "
-            "density");
-    const double k = K.diagonal().cwiseAbs().sum(), m = own.sum();
-    // a small shift: bodies that nothing holds have modes of frequency 0
-    double shift = 1e-9;
-    while (negative_pivots(K / k + shift * M / m) > 0) shift *= 4;  // an unstable state has negative values, too
-    const int wanted = std::min(count, int(own.size()));
-    const Eigenpairs found = lowest_eigenpairs(K / k, M / m, shift, wanted, true);
+    const Vibration v(run, yielded);
+    if (v.size() == 0) return {{}, Vec3::Zero()};
+    Eigenpairs found = lowest_eigenpairs(v.K, v.M, v.shift, std::min(count, v.size()), true);
+    tell_rigid_modes(v.K, v.M, v.shift, found, [&](const Eigen::VectorXd& x) {
+        return strained_member(run.structure(), state, v.unknowns.at_nodes(x));
+    });
     const FreeUnknowns all = unknowns_of(run, state, true);
     Triplets mass_of_all = of_elements(run, state, all, 1, 0);
     add_offset_masses(state, all, mass_of_all);
     const SparseMatrix whole = all.whole(mass_of_all);
     NaturalModes modes;
     for (int axis : {0, 1, 2}) modes.mass[axis] = all.along(axis).dot(whole * all.along(axis));
-    for (int i = 0; i < wanted; ++i) {
-        const Eigen::VectorXd x = found.vectors.col(i) / std::sqrt(m);
-        NaturalMode mode{found.values[std::size_t(i)] * k / m, unknowns.at_nodes(x), Vec3::Zero()};
+    for (std::size_t i = 0; i < found.values.size(); ++i) {
+        const Eigen::VectorXd x = found.vectors.col(Eigen::Index(i)) / std::sqrt(v.m);
+        NaturalMode mode{found.values[i] * v.k / v.m, v.unknowns.at_nodes(x), Vec3::Zero()};
         const Eigen::VectorXd momentum = whole * all.of_nodes(mode.shape);
         for (int axis : {0, 1, 2}) mode.participation[axis] = all.along(axis).dot(momentum);
-        // rounding: what is below a millionth of a millionth of the stiffness is a rigid motion
-        if (std::abs(found.values[std::size_t(i)]) < 1e-11) mode.omega_squared = 0;
         modes.list.push_back(std::move(mode));
     }
     return modes;

@@ -268,6 +268,30 @@ case("settings that a run would not read are warned of", function()
     "4.0005", { more = hanging:format "4.0005" .. joined })
 end)
 
+case("beside a connector, members that are all but rigid in shear do not make a vibration a rigid motion", function()
+  local status, printed = check [[
+local hinge = require "hinge"
+local model = hinge.model {}
+local steel = hinge.material { E = 200e9, density = 1e-3 }
+local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 6, 0, 4 }, model:node { 6, 0, 0 } }
+model:fix { n[1], n[4] }
+model:fix({ n[2], n[3] }, "y,rx,rz")
+for i, I in ipairs { 8e-4, 16e-4, 8e-4 } do
+  model:member { n[i], n[i + 1], material = steel, section = hinge.section.general { area = 0.02, Ix = I, Iy = I,
+    J = I, shear_area_x = 1e7, shear_area_y = 1e7 } }
+end
+for _, head in ipairs { n[2], n[3] } do model:mass { node = head, mass = 20e3 } end
+model:connector { n[2], n[3], stiffness = { x = 1 } }
+model:static {}
+]]
+  -- 24 E I / h^3 (1 + 6 k) / (4 + 6 k), k = (I / L of the beam) / (I / h of a column); columns get longer: 0.4 %
+  local k = 16 / 6 / (8 / 4)
+  local wanted = 2 * math.pi * math.sqrt(40e3 / (24 * 200e9 * 8e-4 / 4 ^ 3 * (1 + 6 * k) / (4 + 6 * k)))
+  local period = tonumber(printed:match "natural periods ([%d.e-]+)")
+  expect(status == 0 and period and math.abs(period / wanted - 1) < 0.006, "%s s, wanted %.6g s\n%s", period, wanted,
+    printed)
+end)
+
 case("a mechanism through connectors is warned of, held ones are not", function()
   -- Two beams that end at a column, each by a connector of its own: they are joined by way of the column.
   local two = "local e, f = joint(4, 0, 3), joint(8, 0, 3) member(e, f) local g, h = joint(4, 0, 3), joint(4, 5, 3) "

@@ -93,6 +93,66 @@ case("a free bar has six motions of frequency zero, and its own frequencies", fu
   near(modes[8].frequency, 260.919, 1e-3 * 260.919, "in the other plane")
 end)
 
+-- A portal of members that hardly shear, with half of a push at each head; the sway under 100 kN, and its modes.
+local function stiff_portal(shear, options)
+  local model = hinge.model { displacement = options.displacement or "small" }
+  local light = hinge.material { E = 200e9, density = 1e-3 }
+  local function shape(I)
+    return hinge.section.general { area = 0.02, Ix = I, Iy = I, J = 2 * I, shear_area_x = shear, shear_area_y = shear }
+  end
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 6, 0, 4 }, model:node { 6, 0, 0 } }
+  model:fix({ n[1], n[4] }, "all")
+  model:fix({ n[2], n[3] }, "y,rx,rz")
+  for i, I in ipairs { 8e-4, 16e-4, 8e-4 } do
+    model:member { n[i], n[i + 1], section = shape(I), material = light }
+  end
+  for _, head in ipairs { n[2], n[3] } do
+    model:mass { node = head, mass = 20e3 }
+    model:load { node = head, force = { 50e3, 0, 0 } }
+  end
+  if options.spring then model:connector { n[2], n[3], stiffness = { x = 1 } } end
+  if options.dynamic then return model:dynamic({ dt = 1e-3, duration = 1e-3 }):finish() end
+  local run = model:static { steps = 1 }:finish()
+  return run, (n[2]:displacement(run))
+end
+
+case("members that are all but rigid in shear leave the period of a frame as it is", function()
+  for _, options in ipairs { {}, { displacement = "large" }, { spring = true } } do
+    for _, shear in ipairs { 1e3, 1e7, 1e9 } do -- m^2; files of other programs have such areas
+      local run, sway = stiff_portal(shear, options)
+      -- both heads move alike: T = 2 pi sqrt(m u / P). They move up and down, too: 1e-4. The loads of large
+      -- displacement change it by u / L
+      local wanted = 2 * math.pi * math.sqrt(40e3 * sway / 100e3)
+      -- rounding of the stiffness, 1e-16 G A_s / (E I / L^2)
+      near(run:modes({ n = 1 })[1].period, wanted, (options.displacement and 2e-3 or 1.5e-4 + 1e-12 * shear) * wanted,
+        ("shear area %g m^2"):format(shear))
+    end
+  end
+end)
+
+case("a frequency that rounding hides is an error, not 0", function()
+  for _, shear in ipairs { 1e11, 1e13 } do -- statics refuses them
+    local run = stiff_portal(shear, { dynamic = true })
+    local good, failure = pcall(run.modes, run, { n = 1 })
+    expect(not good and support.has(tostring(failure), "lost in the rounding of the stiffness"), "%g: %s", shear,
+      failure)
+  end
+end)
+
+case("bodies that move freely have frequency 0 beside parts that are 1e6 times as stiff", function()
+  local model = hinge.model { elements_per_member = 4 }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  local huge = 1e6 * side ^ 2
+  model:member { wall, tip, material = steel, section = hinge.section.general { area = huge, Ix = 1, Iy = 1, J = 1,
+    shear_area_x = huge, shear_area_y = huge } }
+  local a, b = model:node { 0, 5, 0 }, model:node { 0.6, 5.8, 0 } -- oblique
+  model:member { a, b, section = square, material = steel }
+  local modes = model:dynamic({ dt = 1e-4, duration = 1e-4 }):finish():modes { n = 7 }
+  for i = 1, 6 do equal(modes[i].frequency, 0, "rigid motion " .. i) end
+  expect(modes[7].frequency > 10, "the seventh vibrates: %g Hz", modes[7].frequency)
+end)
+
 case("joints, floors that are rigid in their plane and compression count", function()
   local function frame(options)
     local model = hinge.model()

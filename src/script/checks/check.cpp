@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/errors.h"
 #include "core/text.h"
 #include "model/warnings.h"
 #include "script/checks/damping_check.h"
@@ -131,7 +132,12 @@ Periods periods(const Structure& structure, const Piece& body, int rigid, const 
     if (!body.heavy) return {"no periods without a density", {}};
     if (int(body.nodes.size()) > most_nodes)
         return {"periods are not looked for beyond " + std::to_string(most_nodes) + " nodes", {}};
-    Periods found{"", damped_modes(structure, body.nodes, rigid, periods_told, added)};
+    Periods found;
+    try {
+        found.modes = damped_modes(structure, body.nodes, rigid, periods_told, added);
+    } catch (const Interrupted&) { throw; } catch (const std::runtime_error& e) {
+        return {std::string("no periods: ") + e.what(), {}};
+    }
     for (const DampedMode& m : found.modes)
         found.text += (found.text.empty() ? "" : ", ") + digits(2 * 3.14159265358979323846 / m.frequency);
     found.text = found.text.empty() ? "nothing that vibrates" : "natural periods " + found.text + " s";
