@@ -42,6 +42,12 @@ SparseMatrix FreeUnknowns::reduced(const Triplets& of) const {
     return product.triangularView<Eigen::Lower>();
 }
 
+SparseMatrix FreeUnknowns::reduced_unsymmetric(const Triplets& of) const {
+    SparseMatrix all(rows_, rows_);
+    all.setFromTriplets(of.begin(), of.end());
+    return T_.transpose() * all * T_;
+}
+
 std::vector<Vec6> FreeUnknowns::at_nodes(const Eigen::VectorXd& x) const {
     const Eigen::VectorXd all = T_ * x;
     std::vector<Vec6> nodes(place_.size() / 6, Vec6::Zero());

@@ -8,7 +8,9 @@
 #include "algebra/eigenpairs.h"
 #include "algebra/free_unknowns.h"
 #include "algebra/rigid_modes.h"
+#include "algebra/unsymmetric_pairs.h"
 #include "core/errors.h"
+#include "core/text.h"
 #include "run/constraints.h"
 #include "run/pressed_pairs.h"
 #include "state/node_mass.h"
@@ -59,6 +61,23 @@ void add_effects(const Blocks& blocks, const FreeUnknowns& unknowns, Triplets& t
     for (const Blocks::Node& n : blocks.nodes) unknowns.add(to, n.node, n.node, n.K);
 }
 
+/// K with what loads make of it that is not symmetric: a moment whose axis stays does other work about the axes of
+/// space in another order of rotations.
+SparseMatrix unsymmetric_stiffness(const Run& run, const State& state, const FreeUnknowns& unknowns,
+                                   const Blocks& blocks) {
+    Triplets entries;
+    const auto add = [&](int a, int b, const auto& K) { unknowns.add_unsymmetric(entries, a, b, K); };
+    for_each_part(run, state, 0, 1, MatrixStorage::unsymmetric, add, [&](int a, int b, const Mat6& bridge) {
+        Mat12 both = Mat12::Zero();
+        both.topRightCorner<6, 6>() = bridge;
+        both.bottomLeftCorner<6, 6>() = bridge.transpose();
+        add(a, b, both);
+    });
+    for (const Coupling& c : blocks.pairs) add(c.a, c.b, c.K);
+    for (const Blocks::Node& n : blocks.nodes) add(n.node, n.node, n.K);
+    return unknowns.reduced_unsymmetric(entries);
+}
+
 void add_offset_masses(const State& state, const FreeUnknowns& unknowns, Triplets& to) {
     for (std::size_t n = 0; n < state.offset_mass.size(); ++n)
         if (state.offset_mass[n].mass > 0)
@@ -93,6 +112,33 @@ struct Vibration {
     int size() const { return int(M.rows()); }
 };
 
+/// The modes of the unsymmetric stiffness in the place of those of its symmetric part, where they differ.
+void count_unsymmetric(const Run& run, const Vibration& v, Eigenpairs& found) {
+    constexpr double counts = 1e-3;  // of the square of a frequency: 0.05 % of the frequency
+    const int wanted = int(found.values.size());
+    const SparseMatrix K = unsymmetric_stiffness(run, run.state(), v.unknowns, v.blocks) / v.k;
+    if (change_by_unsymmetric(K, v.K, v.M, v.shift, found) < counts) return;
+    const std::string why = "moments or loads that turn with their member make the stiffness unsymmetric";
+    if (v.size() > most_unsymmetric)
+        throw InputError(why + ", and with " + std::to_string(v.size()) +
+                         " degrees of freedom that takes too long (most: " + std::to_string(most_unsymmetric) +
+                         "); give the members fewer elements, or see in dynamics what a small push does");
+    const UnsymmetricPairs pairs = lowest_of_unsymmetric(K, v.M, v.shift, wanted);
+    for (std::size_t i = 0; i < pairs.values.size(); ++i) {
+        const std::complex<double> square = pairs.values[i] * v.k / v.m;
+        if (std::abs(square.imag()) > 1e-6 * std::abs(square)) {
+            const std::complex<double> omega = std::sqrt(square);
+            throw InputError(why + ", and mode " + std::to_string(i + 1) + " flutters: vibrations of " +
+                             number_text(std::abs(omega.real()) / 6.283185307179586) + " Hz grow by exp(" +
+                             number_text(std::abs(omega.imag())) +
+                             " t), t in s, without damping; ask for fewer modes, or see in dynamics how far they go");
+        }
+        found.values[i] = pairs.values[i].real();
+    }
+    found.values.resize(pairs.values.size());
+    found.vectors = pairs.vectors;
+}
+
 }  // namespace
 
 NaturalModes natural_modes(const Run& run, int count, Yielded yielded) {
@@ -103,6 +149,7 @@ NaturalModes natural_modes(const Run& run, int count, Yielded yielded) {
     tell_rigid_modes(v.K, v.M, v.shift, found, [&](const Eigen::VectorXd& x) {
         return strained_member(run.structure(), state, v.unknowns.at_nodes(x));
     });
+    if (run.has_unsymmetric_loads()) count_unsymmetric(run, v, found);
     const FreeUnknowns all = unknowns_of(run, state, true);
     Triplets mass_of_all = of_elements(run, state, all, 1, 0);
     add_offset_masses(state, all, mass_of_all);

@@ -19,8 +19,13 @@ struct NaturalModes {
 
 /// The lowest `count` modes of small vibrations about the state: with the forces that the elements carry, elastic where
 /// they have yielded, without what has broken, with the stiffness, masses and constraints of effects. `yielded`: what
-/// joints at their strength resist with. Bodies that nothing holds have modes of frequency 0. Fewer where there are fewer degrees of freedom. Throws InputError where
-/// a node that moves has no mass, std::runtime_error where no modes are found.
+/// joints at their strength resist with. Bodies that nothing holds have modes of frequency 0. Fewer where there are
+/// fewer degrees of freedom.
+///
+/// Loads that make the stiffness unsymmetric (moments, loads that turn with their member) count where they change a
+/// square of a frequency by a thousandth. Throws InputError where a node that moves has no mass, where such a stiffness
+/// has too many unknowns, and where it has modes that flutter: their squares are complex. Throws std::runtime_error
+/// where no modes are found.
 NaturalModes natural_modes(const Run& run, int count, Yielded yielded = Yielded::unloads);
 
 struct BucklingMode {
@@ -31,7 +36,7 @@ struct BucklingMode {
 /// The lowest `count` factors up to `most` by which the internal forces of the run's state are to be multiplied for the
 /// structure, in its declared place, to buckle: where its tangent stiffness with these forces becomes singular. With
 /// p_delta = "member" by the stability functions, without a linearisation. What a pair of elements between clamped ends
-/// cannot show (pressed_pairs.h) ends the list: `hidden` is that factor, infinite where there is none below `most`.
+/// cannot show (pressed_pairs.h) ends the list: `hidden` is that factor, infinite where there is none.
 struct BucklingModes {
     std::vector<BucklingMode> list;
     double hidden;

@@ -80,6 +80,10 @@ Energy Run::energy_of(const State& state) const {
 
 Blocks Run::added_stiffness(Yielded yielded) const { return added_blocks(*effects_, state_, 0, yielded); }
 
+bool Run::has_unsymmetric_loads() const {
+    return structure_->large() && any_of(effects_->loads, &Load::is_unsymmetric);
+}
+
 Blocks Run::added_damping() const {
     Blocks blocks(1, false);
     for (const auto& force : effects_->forces)

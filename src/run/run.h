@@ -49,6 +49,9 @@ public:
     /// What effects add to the stiffness of the elements where the state is; joints that have yielded with that of
     /// unloading, so that it does not follow the rounding of a moment that is at its strength.
     Blocks added_stiffness(Yielded yielded = Yielded::unloads) const;
+    /// Whether a load acts whose derivative by the displacements is unsymmetric: a moment, a load that turns with its
+    /// member.
+    bool has_unsymmetric_loads() const;
     /// Damping that effects have there, in blocks of one node or two, N s/m; in dynamics that of point masses, too.
     Blocks added_damping() const;
     /// Constraints between degrees of freedom; null where there are none.

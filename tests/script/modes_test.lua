@@ -83,6 +83,66 @@ case("an unstable state has modes whose squares are negative", function()
   end
 end)
 
+-- A square or flat bar along x, clamped at one end, with a moment of fixed axis at the other one.
+local function turned_cantilever(moment, options)
+  local model = hinge.model { elements_per_member = options.elements or 10 }
+  local L, material = 10, hinge.material { E = 2e9, nu = 0, density = 1000 }
+  local bar = hinge.section.solid { width = options.width or 0.02, depth = 0.02 }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = bar, material = material }
+  local M = material.E * bar.Ix / L
+  model:load { node = tip, moment = { moment[1] * M, moment[2] * M, moment[3] * M }, case = model:case "turn" }
+  model:load { node = tip, force = { 0, 1e-4, 0 }, history = { { 0, 0 }, { 0.1, 1 }, { 0.2, 0 }, { 99, 0 } },
+    case = model:case "push" }
+  return model:static({ steps = 12, loads = { turn = 1 } }):finish(), model, tip
+end
+
+case("a moment of fixed axis: nothing grows at 0.6 of a turn", function()
+  for _, moment in ipairs { { 0, -1.2 * math.pi, 0 }, { 0, 0, 1.2 * math.pi } } do
+    local run = turned_cantilever(moment, {})
+    equal(run.verdict, "completed", run.reason)
+    for i, mode in ipairs(run:modes { n = 3 }) do
+      expect(mode.omega_squared > 0, "mode %d: %g 1/s^2", i, mode.omega_squared)
+    end
+  end
+end)
+
+case("a moment of fixed axis: flutter grows in dynamics as the modes say", function()
+  local run, model, tip = turned_cantilever({ 0, -1.8 * math.pi, 0 }, {})
+  local good, failure = pcall(run.modes, run)
+  local rate = tonumber(tostring(failure):match "flutters: vibrations of [%d.]+ Hz grow by exp%(([%d.]+) t%)")
+  if not expect(not good and rate, "an error: %s", failure) then return end
+  local shaken = model:dynamic { from = run, loads = { turn = 1, push = 1 }, dt = 5e-3, duration = 16 }
+  local most = { 0, 0 } -- over a half of its period and more
+  while shaken:step() do
+    local _, y = tip:displacement(shaken)
+    local k = shaken.time > 12 and 2 or shaken.time > 4 and shaken.time <= 8 and 1
+    if k then most[k] = support.largest_of(most[k], math.abs(y)) end
+  end
+  -- the two windows are 8 s apart; other modes are a tenth of the motion in the first one
+  near(math.log(most[2] / most[1]) / 8, rate, 0.1 * rate, "rate of growth, 1/s")
+end)
+
+case("a shaft with a moment about its axis flutters if it is square, and not if it is flat", function()
+  -- Ziegler: two bending modes of equal frequency, which the moment couples
+  local good, failure = pcall(function() return turned_cantilever({ 0.2, 0, 0 }, {}):modes { n = 2 } end)
+  expect(not good and support.has(tostring(failure), "flutters"), "%s", failure)
+  local flat = turned_cantilever({ 0.2, 0, 0 }, { width = 0.04 }):modes { n = 2 }
+  local alone = turned_cantilever({ 0, 0, 0 }, { width = 0.04 }):modes { n = 2 }
+  for i = 1, 2 do -- the change is of second order, 0.2^2 / pi^2 and less
+    near(flat[i].omega_squared, alone[i].omega_squared, 4e-3 * alone[i].omega_squared, "mode " .. i)
+  end
+end)
+
+case("unsymmetric stiffness: moments that change nothing, and too many unknowns", function()
+  local run = turned_cantilever({ 0, -0.01, 0 }, { elements = 200 }) -- symmetric within a thousandth
+  expect(run:modes({ n = 1 })[1].omega_squared > 0, "a small moment")
+  run = turned_cantilever({ 0, -1.2 * math.pi, 0 }, { elements = 200 })
+  local good, failure = pcall(run.modes, run, { n = 1 })
+  expect(not good and support.has(tostring(failure), "1200 degrees of freedom"), "%s", failure)
+end)
+
 case("a free bar has six motions of frequency zero, and its own frequencies", function()
   local model = hinge.model { elements_per_member = 16, mass = "cubic" }
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
