@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "algebra/effective_stiffness.h"
 #include "algebra/eigenpairs.h"
 #include "algebra/free_unknowns.h"
 #include "algebra/rigid_modes.h"
 #include "algebra/unsymmetric_pairs.h"
+#include "beam/beam_column.h"
 #include "core/errors.h"
 #include "core/text.h"
 #include "run/constraints.h"
@@ -182,6 +184,7 @@ public:
         scale(factor);
         Triplets entries = of_elements(run_, state_, unknowns_, 0, 1);
         entries.insert(entries.end(), effects_.begin(), effects_.end());
+        add_strongly_pressed(entries);
         return unknowns_.reduced(entries);
     }
     int unstable(double factor) { return negative_pivots(at(factor)); }
@@ -208,6 +211,38 @@ private:
             state_.force[i] = factor * forces_[i];
             state_.plastic[i][axial] = -state_.force[i][axial] * elements[i].length / elements[i].rigidity.EA;
         }
+    }
+    /// S and A of a pair are straight lines beyond p = 6, which its return to the yield surface asks for
+    /// (beam/beam_column.h). Here they are exact up to where it buckles between clamped ends: the rest, of rotations
+    /// about the pair's axes at its ends and in its middle, t2 - t0 and 2 t1 - t0 - t2.
+    void add_strongly_pressed(Triplets& to) const {
+        const std::vector<Element>& elements = run_.structure().elements();
+        if (!run_.structure().p_delta()) return;
+        for (std::size_t i = 0; i + 1 < elements.size(); i += 2) {
+            const PairCompression by = pressed(run_.structure(), state_, state_.force, int(i));
+            for (const int plane : {0, 1}) {
+                const double p = std::numbers::pi * std::numbers::pi * std::min(by.part[plane], 1 - 1e-9);
+                if (!(p > beam::pair_most)) continue;
+                const Element& e = elements[i];
+                const double b = 0.5 * (plane == 0 ? e.rigidity.EIx : e.rigidity.EIy) / e.length;
+                const Vec3 axis = e.axes.toRotationMatrix().col(plane);
+                const auto has = beam::stability_functions(p);
+                const double cot = std::sqrt(p) / std::tan(std::sqrt(p)), S = cot + beam::pair_sag * p,
+                             A = p / (3 * (1 - cot));
+                const Mat3 turn = axis * axis.transpose(), by_S = b * (S - has.S) * turn, by_A = b * (A - has.A) * turn;
+                const int at[] = {e.node[0], e.node[1], elements[i + 1].node[1]};
+                add_rotations(to, at[0], at[0], by_S + by_A), add_rotations(to, at[2], at[2], by_S + by_A);
+                add_rotations(to, at[1], at[1], 4 * by_A);
+                add_rotations(to, at[0], at[2], by_A - by_S);
+                add_rotations(to, at[0], at[1], -2 * by_A), add_rotations(to, at[1], at[2], -2 * by_A);
+            }
+        }
+    }
+    void add_rotations(Triplets& to, int a, int b, const Mat3& K) const {
+        Mat6 block = Mat6::Zero();
+        block.bottomRightCorner<3, 3>() = K;
+        if (a == b) unknowns_.add(to, a, a, block);
+        else unknowns_.add_between(to, a, b, block);
     }
     static constexpr int axial = 4;  ///< place of the axial force and of the stretch in p and d
     const Run& run_;

@@ -334,6 +334,35 @@ case("joints that have yielded unload elastically in buckling", function()
   end
 end)
 
+case("two elements between stiff semi-rigid ends buckle where the beam-column does", function()
+  local bar = hinge.section.solid { width = 0.06, depth = 0.06 }
+  local rigid = hinge.material { E = E, G = 1e5 * E, density = 7850 }
+  local bending, L = E * bar.Ix, 6
+  for _, k in ipairs { 1e5, 3e5, 5e5, 1e6, 5e6, 5e7 } do -- 0.46 to 0.998 of the clamped load
+    local low, high = math.pi / 2 + 1e-9, math.pi - 1e-12 -- tan u = -2 u EI / (k L), N = 4 u^2 EI / L^2
+    for _ = 1, 80 do
+      local u = (low + high) / 2
+      if math.tan(u) + 2 * u * bending / (k * L) < 0 then low = u else high = u end
+    end
+    local wanted = 4 * low ^ 2 * bending / L ^ 2
+    for _, elements in ipairs { 2, 4 } do
+      local model = hinge.model {}
+      local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+      model:fix { foot, head }
+      local joint = hinge.joint { Mx = { stiffness = k }, My = { stiffness = 4 * k } }
+      model:member { foot, head, section = bar, material = rigid, elements = elements, ends = { a = joint, b = joint } }
+      local one = { stiffness = { { 20, 1 }, { 900, 1 } }, strength = { { 20, 1 }, { 900, 1 } },
+        elongation = { { 20, 0 }, { 900, 880e3 / (E * bar.area) } } } -- 1 kN a degree
+      model:heat { member = model:members()[1], temperature = 21, properties = one }
+      local found = model:static({ steps = 1 }):finish():buckling()
+      if expect(#found == 1, "%d elements, k = %g: %d modes", elements, k, #found) then
+        -- four elements: the error of two elements at a quarter of their length, 1e-3
+        near(1e3 * found[1].factor, wanted, 2e-3 * wanted, ("%d elements, k = %g N m"):format(elements, k))
+      end
+    end
+  end
+end)
+
 case("a portal on pinned feet, and one with a semi-rigid beam", function()
   -- sway: alpha tan(alpha) = 6 c / EI_c h with the rotational stiffness of the joints c; alpha = h sqrt(P / EI)
   local function by_hand(r)
