@@ -363,6 +363,26 @@ case("two elements between stiff semi-rigid ends buckle where the beam-column do
   end
 end)
 
+case("a run that ends at a part of its load has its factor on the declared loads", function()
+  local euler = math.pi ^ 2 * EI / 4 / (1 + math.pi ^ 2 * EI / 4 / GA)
+  for _, options in ipairs { { steps = 4 }, { steps = 4, to_limit = true } } do
+    local model = cantilever(4, { -2 * euler, 0, 0 })
+    local run = model:static(options):finish()
+    expect(run.factor < 0.51, "it ends at %g", run.factor)
+    local found, hidden = run:buckling { n = 1 }
+    near(found[1].factor, 0.5, 1e-3 * 0.5, "factor")
+    near(hidden, 4 * math.pi ^ 2 * EI / 0.5 ^ 2 / (2 * euler), 1e-4 * hidden, "what a pair does not show")
+    equal(#run:buckling { most = 0.4 }, 0, "factors up to 0.4")
+  end
+  -- loads of the run before are held: the factor is on the internal forces
+  local model, tip = cantilever(4, { 0, 0, 0 })
+  model:load { node = tip, force = { -euler, 0, 0 }, case = model:case "P" }
+  local half = model:static({ loads = { P = 0.5 } }):finish()
+  near(half:buckling()[1].factor, 2, 1e-3 * 2, "half of the load")
+  local more = model:static({ from = half, loads = { P = 0.8 } }):finish()
+  near(more:buckling()[1].factor, 1 / 0.8, 1e-3 / 0.8, "more of it")
+end)
+
 case("a portal on pinned feet, and one with a semi-rigid beam", function()
   -- sway: alpha tan(alpha) = 6 c / EI_c h with the rotational stiffness of the joints c; alpha = h sqrt(P / EI)
   local function by_hand(r)

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/text.h"
 #include "run/eigenmodes.h"
+#include "run/statics.h"
 #include "script/bind/mode_box.h"
+#include "script/checks/check.h"
 #include "script/record/snapshot.h"
 
 namespace hinge::script {
@@ -44,6 +47,23 @@ int modes(lua_State* L) {
     return 1;
 }
 
+/// The load factor that a static run has come to: its internal forces are those of this part of the declared loads. 1
+/// where they are not, since the run began with loads of the run before. Warns where a run has ended before its end.
+double part_of_loads(lua_State* L, const RunRecord& record) {
+    const auto* statics = dynamic_cast<const Statics*>(record.run.get());
+    if (!statics) return 1;
+    const double factor = statics->state().factor;
+    const bool held = statics->structure().model().holds_loads();
+    if (factor != 1 && (statics->verdict() == Verdict::failed || statics->limit()))
+        tell(*context(L),
+             {"run:buckling: the run ended at load factor " + number_text(factor) +
+                  (held ? ", and its factors are on the internal forces there, in which the loads of the run before are"
+                        : ", and its factors on the declared loads follow from the internal forces there"),
+              "what yields or bends before the end is in these forces; give it a part of the loads that it can carry",
+              record.asked_at});
+    return held || factor == 0 ? 1 : factor;
+}
+
 int buckling(lua_State* L) {
     const auto record = self<RunBox>(L, "run:buckling").value;
     Options o(L, 2, "run:buckling", true);
@@ -61,13 +81,14 @@ int buckling(lua_State* L) {
         throw InputError(
             "run:buckling: the members of this run carry nothing; run it first: the factors are on its "
             "internal forces");
-    const BucklingModes found = buckling_modes(*record->run, count, most, yielded);
+    const double part = part_of_loads(L, *record);
+    const BucklingModes found = buckling_modes(*record->run, count, most / std::abs(part), yielded);
     lua_createtable(L, int(found.list.size()), 0);
     for (std::size_t i = 0; i < found.list.size(); ++i) {
-        push<ModeBox>(L, ModeBox{record, found.list[i].shape, found.list[i].factor});
+        push<ModeBox>(L, ModeBox{record, found.list[i].shape, part * found.list[i].factor});
         lua_rawseti(L, -2, lua_Integer(i) + 1);
     }
-    if (std::isfinite(found.hidden)) lua_pushnumber(L, found.hidden);
+    if (std::isfinite(found.hidden)) lua_pushnumber(L, part * found.hidden);
     else lua_pushnil(L);
     return 2;
 }
