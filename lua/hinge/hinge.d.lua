@@ -3875,7 +3875,7 @@ function run:read(quantity, group) end
 ---one; joints = "slide": those at their strength (to a millionth of it) have none, as long as the motion turns them
 ---further. Axial forces change the stiffness as in the run. Bodies that nothing holds have modes of frequency 0.
 ---Moments, and loads that turn with their member, make the stiffness unsymmetric; where that changes the square of a
----frequency by a thousandth, it counts. It is an error if there are then more than 900 degrees of freedom, and if a
+---frequency by a thousandth, it counts. It is an error if there are then more than 2000 degrees of freedom, and if a
 ---mode flutters: its vibrations grow, which no real frequency says. It is an error if a frequency is lost in rounding,
 ---beside parts that are some 1e14 times as stiff.
 ---```lua

@@ -17,8 +17,8 @@ struct UnsymmetricPairs {
 /// of (K + a M)^-1, in which the lowest values have the digits, and a time of size^3.
 UnsymmetricPairs lowest_of_unsymmetric(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted);
 
-/// Most unknowns: some seconds.
-inline constexpr int most_unsymmetric = 900;
+/// Most unknowns: ten seconds.
+inline constexpr int most_unsymmetric = 2000;
 
 /// How much the part of K that is not symmetric changes the values of the symmetric one, at most, as a part of
 /// |value| + a; `found`: those of the symmetric part, with vectors. By second-order perturbation, with the pairs of
