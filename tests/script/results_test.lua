@@ -266,6 +266,21 @@ case("flexural buckling, published examples", function()
   near(column.N_b, 4186.2e3, 0.01 * 4186.2e3, "N_b,Rd")
 end)
 
+case("stocky beam-columns have the factors of table B.1, which has no lower bound", function()
+  -- HEB 300, S355, N 1200 kN, Cm = 1: slendernesses 0.1007 and 0.1727 at 1 m; chi = 1 below 0.2
+  local d = { compression = 1200e3, tension = 0, Mx = 120e3, My = 30e3 }
+  local lengths, Cm = { Lx = 1, Ly = 1, C1 = 1 }, { x = 1, y = 1, LT = 1 }
+  local n = 1200e3 / (149.08e-4 * 355e6)
+  local _, detail = eurocode.member(heb300, profile.of(heb300), steel, d, lengths, Cm, plain)
+  near(detail.kxx, 1 + (0.1007 - 0.2) * n, 1e-4, "kxx")
+  near(detail.kyy, 1 + (2 * 0.1727 - 0.6) * n, 1e-4, "kyy")
+  local square = hinge.section.named "SHS 200x10"
+  _, detail = eurocode.member(square, profile.of(square), steel, d, lengths, Cm, plain)
+  n = 1200e3 / (square.area * 355e6)
+  local slender = math.sqrt(square.area * 355e6 / (math.pi ^ 2 * 210e9 * square.Iy))
+  near(detail.kyy, 1 + (slender - 0.2) * n, 1e-6, "kyy of a box")
+end)
+
 case("a beam-column by hand, 6.3.3 with annex B", function()
   -- HEB 300, S355, 5 m, pinned; N 1200 kN, constant moments of 120 kN m about x and 30 kN m about y; Cm = 1.
   -- A 149.1 cm2, I 25170 and 8563 cm4, W_pl 1868.7 and 870.1 cm3:

@@ -172,12 +172,13 @@ local function lateral(s, p, material, o, L)
   return eurocode.chi(slenderness, o.curve_LT or curve), slenderness, critical
 end
 
--- kxx, kxy, kyx and kyy by tables B.1 and B.2; nx, ny: N over chi N_Rk / gamma_M1; lx, ly: slendernesses.
+-- kxx, kxy, kyx and kyy by tables B.1 and B.2; nx, ny: N over chi N_Rk / gamma_M1; lx, ly: slendernesses. The tables
+-- bound them from above alone: stocky members have less than Cm, and 6.2.9 governs there.
 local function interaction_factors(p, Cm, nx, ny, lx, ly, turns_over)
-  local kxx = Cm.x * (1 + math.max(0, math.min(lx - 0.2, 0.8)) * nx)
+  local kxx = Cm.x * (1 + math.min(lx - 0.2, 0.8) * nx)
   local kyy
-  if p.shape == "h" then kyy = Cm.y * (1 + math.max(0, math.min(2 * ly - 0.6, 1.4)) * ny)
-  else kyy = Cm.y * (1 + math.max(0, math.min(ly - 0.2, 0.8)) * ny) end
+  if p.shape == "h" then kyy = Cm.y * (1 + math.min(2 * ly - 0.6, 1.4) * ny)
+  else kyy = Cm.y * (1 + math.min(ly - 0.2, 0.8) * ny) end
   if not turns_over then return kxx, 0.6 * kyy, 0.6 * kxx, kyy end
   local kyx = 1 - 0.1 * math.min(ly, 1) / (Cm.LT - 0.25) * ny
   if ly < 0.4 then kyx = math.min(0.6 + ly, 1 - 0.1 * ly / (Cm.LT - 0.25) * ny) end
