@@ -8,7 +8,7 @@
 -- Expect  with curvature 0.04 1/m (the paper's rule) half of the plastic work with twice the elements: the rotation
 --         that breaks a hinge is the limit times the length of the element. With a hinge rotation of 0.08 rad and
 --         surfaces, four and eight elements differ by 30 % in the kinetic energy lost, with 0.3 rad by 9 %, and where
---         nothing breaks by 3.5 %: a member that breaks 0.7 ms after the blow has too few elements for its bending waves.
+--         nothing breaks by 3.5 %: a member that breaks 0.7 ms after the blow has too few elements for its waves.
 --         Gap elements bind at a distance that follows the elements' length (eq 18). Energy errors stay below 0.05 %
 local hinge  = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
