@@ -147,8 +147,10 @@ function hinge.material(options) end
 ---part of the hardening that moves the yield surface, 0 to 1; the rest widens it. Default 1: a member that was
 ---stretched yields earlier when it is pressed, by as much (Bauschinger's effect)
 ---@field kinematic? number
----back stress that kinematic hardening comes to, Pa, along an exponential curve (Armstrong and Frederick). Default:
----none, the back stress grows without end
+---back stress that kinematic hardening comes to, Pa, along an exponential curve (Armstrong and Frederick). The curve is
+---exact for steps of any length in which the flow keeps its direction. Where it turns (bending beside an axial force),
+---the error goes with the length of the step, as that of all plastic flow does. Default: none, the back stress grows
+---without end
 ---@field saturation? number
 
 ---Factor on the yield stress by the rate of the mean plastic strain of a section: Cowper and Symonds,

@@ -6,7 +6,7 @@
 --         takes 4 fy e of a unit of volume, for its two halves flow by 2 e at a mean stress of fy. Isotropic: the
 --         elastic range has grown by what the bar has hardened. Armstrong and Frederick, d back = (H - H |back| / s) d
 --         e: the back stress is s (1 - exp(-H e / s)) at the first turn and s tanh(H e / s) at those of a stable cycle.
---         Of that law the error falls with the first power of the step.
+--         Steps of any length are exact where the flow keeps its direction: 1e-6 is the limit of statics.
 local hinge = require "hinge"
 
 local E, fy, L, area, a = 210e9, 235e6, 2, 1e-3, 0.01
@@ -56,17 +56,15 @@ return hinge.benchmark {
       local g = (fy + s * (1 - math.exp(-H * e / s))) / E + e - a
       e = e - g / (1 + H / E * math.exp(-H * e / s))
     end
-    row("saturating: stress at the first turn", bends.at_turn[1], E * (a - e), "Pa", 2.5e-3, 40)
-    local function off(steps)
-      return cycled({ modulus = H, saturation = s }, { a }, steps).at_turn[1] - E * (a - e)
-    end
-    row("saturating: order, 40 to 80 steps", math.log(off(40) / off(80)) / math.log(2), 1, "", 0.03, 80)
+    row("saturating: stress at the first turn", bends.at_turn[1], E * (a - e), "Pa", 1e-6, 40)
+    row("saturating: the same in two steps", cycled({ modulus = H, saturation = s }, { a }, 2).at_turn[1], E * (a - e),
+      "Pa", 1e-6, 2)
     local long = cycled({ modulus = H, saturation = s }, { a, -a, a, -a, a, -a, a, -a }, 40)
     e = a / 2
-    for _ = 1, 200 do -- stable cycle: fy + s tanh(H e / s) = E (a - e)
+    for _ = 1, 200 do -- stable cycle: fy + s tanh(H e / s) = E (a - e); the eighth branch is 1.4e-5 from it
       e = a - (fy + s * (math.exp(2 * H * e / s) - 1) / (math.exp(2 * H * e / s) + 1)) / E
     end
-    row("saturating: stress of a stable cycle", -long.at_turn[8], E * (a - e), "Pa", 6e-3, 320)
+    row("saturating: stress of a stable cycle", -long.at_turn[8], E * (a - e), "Pa", 3e-5, 320)
     local series = {}
     for i, path in ipairs { moves, grows, bends } do
       local shown = { x = {}, y = {}, name = ({ "kinematic", "isotropic", "saturating" })[i] }

@@ -88,6 +88,11 @@ public:
         (void)zone, (void)history, (void)strain, (void)e, (void)back, (void)modulus;
     }
     virtual bool back_follows_strain() const { return false; }
+    /// The work of the back resultants on the way of a step, less that of their last values and of modulus times e half
+    /// of the way, J: 0 where they are linear in e.
+    virtual double more_by_back(const PlasticZone& zone, const double* history, double strain, const Vec4& e) const {
+        return (void)zone, (void)history, (void)strain, (void)e, 0;
+    }
     virtual bool back_follows_flow() const { return false; }
     /// Adds a step's plastic deformation e to the history variables.
     virtual void commit(const PlasticZone& zone, const Vec4& e, double strain, double dt, double* history) const {

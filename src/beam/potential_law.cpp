@@ -234,7 +234,17 @@ PotentialLaw::SoFar PotentialLaw::add_flow(const End& end, int section, ElementF
     out.path_work +=
         beyond + D * (turned(end.history, end.e, D).mean * mean_factor(end.history, strain, end.moment, true) -
                       end.turned.factor * mean_factor(end.history, strain, end.moment, false));
+    if (back_follows_strain_) out.path_work += more_by_back(end.history, strain, end.e);
     return {strain, end.e};
+}
+
+double PotentialLaw::more_by_back(const double* history, double strain, const Vec4& e) const {
+    double work = 0;
+    for (const auto& m : material_.laws) {
+        work += m->more_by_back(material_.zone, history, strain, e);
+        if (history) history += m->history_size();
+    }
+    return work;
 }
 
 ElementFlow PotentialLaw::return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,

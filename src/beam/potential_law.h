@@ -105,6 +105,7 @@ private:
     SoFar so_far(const ElementFlow& flow, int section, const double* history) const;
     bool back_is_found(const End& end, const SectionConditions& at, int section, const SoFar& now,
                        const Vec6& trial) const;
+    double more_by_back(const double* history, double strain, const Vec4& e) const;
     SoFar add_flow(const End& end, int section, ElementFlow& out) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;

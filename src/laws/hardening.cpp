@@ -43,14 +43,24 @@ public:
     }
     void add_back(const PlasticZone& zone, const double* history, double strain, const Vec4&, Vec4& back,
                   Vec4& modulus) const override {
-        const double kept = kept_after(strain);
-        if (history) back += kept * Vec4(history[0], history[1], history[2], history[3]);
-        modulus += kept * of_.kinematic * zone.per_modulus;
+        const Step s = step(strain);
+        if (history) back += s.kept * Vec4(history[0], history[1], history[2], history[3]);
+        modulus += s.mean * of_.kinematic * zone.per_modulus;
     }
     bool back_follows_strain() const override { return of_.saturation > 0; }
+    double more_by_back(const PlasticZone& zone, const double* history, double strain, const Vec4& e) const override {
+        if (!(of_.saturation > 0)) return 0;
+        const Step s = step(strain);
+        const double began = s.mean - s.kept, grew = s.mean_of_mean - 0.5 * s.mean;
+        double work = 0;
+        for (int c = 0; c < 4; ++c)
+            work += ((history ? began * history[c] : 0) + grew * of_.kinematic * zone.per_modulus[c] * e[c]) * e[c];
+        return work;
+    }
     void commit(const PlasticZone& zone, const Vec4& e, double strain, double, double* history) const override {
-        const double kept = kept_after(strain);
-        for (int c = 0; c < 4; ++c) history[c] = kept * (history[c] + of_.kinematic * zone.per_modulus[c] * e[c]);
+        const Step s = step(strain);
+        for (int c = 0; c < 4; ++c)
+            history[c] = s.kept * history[c] + s.mean * of_.kinematic * zone.per_modulus[c] * e[c];
         history[4] += strain;
     }
     double stored(const PlasticZone& zone, const double* history) const override {
@@ -62,9 +72,17 @@ public:
     }
 
 private:
-    /// Part of the back stress that is left after this growth of the mean plastic strain.
-    double kept_after(double strain) const {
-        return of_.saturation > 0 ? 1 / (1 + of_.kinematic / of_.saturation * strain) : 1;
+    /// Of the back stress, with t = a s of the step: exp(-t), (1 - exp(-t)) / t and (t - 1 + exp(-t)) / t^2.
+    struct Step {
+        double kept = 1, mean = 1, mean_of_mean = 0.5;
+    };
+    Step step(double strain) const {
+        const double t = of_.saturation > 0 ? of_.kinematic / of_.saturation * strain : 0;
+        if (!(t > 0)) return {};
+        const double mean = -std::expm1(-t) / t;
+        // the difference cancels where t is small: its series, exact to 1e-13 there
+        const double of_mean = t > 3e-3 ? (1 - mean) / t : 0.5 - t * (1.0 / 6 - t * (1.0 / 24 - t / 120));
+        return {std::exp(-t), mean, of_mean};
     }
 
     Hardening of_;

@@ -50,6 +50,41 @@ case("cycles of a bar are those by hand", function()
   end
 end)
 
+-- Armstrong and Frederick: x = s + (x0 - s) exp(-H e / s) in each branch. Under a stress that swings about a mean each
+-- cycle adds the same strain. Exact, so that it is rounding (equilibrium to 1e-9) with any number of steps a branch.
+case("ratcheting by Armstrong and Frederick is that by hand, with any number of steps", function()
+  local H, saturation, up, down = 20e9, 120e6, 320e6, -200e6
+  local back, by_hand = 0, 0
+  for cycle = 1, 3 do
+    by_hand = 0
+    for _, branch in ipairs { { up, 1 }, { down, -1 } } do
+      local sign, to = branch[2], branch[1] - branch[2] * fy
+      by_hand = by_hand + sign * saturation / H * math.log((sign * saturation - back) / (sign * saturation - to))
+      back = to
+    end
+    expect(cycle == 1 or by_hand > 1e-4, "it ratchets: %g", by_hand)
+  end
+  for _, steps in ipairs { 1, 4, 25 } do
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+    local section = heb "exact"
+    model:member { a, b, section = section, up = { 0, 0, 1 },
+      material = steel { modulus = H, saturation = saturation } }
+    model:fix(a, "all")
+    local pull = model:case "pull"
+    pull:load { node = b, force = { section.area, 0, 0 } }
+    local run, before, last
+    for _ = 1, 3 do
+      before = last
+      for _, stress in ipairs { up, down } do
+        run = model:static { from = run, steps = steps, loads = { pull = stress } }:finish()
+      end
+      last = b:displacement(run) / L
+    end
+    near((last - before) / by_hand, 1, 1e-6, steps .. " steps")
+  end
+end)
+
 -- The moment at the foot of a cantilever, by the areas of a bilinear moment-curvature diagram: beyond Mp the curvature
 -- grows by (M - Mp) / (H I). 2e-3 with 64 elements: each end stands for half of its element, so that the plastic zone
 -- ends within one of them.
