@@ -3496,9 +3496,10 @@ function model:dynamic(options) end
 ---ends the run. Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly
 ---(contact, ground, fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form.
 ---The balance is checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at
----any time. Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). What dt / 64 still loses is kept, up to an
----energy error of 0.01; beyond that the run fails, whatever energy_tolerance is. While no step is undone, no bit
----changes. Default with energy-momentum: 0.01, every step
+---any time. Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). While the energy of the run still comes in,
+---the error may come to 0.005. What dt / 64 still loses is kept, up to an energy error of 0.01; beyond that the run
+---fails, whatever energy_tolerance is. While no step is undone, no bit changes. Default with energy-momentum: 0.01,
+---every step
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
 ---threads that share the work of a step; default 1; results are the same to the bit for any number

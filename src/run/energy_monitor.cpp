@@ -13,6 +13,7 @@ constexpr double expected_growth = 1.25;    ///< where a larger one is known: by
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
 constexpr double most_left = 0.01;          ///< of the largest energy, that what no shorter step mends may come to
+constexpr double most_coming_in = 0.5;      ///< of that: for what is lost while the energy of the run still comes in
 constexpr double rate_part = 0.1;      ///< of a refused loss: what the shortest step loses of one that goes with time
 constexpr double rate_room = 1.5;      ///< for a known rate, before steps are taken back again
 constexpr double rate_share = 0.8;     ///< of what the rest of the run may still lose: for losses at a known rate
@@ -165,7 +166,9 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
     const double known = little ? known_loss(most_left * largest.most() - std::abs(energy.error), size) : 0;
     const bool closes = share == 0 || (finite && (within || lost <= std::max(may * of_run, rate_room * known)));
     // while the energy of the run is still coming in, an error is compared with what will soon be little
-    const bool coming_in = by_default_ && finite && little && largest.most() > 2 * before;
+    const bool coming_in = by_default_ && finite &&
+                           std::abs(energy.error) <= most_coming_in * most_left * largest.most() &&
+                           largest.most() > 2 * before;
     const bool in_vain = by_default_ && finite && size.fine() && little;
     if (closes || coming_in || in_vain) {
         if (!closes) left_ += energy.error - kept_error_;
