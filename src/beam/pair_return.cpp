@@ -15,6 +15,12 @@ constexpr double convex_up_to = 3.3;
 constexpr int most_pair_rounds = 12;  ///< of the convex case; they end after three to five
 constexpr double slow = 0.5;          ///< a round that leaves more than this of the change before it is not convergence
 constexpr int most_descents = 400;    ///< of the case that is not convex
+/// Rounds of a law whose strength follows its flow, each a descent; after so many a coarser tolerance will do.
+constexpr int most_held = 60, many_held = 20;
+constexpr double coarse_round = 1e-6;
+/// Rounds of a return in all, some 0.1 s: beyond that it counts as not found, and the step is halved or ends by name.
+/// Those that are found take 3 to 600.
+constexpr int most_work = 6000;
 /// Where F has fallen by less than this part of U(trial) in so many rounds, and a round changes little, its floor is
 /// flat: flow that moves from one element to the other, or round a section alike in both planes, is worth no energy.
 constexpr double flat_fall = 1e-5, flat_change = 1e-3;
@@ -28,7 +34,13 @@ class PairReturn : public PairElastic {
 public:
     PairReturn(const ElasticPair& pair, const Vec6 (&d)[2], const SectionLaw& law, const SectionConditions* conditions,
                double tolerance)
-        : pair_(pair), k_(pair.kind), of_(pair.of), d_(d), law_(law), conditions_(conditions), tolerance_(tolerance) {}
+        : pair_(pair),
+          k_(pair.kind),
+          of_(pair.of),
+          d_(d),
+          law_(law),
+          conditions_{conditions[0], conditions[1]},
+          tolerance_(tolerance) {}
 
     bool find(ReturnMapResult (&flow)[2]) {
         At now = at(no_flow_, no_flow_);
@@ -42,7 +54,7 @@ public:
         double snapped = 0;
         if (!convex || !converged) {
             end = now;
-            converged = descend(end);
+            converged = descend_in_rounds(end);
             snapped = lost_by_snap(now, end);
         }
         for (int i : {0, 1}) {
@@ -135,6 +147,7 @@ private:
 
     At round(const At& from, const Stiffness (&k)[2]) const {
         ElementFlow next[2];
+        if (++work_ > most_work) return next[0].converged = next[1].converged = false, at(next[0], next[1]);
         for (int i : {0, 1})
             next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], conditions_[i], from.of[i]);
         return at(next[0], next[1]);
@@ -191,10 +204,31 @@ private:
         }
     }
 
-    /// The case that is not convex: F falls from step to step. False: it has not converged.
-    bool descend(At& now) const {
-        double F = energy(now), firmer = 1, stretch = 1, fell = 0, marked = F, changed = 0;
-        const double scale = std::max(std::abs(F), std::numeric_limits<double>::min());
+    /// The case that is not convex, of any law. Where the strength follows the flow, F is a function of the flow only
+    /// while that strength is held: so each descent holds it, and the next one takes what the flow has made of it.
+    bool descend_in_rounds(At& now) {
+        if (!law_.in_rounds()) return descend(now);
+        HeldRound held[2];
+        for (int i : {0, 1}) conditions_[i].held = &held[i];
+        bool settled = false;
+        for (int round = 0; round < most_held && !settled; ++round) {
+            if (!descend(now, round > 0)) break;
+            settled = true;
+            for (int i : {0, 1}) {
+                const double within = round < many_held ? tolerance_ : std::max(tolerance_, coarse_round);
+                if (!law_.next_round(now.of[i], conditions_[i], within, held[i])) settled = false;
+            }
+        }
+        for (int i : {0, 1}) conditions_[i].held = nullptr;
+        return settled;
+    }
+
+    /// The case that is not convex: F falls from step to step. False: it has not converged. `again`: from a flow that
+    /// was found with another strength, so that F is not known there.
+    bool descend(At& now, bool again = false) const {
+        const double U = energy(now), scale = std::max(std::abs(U), std::numeric_limits<double>::min());
+        double F = again ? std::numeric_limits<double>::infinity() : U, firmer = 1, stretch = 1, fell = 0, marked = F,
+               changed = 0;
         for (int i = 0; i < most_descents; ++i) {
             if (i > 0 && i % flat_rounds == 0) {
                 if (marked - F <= flat_fall * scale && changed <= flat_change) return true;
@@ -265,7 +299,8 @@ private:
     const Stiffness (&of_)[2];
     const Vec6 (&d_)[2];
     const SectionLaw& law_;
-    const SectionConditions* conditions_;
+    SectionConditions conditions_[2];
+    mutable int work_ = 0;  ///< rounds so far
     double tolerance_;
     inline static const ElementFlow no_flow_{};
 };

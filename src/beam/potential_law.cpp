@@ -20,32 +20,6 @@ YieldSurface screen_with(YieldSurface screen, const SectionMaterial& material) {
 
 }  // namespace
 
-/// The factor that follows the rotation, from round to round. A round that takes the factor s leads to a rotation whose
-/// factor is F(s). A falling strength: F(s) rises, and the next round takes F(s); so s comes down to the first s that
-/// is F(s). A rising one: F(s) falls, and s may jump to and fro; then it is looked for between the two.
-class PotentialLaw::FactorSearch {
-public:
-    double next(double s, double F) {
-        const double off = F - s, ratio = rounds_ > 0 && last_off_ != 0 ? off / last_off_ : 0;
-        (off > 0 ? low_ : high_) = s;
-        double out = F;
-        if (low_ < high_ && std::isfinite(low_) && std::isfinite(high_)) {
-            if (rounds_ > 0 && off != last_off_) out = s - off * (s - last_) / (off - last_off_);
-            if (!(out > low_ && out < high_)) out = 0.5 * (low_ + high_);
-        } else if (rounds_ > 6 && rounds_ % 4 == 0 && ratio > 0 && ratio < 0.95) {
-            out = s + off / (1 - ratio);  // where rounds that shrink alike come to
-        }
-        // the other end changes what F is
-        if (++rounds_ % 12 == 0 || high_ - low_ < 1e-12) low_ = -INFINITY, high_ = INFINITY;
-        last_ = s, last_off_ = off;
-        return out;
-    }
-
-private:
-    double low_ = -INFINITY, high_ = INFINITY, last_ = 0, last_off_ = 0;
-    int rounds_ = 0;
-};
-
 PotentialLaw::PotentialLaw(const YieldSurface& screen, const Vec4& strength, SectionMaterial material,
                            bool remembers_flow, int own_variables)
     : SectionLaw(screen_with(screen, material)),
@@ -177,46 +151,74 @@ bool PotentialLaw::back_is_found(const End& end, const SectionConditions& at, in
     return (moved - went_by).norm() <= flow_tolerance * (1 + end.carries(trial).norm());
 }
 
+/// One round: with what the round before has found, which `held` has; `settled`: null, or set to whether this round has
+/// found the same, and then `held` is of the next round.
+ElementFlow PotentialLaw::find_round(const Vec6& trial, const Stiffness& k, const double* sections, int n,
+                                     const SectionConditions& at, const ElementFlow* before, HeldRound& held,
+                                     bool* settled) const {
+    const double close = back_follows_flow_ ? flow_tolerance : 10 * flow_tolerance;  // of factors
+    ElementFlow out;
+    out.p = trial;
+    End ends[2];
+    for (int i = 0; i < n; ++i) {
+        const HeldRound::Section& of = held.of[i];
+        ends[i] = End(sections[i], per_strength_, k, at, i, *this, {of.strain, of.e});
+        if (!held.first && follows_rotation_) ends[i].turned.factor = of.factor;
+    }
+    out.converged = find_ends(trial, k, ends, n, before);
+    bool same = true;
+    for (int i = 0; i < n; ++i) {
+        const SoFar now = add_flow(ends[i], i, out);
+        if (!settled || !in_rounds()) continue;
+        HeldRound::Section& of = held.of[i];
+        const double elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy),
+                     taken = ends[i].turned.factor,
+                     found = turned(ends[i].history, now.e, now.strain * material_.zone.energy).factor;
+        same = same && (!back_follows_strain_ || std::abs(now.strain - of.strain) <= 10 * flow_tolerance * elastic) &&
+               (!back_follows_flow_ || back_is_found(ends[i], at, i, now, trial)) && std::abs(found - taken) <= close;
+        of.factor = of.search.next(taken, found);
+        of.strain = now.strain, of.e = now.e;
+    }
+    if (settled) *settled = same, held.first = false;
+    if (out.flows()) out.p = trial - k.times(out.plastic);
+    return out;
+}
+
 /// Where back resultants follow the mean plastic strain, or the strength follows the rotation, those of the round
 /// before are taken, until they change no more: a round leaves about H / E of the change before.
 ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const double* sections, int n,
                                const SectionConditions& at, const ElementFlow* before) const {
-    const double settled = back_follows_flow_ ? flow_tolerance : 10 * flow_tolerance;  // of factors
-    const bool rounds = back_follows_strain_ || back_follows_flow_ || follows_rotation_;
-    SoFar so_far[2];
-    FactorSearch search[2];
-    double factor[2] = {0, 0};  // of the rounds after the first
+    HeldRound held;
+    if (at.held) return held = *at.held, find_round(trial, k, sections, n, at, before, held, nullptr);
     ElementFlow last;
     for (int round = 0; round < most_rounds; ++round) {
-        ElementFlow out;
-        out.p = trial;
-        End ends[2];
-        for (int i = 0; i < n; ++i) {
-            ends[i] = End(sections[i], per_strength_, k, at, i, *this, so_far[i]);
-            if (round > 0 && follows_rotation_) ends[i].turned.factor = factor[i];
-        }
-        out.converged = find_ends(trial, k, ends, n, round == 0 ? before : &last);
-        bool same = true;
-        for (int i = 0; i < n; ++i) {
-            const SoFar now = add_flow(ends[i], i, out);
-            if (!rounds) continue;
-            const double elastic = (1 + ends[i].carries(trial).norm()) / (ends[i].k[2] * material_.zone.energy),
-                         taken = ends[i].turned.factor,
-                         found = turned(ends[i].history, now.e, now.strain * material_.zone.energy).factor;
-            same =
-                same &&
-                (!back_follows_strain_ || std::abs(now.strain - so_far[i].strain) <= 10 * flow_tolerance * elastic) &&
-                (!back_follows_flow_ || back_is_found(ends[i], at, i, now, trial)) &&
-                std::abs(found - taken) <= settled;
-            factor[i] = search[i].next(taken, found);
-            so_far[i] = now;
-        }
-        if (out.flows()) out.p = trial - k.times(out.plastic);
-        if (!out.converged || same) return out;
+        bool settled = false;
+        const ElementFlow out = find_round(trial, k, sections, n, at, round == 0 ? before : &last, held, &settled);
+        if (!out.converged || settled) return out;
         last = out;
     }
     last.converged = false;
     return last;
+}
+
+bool PotentialLaw::next_round(const ElementFlow& flow, const SectionConditions& at, double tolerance,
+                              HeldRound& held) const {
+    const auto differ = [&](double a, double b) { return !(std::abs(a - b) <= tolerance * std::abs(a)); };
+    bool same = true;
+    for (int i : {0, 1}) {
+        HeldRound::Section& of = held.of[i];
+        const double* history = at.history_of(i, history_size_);
+        const SoFar now = so_far(flow, i, history);
+        const double energy = material_.zone.energy, found = turned(history, now.e, now.strain * energy).factor,
+                     taken = held.first ? turned(history, Vec4::Zero(), 0).factor : of.factor;
+        if (differ(found, taken) || (back_follows_strain_ && differ(now.strain, of.strain)) ||
+            (back_follows_flow_ && !((now.e - of.e).norm() <= tolerance * now.e.norm())))
+            same = false;
+        of.factor = of.search.next(taken, found);
+        of.strain = now.strain, of.e = now.e;
+    }
+    held.first = false;
+    return same;
 }
 
 /// Adds what an end has flowed to the flow of its element.

@@ -57,6 +57,9 @@ public:
                                       const SectionConditions& at) const override;
     ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                              const ElementFlow& before) const override;
+    bool in_rounds() const override { return back_follows_strain_ || back_follows_flow_ || follows_rotation_; }
+    bool next_round(const ElementFlow& flow, const SectionConditions& at, double tolerance,
+                    HeldRound& held) const override;
     bool return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
                          ElementFlow (&flow)[2]) const override;
     double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
@@ -101,12 +104,14 @@ private:
     struct End;
     struct Work;
     struct SoFar;
-    class FactorSearch;
     SoFar so_far(const ElementFlow& flow, int section, const double* history) const;
     bool back_is_found(const End& end, const SectionConditions& at, int section, const SoFar& now,
                        const Vec6& trial) const;
     double more_by_back(const double* history, double strain, const Vec4& e) const;
     SoFar add_flow(const End& end, int section, ElementFlow& out) const;
+    ElementFlow find_round(const Vec6& trial, const Stiffness& k, const double* sections, int n,
+                           const SectionConditions& at, const ElementFlow* before, HeldRound& held,
+                           bool* settled) const;
     ElementFlow find(const Vec6& trial, const Stiffness& k, const double* sections, int n, const SectionConditions& at,
                      const ElementFlow* before) const;
     bool find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n, const ElementFlow* before) const;

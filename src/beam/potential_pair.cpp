@@ -114,7 +114,7 @@ bool PotentialLaw::on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flow
 
 bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
                                    ElementFlow (&flow)[2]) const {
-    if (back_follows_strain_ || back_follows_flow_ || follows_rotation_) return false;
+    if (in_rounds()) return false;
     const bool as_before = !flow[0].flows() && !flow[1].flows();
     if (as_before && flow_at_ < 0) return false;
     PairEnd all[4];

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "beam/held_round.h"
 #include "beam/yield.h"
 
 namespace hinge::beam {
@@ -19,6 +20,7 @@ struct SectionConditions {
     const double* history = nullptr;
     double dt = 0;                          ///< length of the step, s; 0: no time passes, as in statics
     double temperature = room_temperature;  ///< degrees Celsius
+    const HeldRound* held = nullptr;        ///< of a law in rounds: the return is this round alone
 
     SectionConditions() = default;
     SectionConditions(const FixedEnd& loads, const double* start = nullptr, double step = 0)
@@ -117,6 +119,15 @@ public:
     /// `before` is the round before, from which the search may start.
     virtual ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                                      const ElementFlow& before) const = 0;
+
+    /// True of a law whose return is looked for in rounds, each of which holds constant what follows the flow.
+    virtual bool in_rounds() const { return false; }
+    /// After a round of a pair, of one element of it: what the next round holds. True: it is the same, but for
+    /// `tolerance`.
+    virtual bool next_round(const ElementFlow& flow, const SectionConditions& at, double tolerance,
+                            HeldRound& held) const {
+        return (void)flow, (void)at, (void)tolerance, (void)held, true;
+    }
 
     /// The flow of all four ends of a pair together, from `flow`, that of a round; where that is none, from what the
     /// law remembers of the step before. A law need not know it.

@@ -14,7 +14,7 @@ class ScaledConditions {
 public:
     ScaledConditions(double factor, const SectionConditions& at, double temperature)
         : fixed_end_(times(factor, *at.fixed_end)), at_(fixed_end_, at.history, at.dt) {
-        at_.temperature = temperature;
+        at_.temperature = temperature, at_.held = at.held;
     }
     ScaledConditions(const ScaledConditions&) = delete;
     operator const SectionConditions&() const { return at_; }
@@ -55,6 +55,12 @@ ElementFlow SoftenedLaw::return_alone(const Vec6& trial, const Stiffness& k, con
     const double up = 1 / strength_;
     return times(strength_,
                  law_.return_alone(up * trial, up * k, ScaledConditions(up, at, temperature_), times(up, before)));
+}
+
+bool SoftenedLaw::next_round(const ElementFlow& flow, const SectionConditions& at, double tolerance,
+                             HeldRound& held) const {
+    const double up = 1 / strength_;
+    return law_.next_round(times(up, flow), ScaledConditions(up, at, temperature_), tolerance, held);
 }
 
 double SoftenedLaw::work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,

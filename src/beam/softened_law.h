@@ -24,6 +24,9 @@ public:
                                       const SectionConditions& at) const override;
     ElementFlow return_alone(const Vec6& trial, const Stiffness& k, const SectionConditions& at,
                              const ElementFlow& before) const override;
+    bool in_rounds() const override { return law_.in_rounds(); }
+    bool next_round(const ElementFlow& flow, const SectionConditions& at, double tolerance,
+                    HeldRound& held) const override;
     double work_of(const FixedEnd& part, const ElementFlow& flow, const double* sections, int n,
                    const SectionConditions& at) const override;
     Mat6 tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
