@@ -298,15 +298,19 @@ Mat6 Mass::lumped_at(int node, const State& state) const {
 }
 
 /// Each group by itself: T^T M T of the nodes on which others depend. The free components of a dependent node are on
-/// their own, unless an offset mass couples them to the others.
+/// their own, unless an offset mass couples them to the others, or other nodes depend on them: a node of a diaphragm
+/// whose members end in joints.
 void Mass::solve_joined(const std::vector<Vec6>& impulse, std::vector<Vec6>& change, const State& state) const {
+    std::vector<char> carries(structure_.position().size(), 0);  // whether others depend on the node
+    for (const Reduction::Dependent& d : reduction_->dependents())
+        for (const Reduction::Part& p : d.parts) carries[p.node] = 1;
     for (const std::vector<int>& group : reduction_->groups()) {
         std::vector<Mat6> M;
         std::vector<int> place;  // of each node of the group in the matrix, -1
         int unknowns = 0;
         for (const int n : group) {
             M.push_back(lumped_at(n, state));
-            const bool alone = reduction_->depends(n) && M.back().isDiagonal(0);
+            const bool alone = reduction_->depends(n) && !carries[n] && M.back().isDiagonal(0);
             place.push_back(alone ? -1 : std::exchange(unknowns, unknowns + 6));
         }
         const auto place_of = [&](int node) {
