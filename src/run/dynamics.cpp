@@ -58,7 +58,6 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     meets_ = !effects_->contact_laws.empty();
     breaks_or_parts_ = effects_->any(&EffectTraits::forces_vanish);
     decides_ = !effects_->breakers.empty();
-    may_take_back_ = effects_->any(&EffectTraits::calls_script) || settings_.controlled();
     if (control_.by_default()) {
         lumped_.assign(structure_->position().size(), 0);
         for (const Element& e : structure_->elements())
@@ -425,7 +424,7 @@ bool Dynamics::advance() {
         verdict_ = Verdict::completed;
         return false;
     }
-    if (may_take_back_) save_step();
+    save_step();
     try {
         do {
             rejected_ = false;
@@ -436,17 +435,17 @@ bool Dynamics::advance() {
             step_.failure = at + step_.failure;
             // no shorter step helps against a load that is not finite
             rejected_ = settings_.controlled() && !(control_.by_default() && is_of_load(step_.failure));
-            if (!rejected_) fail(step_.failure);
+            if (!rejected_) roll_back(), fail(step_.failure);
         } while (rejected_ && again_shorter());
         for (const auto& e : effects_->all) e->release_step();
     } catch (const HookError& e) {
         roll_back();
         char at[100];
-        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back", state_.step + 1,
-                      state_.time + size_.dt());
+        std::snprintf(at, sizeof at, " at step %ld, t = %.6g s; the step was taken back to t = %.6g s", state_.step + 1,
+                      state_.time + size_.dt(), state_.time);
         throw HookError(e.what() + std::string(at));
     } catch (...) {
-        if (may_take_back_) roll_back();
+        roll_back();
         throw;
     }
     if (verdict_ == Verdict::running && size_.over()) verdict_ = Verdict::completed;
@@ -492,10 +491,14 @@ void Dynamics::set_length(long length) {
 
 // ---- steps that are taken back --------------------------------------------------------------------------------------
 
-/// Whatever a step changes before it commits, beside what is tried.
+/// Whatever a step changes before it commits, beside what is tried. Each step is saved: functions of the script are
+/// not all that may throw in one.
 void Dynamics::save_step() {
     for (const auto& e : effects_->all) e->save_step();
-    before_ = {state_.accumulated, size_, anew_, integrator_->fastest};
+    before_.accumulated = state_.accumulated;
+    before_.size = size_;
+    before_.anew = anew_;
+    before_.fastest = integrator_->fastest;
 }
 
 /// A rule of the script failed, or step control takes the step back: all as it was before.

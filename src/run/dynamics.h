@@ -125,7 +125,6 @@ private:
     EnergyMonitor energy_monitor_;
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
-    bool may_take_back_ = false;                                      ///< a step may fail and be undone
     FastSpin spin_;
     Step step_;
     bool constraints_due_ = false;  ///< constraints have ended in the step

@@ -305,7 +305,7 @@ model:dynamic { dt = 1e-5, duration = 5e-2, record = 1 }:finish()
   status, _, complaint = run(hinge .. " run " .. script("failing.lua", failing) .. " --out " .. quote(path "stopped"))
   equal(status, 2, "status of an error in a fracture rule")
   expect(complaint:find("failing%.lua:16: this rule is wrong %(fracture rule of .-failing%.lua:14, "
-    .. "element %d of member 1, .-the step was taken back\n"), "a fracture rule's error: %s", complaint)
+    .. "element %d of member 1, .-the step was taken back to t = %S+ s\n"), "a fracture rule's error: %s", complaint)
   expect(not support.is_there(path "stopped/summary.json"), "a summary was left by a script that stumbled")
   local rows = lines "stopped/history.csv"
   expect(#rows > 10 and (support.read(path "stopped/history.csv") or ""):sub(-1) == "\n",

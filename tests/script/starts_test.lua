@@ -57,4 +57,33 @@ case("explicit steps move a node that follows others, and that others follow, as
   end
 end)
 
+case("heat that leaves the range of its properties takes the step back, with each integrator", function()
+  for _, settings in ipairs { { dt = 1e-3 }, { integrator = "explicit", dt = 2e-5 },
+    { dt = 1e-3, step_control = 1e-2 } } do
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+    model:fix(a)
+    local post = model:member { a, b, section = square, material = steel }
+    model:heat { member = post, temperature = 20, across_x = { { 0, 0 }, { 0.2, 300 } } }
+    settings.duration, settings.record = 0.2, false
+    local run = model:dynamic(settings)
+    local before = 0
+    local ok, message = pcall(function()
+      while run:step() do before = run.time end
+    end)
+    -- 80 degrees below 20 on the cold side leave the range, which begins at -60: after 0.2 s * 160 / 300
+    local steps = math.floor(0.2 * 160 / 300 / settings.dt)
+    local last, tried = steps * settings.dt, (steps + 1) * settings.dt
+    expect(not ok and support.has(message, ("the temperature is 20 degrees Celsius at t = %.6g s"):format(tried)),
+      "it said: %s", message)
+    expect(support.has(tostring(message), ("at step %d, t = %.6g s; the step was taken back to t = %.6g s"):format(
+      steps + 1, tried, last)), "it said: %s", message)
+    near(run.time, last, 1e-12, "the time")
+    equal(run.time, before, "that of the step before")
+    near(run.energy_error, 0, 1e-3, "the energy error of the state that is left")
+    expect(not pcall(run.step, run), "the same step fails again")
+    equal(run.time, before, "and is taken back again")
+  end
+end)
+
 checks.done()
