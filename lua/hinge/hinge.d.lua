@@ -3307,8 +3307,8 @@ function model:damping(options) end
 ---In both, members are round, with half the smaller side of the section as radius. Each call adds a plane. Nodes whose
 ---displacements are fixed do not touch. What touches when the run begins is at rest there. What has its axis below the
 ---plane when the run begins is left out until it has left the ground. The ground acts in statics too, with the springs
----alone; statics needs supports. run.energy then has ground, the sum of ground_stored (more than at the start) and
----ground_dissipated (by the dashpots, friction and restitution, and what was stored where an end breaks off), J.
+---alone; statics needs supports. run.energy then has ground, the sum of ground_stored (now) and ground_dissipated (by
+---the dashpots, friction and restitution, and what was stored where an end breaks off), J.
 ---```lua
 ---model:ground { point = { 0, 0, -0.05 }, friction = 0.5 }
 ---```
@@ -3630,9 +3630,10 @@ local run = {}
 
 ---The energy balance, J: eq 20, and the terms that eq 20 leaves out.
 ---@class hinge.energy
----@field initial number kinetic and elastic energy at the start
+---kinetic energy at the start, and all that is stored then: in the elements, contacts, connectors, joints, ground
+---@field initial number
 ---@field kinetic number
----@field gravity number potential energy, zero at the start
+---@field gravity number potential energy, of each body from where it was at the start
 ---@field elastic number
 ---@field plastic number dissipated in hinges
 ---@field fracture number released by fracture: fracture_elastic + fracture_kinetic

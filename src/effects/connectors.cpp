@@ -50,7 +50,6 @@ public:
                                      "use ground = true");
         if (!w.state.data.find<ConnectorsNow>(connectors_effect)) w.state.data.set(connectors_effect, ConnectorsNow{});
         list().resize(declared().size());
-        at_start_ = stored(w.state);
         const std::vector<ElementDamping> damping = damping_of(w.structure);
         for (const Connector& c : declared()) damping_.push_back(joint_damping(w.structure, damping, {c.a, c.b}));
     }
@@ -167,9 +166,7 @@ public:
     }
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
-    void add_energy(const State& state, Accounts& sums) const override {
-        sums["connector_stored"] += stored(state) - at_start_;
-    }
+    void add_energy(const State& state, Accounts& sums) const override { sums["connector_stored"] += stored(state); }
     void save(Writer& to) const override { fields(*this, to); }
     void restore(Reader& from) override { fields(*this, from); }
     bool restored(std::span<const State* const> states) override {
@@ -198,7 +195,7 @@ private:
     };
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.at_start_, s.now_);
+        a(s.now_);
     }
 
     const std::vector<Connector>& declared() const { return declared_; }
@@ -376,7 +373,6 @@ private:
 
     std::vector<Evaluated> now_;
     std::vector<double> damping_;  ///< s: beta of model:damping
-    double at_start_ = 0;          ///< J
 };
 
 std::vector<PlanLine> connectors_plan(const Structure& s, const RunKind&) {
@@ -390,7 +386,7 @@ std::vector<PlanLine> connectors_plan(const Structure& s, const RunKind&) {
 EffectKind connectors_kind() {
     return {.name = connectors_effect,
             .accounts = {{"connectors", 70, "stored in connectors now, and dissipated by them", {}, false, true},
-                         {"connector_stored", 71, "stored in springs and curves of connectors", "connectors"},
+                         {"connector_stored", 71, "stored now in springs and curves of connectors", "connectors"},
                          {"connector_dissipated", 72, "work done on dashpots and laws, and released by breaks",
                           "connectors"}},
             .plan = connectors_plan,

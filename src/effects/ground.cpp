@@ -97,7 +97,6 @@ public:
         const int planes = int(declared().size()), nodes = int(w.structure.position().size());
         const Points* there = w.state.data.find<Points>(ground_effect);
         if (!there || there->planes != planes || there->nodes != nodes) w.state.data.set(ground_effect, list_points());
-        at_start_ = stored(w.state);
     }
 
     void add_forces(double, std::vector<Vec6>& resisting) override {
@@ -228,11 +227,9 @@ public:
     bool busy() const override { return has_ > 0; }
     std::string why_awake() const override { return w_.structure.node_name(points()[first_].node) + " on the ground"; }
 
-    void add_energy(const State& state, Accounts& sums) const override {
-        sums["ground_stored"] += stored(state) - at_start_;
-    }
-    void save(Writer& to) const override { to(at_start_, has_, had_, first_); }
-    void restore(Reader& from) override { from(at_start_, has_, had_, first_); }
+    void add_energy(const State& state, Accounts& sums) const override { sums["ground_stored"] += stored(state); }
+    void save(Writer& to) const override { to(has_, had_, first_); }
+    void restore(Reader& from) override { from(has_, had_, first_); }
     bool restored(std::span<const State* const> states) override {
         const int nodes = int(w_.structure.position().size()), elements = int(w_.structure.elements().size());
         const auto within = [](int i, int n) { return i >= 0 && i < n; };
@@ -520,7 +517,6 @@ private:
     int first_ = 0;              ///< of those, the first
     double lost_ = 0;            ///< J, by friction and restitution in this step
     double gives_back_ = 0;      ///< of the heat of the points that friction is taken from
-    double at_start_ = 0;        ///< J
 };
 
 std::vector<PlanLine> ground_plan(const Structure& s, const RunKind&) {
@@ -536,8 +532,7 @@ std::vector<PlanLine> ground_plan(const Structure& s, const RunKind&) {
 EffectKind ground_kind() {
     return {.name = ground_effect,
             .accounts = {{"ground", 75, "stored where members press on the ground, and lost there"},
-                         {"ground_stored", 76, "stored where members press on the ground, above that at the start",
-                          "ground"},
+                         {"ground_stored", 76, "stored now where members press on the ground", "ground"},
                          {"ground_dissipated", 77,
                           "lost to the ground's damping, and to friction and restitution on it", "ground"}},
             .plan = ground_plan,

@@ -100,7 +100,6 @@ public:
         const int planes = int(declared().size()), nodes = int(w.structure.position().size());
         const Strips* there = w.state.data.find<Strips>(layer_data);
         if (!there || there->planes != planes || there->nodes != nodes) w.state.data.set(layer_data, list_strips());
-        at_start_ = stored(w.state);
     }
 
     void add_forces(double, std::vector<Vec6>& resisting) override {
@@ -279,11 +278,9 @@ public:
         return w_.structure.element_name(strips()[first_].element) + " on the ground";
     }
 
-    void add_energy(const State& state, Accounts& sums) const override {
-        sums["ground_stored"] += stored(state) - at_start_;
-    }
-    void save(Writer& to) const override { to(at_start_, has_, had_, first_); }
-    void restore(Reader& from) override { from(at_start_, has_, had_, first_); }
+    void add_energy(const State& state, Accounts& sums) const override { sums["ground_stored"] += stored(state); }
+    void save(Writer& to) const override { to(has_, had_, first_); }
+    void restore(Reader& from) override { from(has_, had_, first_); }
     bool restored(std::span<const State* const> states) override {
         const int nodes = int(w_.structure.position().size()), elements = int(w_.structure.elements().size());
         const auto within = [](int i, int n) { return i >= 0 && i < n; };
@@ -521,7 +518,6 @@ private:
     std::vector<StripTouch> touches_;  ///< as of the last add_forces or solved
     int has_ = 0, had_ = 0;            ///< strips that touch, at the last add_forces and the one before
     int first_ = 0;                    ///< of those, the first
-    double at_start_ = 0;              ///< J
 };
 
 }  // namespace

@@ -63,7 +63,6 @@ public:
             traits_.forces_vanish = traits_.forces_vanish || declared()[i].is.can_break();
         }
         for (std::size_t i = 0; i < made_.size(); ++i) go_on(i);
-        at_start_ = stored(w.state);
     }
 
     // ---- forces ---------------------------------------------------------------------------------------------------
@@ -195,9 +194,7 @@ public:
     }
 
     // ---- energy, warnings and checkpoint --------------------------------------------------------------------------
-    void add_energy(const State& state, Accounts& sums) const override {
-        sums["joint_stored"] += stored(state) - at_start_;
-    }
+    void add_energy(const State& state, Accounts& sums) const override { sums["joint_stored"] += stored(state); }
     /// Statics breaks no joint.
     void check_run(std::vector<RunWarning>& warnings) const override {
         for (std::size_t i = 0; i < made_.size(); ++i) {
@@ -207,8 +204,6 @@ public:
                                 "a dynamic run that goes on from here breaks it", made_[i].member});
         }
     }
-    void save(Writer& to) const override { to(at_start_); }
-    void restore(Reader& from) override { from(at_start_); }
     bool restored(std::span<const State* const> states) override {
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const auto* there = s->data.find<JointsNow>(joints_effect);
@@ -509,7 +504,6 @@ private:
     std::vector<Made> made_;
     std::vector<std::size_t> in_order_;  ///< joints between nodes first
     std::vector<Now> now_;
-    double at_start_ = 0;  ///< J
     bool lost_any_ = false;
 };
 
@@ -524,7 +518,7 @@ std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
 EffectKind joints_kind() {
     return {.name = joints_effect,
             .accounts = {{"joints", 73, "stored in joints now, and dissipated by them", {}, false, true},
-                         {"joint_stored", 73, "stored in the springs of joints", "joints"},
+                         {"joint_stored", 73, "stored now in the springs of joints", "joints"},
                          {"joint_dissipated", 74, "plastic work of joints, and what their breaks released", "joints"}},
             .plan = joints_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {

@@ -51,8 +51,7 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
       first_step_(state_.step) {
     const std::size_t nodes = structure_->position().size();
     begin_constraints();
-    const Energy start_energy = energy_of(state_);
-    initial_ = start_energy["kinetic"] + start_energy["elastic"];
+    initial_ = 0 - energy_of(state_).error;  // all that is stored: nothing has come in, or gone, yet
     w_.external.assign(nodes, Vec6::Zero());
     w_.resisting.assign(nodes, Vec6::Zero());
     for (const auto& load : effects_->loads) load->add_steady_loads(w_.external);

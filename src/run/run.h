@@ -140,7 +140,7 @@ protected:
     std::unique_ptr<const EffectList> effects_;
     std::unique_ptr<Constraints> constraints_;  ///< null where there are none
     AccountList accounts_;
-    double initial_ = 0;  ///< J, kinetic and elastic energy at the start
+    double initial_ = 0;  ///< J, kinetic energy and all that is stored, at the start
     Accounts at_start_;   ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
     std::vector<Activation> activations_;

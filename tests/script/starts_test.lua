@@ -86,4 +86,98 @@ case("heat that leaves the range of its properties takes the step back, with eac
   end
 end)
 
+-- A bar that falls on a beam (rule "surface" or "gap") or on the ground; its runs follow each other.
+local function falls_on(what, integrator, durations)
+  local model = hinge.model {}
+  local bar
+  if what == "surface" or what == "gap" then
+    local a, b = model:node { -1, 0, 0 }, model:node { 1, 0, 0 }
+    model:fix { a, b }
+    model:member { a, b, section = square, material = steel }
+    bar = model:member { model:node { 0.1, -0.6, 0.11 }, model:node { 0.1, 0.5, 0.11 }, section = square,
+      material = steel }
+    model:contact { rule = what }
+  else
+    bar = model:member { model:node { 0, 0, 0.06 }, model:node { 0, 1, 0.07 }, section = square, material = steel }
+    model:ground(what == "points" and { stiffness = 1e8 } or {})
+  end
+  model:velocity(bar, { 0, 0, -5 })
+  local run, first
+  for _, duration in ipairs(durations) do
+    run = model:dynamic { from = run, dt = integrator == "explicit" and 5e-6 or 1e-5, integrator = integrator,
+      duration = duration, record = false }:finish()
+    first = first or run
+  end
+  local place = {}
+  for _, node in ipairs(bar:nodes()) do
+    local x, y, z = node:displacement(run)
+    place[#place + 1], place[#place + 2], place[#place + 3] = x, y, z
+  end
+  return run, place, first
+end
+
+case("a run that goes on while members press on each other, or on the ground, has the energy of the whole", function()
+  for _, what in ipairs { "surface", "gap", "points", "layer" } do
+    for _, integrator in ipairs { "newmark", "explicit" } do
+      local whole, place = falls_on(what, integrator, { 0.006 })
+      local most = 0
+      for _, cut in ipairs { 0.001, 0.0025, 0.0035, 0.0045 } do
+        local name = ("%s, %s, cut at %g s"):format(what, integrator, cut)
+        local run, moved, first = falls_on(what, integrator, { cut, 0.006 - cut })
+        local e = first.energy
+        local stored = e.contact_stored + (e.ground_stored or 0)
+        if stored > most then most = stored end
+        equal(run.verdict, "completed", name .. ": " .. run.reason)
+        -- what explicit steps' balance swings by in a contact
+        near(run.energy_error, 0, integrator == "explicit" and 2e-3 or 5e-5, name .. ": energy error")
+        near(run.energy.initial / (e.kinetic + e.elastic + stored), 1, 1e-9, name .. ": what it begins with")
+        -- a run finds its first acceleration anew; Newmark's method had the one of its last solution
+        for i, u in ipairs(moved) do near(u, place[i], 1e-6 * 5 * 0.006, name .. ": displacement " .. i) end
+        if integrator == "explicit" and what ~= "layer" then
+          for i, u in ipairs(moved) do equal(u, place[i], name .. ": the bits of displacement " .. i) end
+        end
+      end
+      if what ~= "gap" then expect(most > 1, "%s: %g J were stored at a cut", what, most) end
+      near(whole.energy_error, 0, integrator == "explicit" and 2e-3 or 5e-5, what .. ": energy error")
+    end
+  end
+end)
+
+case("joint_stored and connector_stored are what is stored now, in each run of a chain", function()
+  local model = hinge.model {}
+  local a, b, c = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }, model:node { 0, 3, 0 }
+  model:fix { a, c }
+  local k_joint, k_spring, P = 1e5, 1e5, 1000
+  model:member { a, b, section = square, material = steel, ends = { a = hinge.joint { Mx = { stiffness = k_joint } } } }
+  model:connector { b, ground = true, stiffness = { z = k_spring } }
+  model:case "dead":load { node = b, force = { 0, 0, -P } }
+  local rest = model:static { loads = { dead = 1 }, record = false }:finish()
+  local function stored(run)
+    local _, _, z = b:displacement(run)
+    return run.energy.joint_stored, run.energy.connector_stored, 0.5 * k_spring * z ^ 2
+  end
+  local in_joint, in_spring, by_hand = stored(rest)
+  near(in_spring, by_hand, 1e-9 * by_hand, "statics: k u^2 / 2")
+  expect(in_joint > 0.1, "the joint turns: %g J", in_joint)
+
+  local again = model:static { from = rest, loads = { dead = 1 }, record = false }:finish()
+  near(again.energy.connector_stored, in_spring, 1e-6 * in_spring, "statics that goes on: the same")
+  near(again.energy.initial, again.energy.elastic + in_joint + in_spring, 1e-6 * in_spring, "and began with it")
+
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local run = model:dynamic { from = rest, loads = { dead = 0 }, integrator = integrator,
+      dt = integrator == "explicit" and "auto" or 1e-4, duration = 0.1, record = false }
+    local e = run.energy
+    equal(e.joint_stored, in_joint, integrator .. ": as before in the joint")
+    equal(e.connector_stored, in_spring, integrator .. ": and in the connector")
+    near(e.initial, e.elastic + in_joint + in_spring, 1e-12 * in_spring, integrator .. ": it begins with all of it")
+    while run:step() do
+      local joint, spring, now = stored(run)
+      near(spring, now, 1e-9 * by_hand, integrator .. ": k u^2 / 2")
+      expect(joint >= 0, "%s: joint_stored is %g J", integrator, joint)
+    end
+    near(run.energy_error, 0, 1e-5, integrator .. ": energy error")
+  end
+end)
+
 checks.done()
