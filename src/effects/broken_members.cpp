@@ -23,7 +23,8 @@ public:
     }
 
     /// m (a - g) + a x S + w x (w x S) and S x (a - g) + J a + w x J w, S and J about the node, in space. In the
-    /// energy-momentum method the weight alone: momenta are the integrator's.
+    /// energy-momentum method the weight alone: momenta are the integrator's. In small displacement S and J keep their
+    /// directions, and what is of second order in w, of which the linear equation of motion has nothing, is left out.
     void subtract_following_loads(std::vector<Vec6>& resisting) override {
         if (w_.state.offset_mass.empty()) return;
         const Vec3 g = gravity().acceleration;
@@ -34,7 +35,8 @@ public:
             const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
             const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
                        alpha = w_.trial.acceleration[i].tail<3>(),
-                       w = w_.kind.conserving ? Vec3(Vec3::Zero()) : Vec3(w_.trial.velocity[i].tail<3>());
+                       w = w_.kind.conserving || !w_.structure.large() ? Vec3(Vec3::Zero())
+                                                                       : Vec3(w_.trial.velocity[i].tail<3>());
             const Vec3 in_body = R.transpose() * w, Jw = R * (h.inertia * in_body),
                        Ja = R * (h.inertia * (R.transpose() * alpha));
             tried_rate_[i] = alpha.cross(S) + w.cross(w.cross(S));

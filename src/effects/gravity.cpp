@@ -1,10 +1,14 @@
 // Gravity: the weight of elements and of rigid offset masses, and their potential energy (eq 20b).
 //
+// The potential energy is counted from where each node is at the start of the run: weight times place in space would
+// round by 1e-16 m g z, which is more than a body has that has just been let go at a height z.
+//
 // Weights act at the nodes. What they miss of a load along the member is added to members that are whole and carried
 // (member_weights.h). It has no potential: minus its work is in gravity's account.
 #include "effects/gravity.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "effects/kinds.h"
 #include "effects/member_weights.h"
@@ -20,6 +24,7 @@ public:
           g_(gravity_of(w.structure.model())->acceleration),
           held_(gravity_of(w.structure.model())->held) {
         even_.find(w.structure, w.state, g_);
+        start_ = w.state.displacement;
         at_start_ = potential(w.state);
         if (w.structure.model().options().weight == Weight::members) members_ = MemberWeights(w.structure);
         choose_members();
@@ -43,12 +48,18 @@ public:
     bool is_unsymmetric() const override { return follows_nodes() && !w_.state.offset_mass.empty(); }
     bool has_potential() const override { return true; }
 
+    /// A break moves weights between nodes, and in no direction: what that changes in the sum is no energy.
+    void breaks(const Break&, std::vector<Vec6>&) override {
+        if (!before_breaks_) before_breaks_ = potential(w_.state);
+    }
     void broke(const Break& b) override {
         for_each_lost_weight(w_.structure, w_.state, b.element,
                              [&](int node, double mass) { host_.change_steady_load(node, -(mass * g_)); });
     }
     void all_broke() override {
         renew_even_weights();
+        if (before_breaks_) at_start_ += potential(w_.state) - *before_breaks_;
+        before_breaks_.reset();
         choose_members();
     }
 
@@ -105,11 +116,16 @@ public:
     /// Zero where the run starts.
     void add_energy(const State& state, Accounts& sums) const override {
         sums["gravity"] += potential(state) - at_start_;
+        // displacements are kept as they are, although the potential needs only how far they are from the start
+        for_each_weight(w_.structure, state, [&](int node, double mass) {
+            sums[energy_scale] += mass * std::abs(state.displacement[node].dot(g_));
+        });
     }
 
-    void save(Writer& to) const override { to(at_start_, before_); }
-    void restore(Reader& from) override { from(at_start_, before_); }
+    void save(Writer& to) const override { to(at_start_, start_, before_); }
+    void restore(Reader& from) override { from(at_start_, start_, before_); }
     bool restored(std::span<const State* const>) override {
+        if (start_.size() != w_.state.displacement.size()) return false;
         even_.find(w_.structure, w_.state, g_);
         std::vector<Vec3> before = std::move(before_);
         choose_members();
@@ -118,15 +134,12 @@ public:
     }
 
 private:
-    /// Weights move between nodes where they are: no work.
     void renew_even_weights() {
         if (!w_.structure.lumped()) return;
         const std::vector<double> before = even_.more();
-        const double potential_before = potential(w_.state);
         even_.find(w_.structure, w_.state, g_);
         for (std::size_t n = 0; n < before.size(); ++n)
             if (const double more = even_.more()[n] - before[n]; more != 0) host_.change_steady_load(int(n), more * g_);
-        at_start_ += potential(w_.state) - potential_before;
     }
 
     /// In statics all is held, one way or another, and what cannot be carried has its limit load.
@@ -152,22 +165,26 @@ private:
     /// The gravity that acts at a load factor, 1 in dynamics, where nothing is held.
     Vec3 g_at(double factor) const { return held_ + factor * (g_ - held_); }
 
+    /// Eq 20b. In small displacement an arm S turns by the linear rotation r, as its moment S x g does work on it.
     double potential(const State& state) const {
-        const Structure& s = w_.structure;
-        Vec3 moment = Vec3::Zero();  // of mass about the origin
-        for_each_weight(
-            s, state, [&](int node, double mass) { moment += mass * (s.position()[node] + state.displacement[node]); });
-        for (std::size_t n = 0; n < even_.more().size(); ++n)
-            moment += even_.more()[n] * (s.position()[n] + state.displacement[n]);
-        for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
-            if (state.offset_mass[i].mass > 0)
-                moment += state.offset_mass[i].mass * (s.position()[i] + state.displacement[i]) +
-                          state.rotation[i] * state.offset_mass[i].moment;
-        return -moment.dot(g_);  // eq 20b
+        const auto moved = [&](std::size_t node) -> Vec3 { return state.displacement[node] - start_[node]; };
+        Vec3 moment = Vec3::Zero();  // kg m
+        for_each_weight(w_.structure, state, [&](int node, double mass) { moment += mass * moved(node); });
+        for (std::size_t n = 0; n < even_.more().size(); ++n) moment += even_.more()[n] * moved(n);
+        for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
+            const OffsetMass& h = state.offset_mass[i];
+            if (!(h.mass > 0)) continue;
+            moment += h.mass * moved(i);
+            if (w_.structure.large()) moment += state.rotation[i] * h.moment;
+            else moment += h.moment + state.small_rotation[i].cross(h.moment);
+        }
+        return -moment.dot(g_);
     }
 
-    Vec3 g_, held_;    ///< m/s^2; of it, what statics holds from the start on
-    double at_start_;  ///< J
+    Vec3 g_, held_;                        ///< m/s^2; of it, what statics holds from the start on
+    std::vector<Vec3> start_;              ///< m, displacements at the start
+    double at_start_;                      ///< J
+    std::optional<double> before_breaks_;  ///< J, while elements break
     EvenWeights even_;
     MemberWeights members_;  ///< none with weight = "nodes"
     /// On its joints: what they were at the end of the last step, and are where forces were asked for last, N m.

@@ -22,6 +22,11 @@ constexpr double abrupt_part = 0.5;    ///< of what may be lost: a change of the
 constexpr long most_unseen = 32;       ///< steps from one look of step control to the next, by default
 constexpr long most_unseen_short = 4;  ///< and while they are halved
 
+/// The share of an error, none where it may be rounding: no step, however short, makes that smaller.
+double beyond_rounding(double share, const Energy& energy) {
+    return std::isfinite(share) && std::abs(energy.error) <= energy.rounding ? 0 : share;
+}
+
 }  // namespace
 
 /// A strain of 1e-11 all over: rounding of the positions alone makes such energies.
@@ -58,7 +63,7 @@ bool EnergyMonitor::due(const State& state, bool running) const {
 std::optional<std::string> EnergyMonitor::look(State& state, const Energy& energy, const AccountList& accounts,
                                                LargestEnergy& largest, bool running, double may_grow,
                                                const std::string& fastest) {
-    const double before = largest.most(), share = largest.share(energy, accounts);
+    const double before = largest.most(), share = beyond_rounding(largest.share(energy, accounts), energy);
     if (!(tolerance_ > 0)) {
         if (largest.most() <= 2 * before || !running) largest_error_.take(share, state.time);
         looked_at_ = state.step;
@@ -155,7 +160,8 @@ void StepControl::start_from_known(double error) {
 
 std::optional<std::string> StepControl::compare(const Energy& energy, const AccountList& accounts,
                                                 LargestEnergy& largest, StepSize& size) {
-    const double before = largest.most(), share = largest.share(energy, accounts), so_far = size.so_far();
+    const double before = largest.most(), share = beyond_rounding(largest.share(energy, accounts), energy),
+                 so_far = size.so_far();
     const double of_run = size.part_of_run(since_units_ + size.length());
     const double error = energy.error - left_, may = tolerance(size) * largest.most(),
                  lost = std::abs(error) - std::abs(kept_error_ - left_);

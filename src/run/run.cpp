@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/rotation.h"
 #include "beam/pair_bow.h"
@@ -74,7 +75,11 @@ Energy Run::energy_of(const State& state) const {
     Accounts sums;
     for (const auto& [name, sum] : state.accumulated) sums[name] = sum - at_start_[name];
     for (const auto& e : effects_->all) e->add_energy(state, sums);
-    return balance(accounts_, initial_, sums);
+    Energy energy = balance(accounts_, initial_, sums);
+    // positions round where they are read, and once a step where they are added to
+    energy.rounding =
+        std::numeric_limits<double>::epsilon() * double(4 + state.step - first_step_) * sums[energy_scale];
+    return energy;
 }
 
 Blocks Run::added_stiffness(Yielded yielded) const { return added_blocks(*effects_, state_, 0, yielded); }

@@ -48,11 +48,16 @@ struct AccountInfo {
 /// The account of supplied energy. All other accounts are stored energy, or energy taken out.
 inline constexpr std::string_view supplied_account = "work";
 
+/// A name beside the accounts, under which effects add up the size of the numbers of which their energies are
+/// differences, J.
+inline constexpr std::string_view energy_scale = "scale of rounding";
+
 /// Energy balance of a state: error = initial + work - (all other accounts), the energy made or lost by the numerics.
 struct Energy {
-    double initial = 0;  ///< kinetic + elastic at the start of the run
-    Accounts accounts;   ///< those registered, parts included; an account with parts is their sum
-    double error = 0;    ///< of the energy balance, J
+    double initial = 0;   ///< kinetic energy and all that is stored at the start of the run
+    Accounts accounts;    ///< those registered, parts included; an account with parts is their sum
+    double error = 0;     ///< of the energy balance, J
+    double rounding = 0;  ///< J, that the accounts may be off by for the digits of a number alone
     /// An account, or "initial"; "energy_error": the error ("remainder" up to 0.2).
     double operator[](std::string_view name) const;
 };

@@ -180,4 +180,119 @@ case("joint_stored and connector_stored are what is stored now, in each run of a
   end
 end)
 
+case("small displacement: the weight of an offset mass does work on its node's rotation", function()
+  local M, arm, H, g = 200, 0.3, 3, 9.81
+  local function post(offset, displacement)
+    local model = hinge.model { displacement = displacement }
+    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, H }
+    model:fix(a)
+    model:member { a, b, section = square, material = hinge.material { E = 210e9, density = 7850 } }
+    model:mass { node = b, mass = M, offset = offset }
+    model:gravity { 0, 0, -g }
+    return model, b
+  end
+  for axis, offset in ipairs { { arm, 0, 0 }, { 0, -arm, 0 }, { arm, arm, 0.2 } } do
+    local model, b = post(offset, "small")
+    local rest = model:static { steps = 2, record = false }:finish()
+    near(rest.energy_error, 0, 1e-9, axis .. ", statics: energy error")
+    -- of a cantilever under the moment M g a: M g a H^2 / 2 E I
+    local sway = M * g * offset[1] * H ^ 2 / (2 * 210e9 * square.Iy)
+    if offset[1] ~= 0 then near((b:displacement(rest)) / sway, 1, 1e-9, axis .. ": sway") end
+    for _, integrator in ipairs { "newmark", "explicit" } do
+      model, b = post(offset, "small")
+      local run = model:dynamic { dt = integrator == "explicit" and "auto" or 1e-3, duration = 0.3,
+        integrator = integrator, record = false }:finish()
+      equal(run.verdict, "completed", axis .. ", " .. integrator .. ": " .. run.reason)
+      -- linear: exact by Newmark's method; explicit steps swing
+      near(run.energy_error, 0, integrator == "newmark" and 1e-9 or 1e-4, axis .. ", " .. integrator)
+      local large_model, top = post(offset, "large")
+      local large = large_model:dynamic { dt = 1e-3, duration = 0.3, record = false }:finish()
+      -- P-delta of the mass, M g / (E I (pi / 2 H)^2) = 0.4 %, has its time of 0.3 s to change the phase of the swing
+      local x, y = b:displacement(run)
+      local X, Y = top:displacement(large)
+      local apart, of = math.sqrt((x - X) ^ 2 + (y - Y) ^ 2), math.sqrt(X ^ 2 + Y ^ 2)
+      if integrator == "newmark" then near(apart / of, 0, 0.1, axis .. ": against large displacement") end
+    end
+  end
+end)
+
+case("small displacement: the energy balance closes where a member is removed under its weight", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    for _, slope in ipairs { 0, 0.7 } do
+      local model = hinge.model { displacement = "small" }
+      local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+      local c, d = model:node { 4, slope, 3 + slope }, model:node { 4, slope, 0 }
+      model:fix { a, d }
+      for i, ends in ipairs { { a, b }, { d, c }, { b, c } } do
+        model:member { ends[1], ends[2], section = box, material = steel, group = i == 3 and "lost" or nil }
+      end
+      model:gravity { 0, 0, -9.81 }
+      model:remove { group = "lost", at = 0.01 }
+      local rest = model:static { steps = 1, record = false }:finish()
+      local run = model:dynamic { from = rest, dt = integrator == "explicit" and "auto" or 5e-4,
+        integrator = integrator, duration = 0.1, record = false }:finish()
+      equal(run.verdict, "completed", integrator .. ": " .. run.reason)
+      near(run.energy_error, 0, integrator == "newmark" and 1e-9 or 1e-4, integrator .. ": energy error")
+    end
+  end
+end)
+
+-- A thin bar of short elements let go high above its origin: the first steps have 1e-12 J.
+local function let_go(z, settings)
+  local model = hinge.model {}
+  local material = hinge.material { E = 206e9, density = 7850, yield_stress = 300e6 }
+  local a, b = model:node { 0, 0, z }, model:node { 0.2, 0, z }
+  model:member { a, b, section = hinge.section.round { diameter = 0.003 }, material = material, elements = 4 }
+  model:gravity { 0, 0, -9.80665 }
+  model:ground { point = { 0, 0, z - 0.02 } }
+  settings.duration, settings.record = 2e-4, false
+  return model:dynamic(settings):finish(), b
+end
+
+case("a body that is let go falls alike at any height above the origin", function()
+  for _, settings in ipairs { { dt = "auto" }, { dt = 1e-6 }, { dt = 1e-5, step_control = 1e-6 },
+    { dt = "auto", integrator = "explicit" } } do
+    local at_origin, node = let_go(0, settings)
+    local _, _, fallen = node:displacement(at_origin)
+    near(fallen / (-9.80665 * 2e-4 ^ 2 / 2), 1, 1e-6, "free fall")
+    for _, z in ipairs { 30, -300, 3000, 1e6 } do
+      local run, n = let_go(z, settings)
+      local what = ("dt = %s, z = %g m"):format(settings.dt, z)
+      equal(run.verdict, "completed", what .. ": " .. run.reason)
+      equal(run.index, at_origin.index, what .. ": steps")
+      equal(run.counts.rejected_steps, 0, what .. ": none is halved")
+      -- the ground is where it is to 1e-16 z
+      near(select(3, n:displacement(run)) / fallen, 1, z < 1e5 and 0 or 1e-9, what .. ": the bits of the way")
+      near(run.energy_error, 0, 1e-9, what .. ": energy error")
+    end
+  end
+end)
+
+-- What has come far begins anew at rest: a step control of it would see the rounding of the way.
+local function far_away(settings, far)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 0.2, 0, 0 }
+  local bar = model:member { a, b, section = hinge.section.round { diameter = 0.003 }, material = steel, elements = 4 }
+  model:velocity(bar, { 0, 0, far * 1e4 })
+  local up = model:dynamic { dt = 1e-6, duration = 1e-4, record = false }:finish()
+  near(select(3, b:displacement(up)) / far, 1, 1e-9, "the way")
+  model:gravity { 0, 0, -9.80665 }
+  model:velocity(bar, { 0, 0, 0 })
+  return model:dynamic { from = up, duration = 1e-3, dt = settings.dt, step_control = settings.step_control,
+    integrator = settings.integrator, record = false }:finish()
+end
+
+case("a body that has come far is let go alike: an error below rounding is none", function()
+  for _, settings in ipairs { { dt = "auto" }, { dt = 1e-6, step_control = 1e-3 },
+    { dt = "auto", integrator = "explicit" } } do
+    for _, far in ipairs { 3, 300, 30000 } do
+      local run = far_away(settings, far)
+      local what = ("dt = %s, %s, %g m up"):format(settings.dt, settings.integrator, far)
+      equal(run.verdict, "completed", what .. ": " .. run.reason)
+      -- displacements round by 1e-16 of the way that they have, and the body falls by 5e-6 m
+      near(run.energy_error, 0, 1e-8 + 3e-15 * far / 5e-6, what .. ": energy error")
+    end
+  end
+end)
+
 checks.done()
