@@ -3458,11 +3458,12 @@ function model:static(options) end
 function model:dynamic(options) end
 
 ---@class hinge.dynamic_options
----s. "auto" with newmark: twelve steps in the time that an axial wave needs to cross the shortest element. The steps
----are eight times longer while nothing yields, breaks or touches and the accelerations hardly change. "auto" with
----explicit: 0.9 of the stability limit, 0.45 if members can yield, 0.35 with surface contact, 0.2 with gap contact. A
----number above the limit is an error, which names the element. Stiff connectors, and a given stiffness of a ground,
----shorten both
+---s. "auto" with newmark: twelve steps in the time that an axial wave needs to cross the shortest element; where
+---members can yield up to four times as many, if the shear vibration of an element needs them (with more, Newton's
+---method takes their place). The steps are eight times longer while nothing yields, breaks or touches and the
+---accelerations hardly change. "auto" with explicit: 0.9 of the stability limit, 0.45 if members can yield, 0.35 with
+---surface contact, 0.2 with gap contact. A number above the limit is an error, which names the element. Stiff
+---connectors, and a given stiffness of a ground, shorten both
 ---@field dt number|"auto"
 ---@field duration number s; rounded to whole steps if dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark

@@ -295,4 +295,44 @@ case("a body that has come far is let go alike: an error below rounding is none"
   end
 end)
 
+case("dt = \"auto\" takes twelve to forty-eight steps for a wave to cross the shortest element", function()
+  local c = math.sqrt(206e9 / 7850)
+  for _, carries in ipairs { "both", "tension" } do
+    for _, yield_stress in ipairs { false, 1200e6 } do
+      for _, diameter in ipairs { 0.3, 0.1, 0.03, 0.01, 0.003 } do
+        for _, elements in ipairs { 2, 8 } do
+          local model = hinge.model {}
+          local a, b = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
+          model:fix { a, b }
+          model:member { a, b, section = hinge.section.round { diameter = diameter }, carries = carries,
+            elements = elements, material = hinge.material { E = 206e9, density = 7850,
+              yield_stress = yield_stress or nil } }
+          local run = model:dynamic { dt = "auto", duration = 1e-2, record = false }
+          local steps = 6 / elements / c / run.dt
+          expect(steps >= 12 - 1e-9 and steps <= (yield_stress and 48 or 12.2),
+            "%s, fy %s, diameter %g, %d elements: %g steps", carries, yield_stress, diameter, elements, steps)
+        end
+      end
+    end
+  end
+end)
+
+case("a slender bar that yields takes the steps of dt = \"auto\" to the result of short ones", function()
+  local plastic = {}
+  for _, dt in ipairs { "auto", 4e-6 } do
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+    model:fix(a)
+    local d = 0.03
+    model:member { a, b, section = hinge.section.round { diameter = d },
+      material = hinge.material { E = 206e9, density = 7850, yield_stress = 300e6 } }
+    model:load { node = b, force = { 0, 0, -300e6 * d ^ 3 / 6 } }
+    local run = model:dynamic { dt = dt, duration = 0.1, record = false }:finish()
+    equal(run.verdict, "completed", run.reason)
+    near(run.energy_error, 0, 1e-4, "energy error with dt = " .. dt)
+    table.insert(plastic, run.energy.plastic)
+  end
+  near(plastic[1] / plastic[2], 1, 5e-3, "plastic work")  -- hinges begin a step sooner or later
+end)
+
 checks.done()
