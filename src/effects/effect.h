@@ -18,8 +18,9 @@ struct EffectTraits {
     /// It acts in the energy-momentum method: its forces are end-point averages, which do the work that its accounts
     /// say on displacements and Cayley vectors (Workspace::rotation_step), and it applies no impulses.
     bool mean_forces = false;
-    bool calls_script = false;   ///< a step may fail in a function of the script, and is rolled back then
-    bool forces_vanish = false;  ///< a force may end at once: the acceleration is found anew with M by itself
+    bool calls_script = false;      ///< a step may fail in a function of the script, and is rolled back then
+    bool forces_vanish = false;     ///< a force may end at once: the acceleration is found anew with M by itself
+    bool strains_at_start = false;  ///< it strains elements at once where the run begins
 };
 
 class Effect {
@@ -52,6 +53,9 @@ public:
     /// The acceleration where the step begins was found, at the start or because a force has vanished: the forces of
     /// now are those that the step begins with.
     virtual void acceleration_found() {}
+    /// A run of dynamics begins beyond yield, and what flows on the way back to the yield surface (Workspace::yielding)
+    /// is kept before its first step. Adds to the accounts.
+    virtual void returned_to_yield(const Step& start) { (void)start; }
     /// The run is set up. `out_of_balance`: F - R where it starts.
     virtual void started(const std::vector<Vec6>& out_of_balance) { (void)out_of_balance; }
     /// Clears the bodies that it may move: they are not at rest.

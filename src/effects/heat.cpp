@@ -22,6 +22,9 @@ namespace {
 /// Change of the stiffness, as a part of it, from which on a step is solved with another one.
 constexpr double other_stiffness = 1e-3;
 
+/// Where a run goes on from another one, what differs by no more is the same: degrees Celsius, and strain.
+constexpr double same_temperature = 1e-6, same_strain = 1e-12;
+
 const std::vector<Heating>& declared(const Model& model) { return model.declared<Heating>(heat_effect); }
 
 template <class Declared>
@@ -85,10 +88,9 @@ public:
             const bool strained = strain != 0 || (!w.state.heat.empty() && w.state.heat[e].strain != 0);
             if (rule >= 0 || strained) heated_.push_back({e, rule, strain});
         }
-        if (w.state.heat.empty()) {
-            w.state.heat.resize(w.structure.elements().size());
-            if (w.kind.dynamic) set(w.state.heat, w.state.time);
-        }
+        const bool cold = w.state.heat.empty();
+        if (cold) w.state.heat.resize(w.structure.elements().size());
+        if (w.kind.dynamic) begin_at_once(cold);
         begin_ = w.state.heat;
         for (const Heated& h : heated_) built_.push_back(w.state.heat[h.element].stiffness);
         w.trial.heat = w.state.heat;
@@ -165,6 +167,21 @@ public:
     }
 
 private:
+    /// A run of dynamics begins with the temperatures and strains of its model. One that goes on has them, as a rule.
+    /// `cold`: nothing was heated or strained before.
+    void begin_at_once(bool cold) {
+        ElementHeats there = w_.state.heat;
+        set(there, w_.state.time);
+        const auto differs = [](double a, double b, double by) { return std::abs(a - b) > by; };
+        for (const Heated& h : heated_) {
+            const ElementHeat &has = w_.state.heat[h.element], &gets = there[h.element];
+            bool jumps = differs(has.temperature, gets.temperature, same_temperature) ||
+                         differs(has.strain, gets.strain, same_strain);
+            for (int side : {0, 1}) jumps = jumps || differs(has.across[side], gets.across[side], same_temperature);
+            if (jumps || cold) w_.state.heat[h.element] = gets;
+            if (jumps) traits_.strains_at_start = true;
+        }
+    }
     struct Heated {
         int element, rule;  ///< -1: not heated
         double strain;      ///< of prestress

@@ -30,12 +30,7 @@ public:
     }
 
     void after_commit(const Step& step) override {
-        if (!w_.yielding.empty())
-            record_flow(w_.structure, w_.yielding, w_.reached(step), w_.goes_by_load_factor(), records());
-        for (int e : commit_flow(w_.structure, w_.state, w_.yielding, w_.assembly.step(), flowing_)) {
-            w_.points_moved = true;
-            host_.stiffness_changed(e);
-        }
+        keep_flow(step);
         strength_.look(w_, step);
         shear_.look(w_, step);
         shear_.weaken(w_, step, w_.state);
@@ -62,7 +57,20 @@ public:
                strength_.fits(w_.structure) && shear_.fits(w_.structure);
     }
 
+    void returned_to_yield(const Step& start) override {
+        accumulate_energy(start, w_.state.accumulated);
+        keep_flow(start);
+    }
+
 private:
+    void keep_flow(const Step& step) {
+        if (!w_.yielding.empty())
+            record_flow(w_.structure, w_.yielding, w_.reached(step), w_.goes_by_load_factor(), records());
+        for (int e : commit_flow(w_.structure, w_.state, w_.yielding, w_.assembly.step(), flowing_)) {
+            w_.points_moved = true;
+            host_.stiffness_changed(e);
+        }
+    }
     HingeRecords& records() { return *w_.state.data.find<HingeRecords>(hinge_records); }
 
     std::vector<int> flowing_;  ///< elements that flowed in the last step

@@ -80,6 +80,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 
     assembly_.update_active(state_);
     std::vector<Vec6> out_of_balance;
+    return_to_yield_surface();
     find_acceleration(out_of_balance);
     if (!step_.failure.empty()) fail(step_.failure);
     integrator_->begin(*effects_);
@@ -341,6 +342,40 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     for (const auto& e : effects_->all) e->acceleration_found();
     prescribe();
     if (w_.scheme.alpha != 0) w_.weighted = state_.acceleration;
+}
+
+/// What strains elements at once where a run begins (heat, prestress) may put them beyond yield. They begin with the
+/// forces on the yield surface, at the deformation that they have. So does a bar between fixed ends that is heated
+/// slowly: initial energy is what it stores then and its plastic work, not what it would store without yield.
+void Dynamics::return_to_yield_surface() {
+    if (!effects_->any(&EffectTraits::strains_at_start) || !structure_->can_yield()) return;
+    for (const auto& load : effects_->loads) load->act_at(state_.time);
+    w_.trial = configuration_of(state_);
+    if (constraints_) constraints_->renew();
+    step_ = {state_.time, 0, false, 1, {}, {}};  // with 0 long steps take the hinges of their last step
+    w_.at_state = true;
+    recover(state_.time);
+    w_.at_state = false;
+    if (!w_.yielding.empty() && step_.failure.empty() && assembly_.unreturned() < 0) {
+        const double before = state_.accumulated["plastic"];
+        const int first = w_.yielding.front().element;
+        const std::size_t count = w_.yielding.size();
+        state_.force = w_.force;
+        for (const auto& e : effects_->all) e->returned_to_yield(step_);
+        if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
+        initial_ -= energy_of(state_).error;
+        const double work = state_.accumulated["plastic"] - before;
+        if (work > 0)
+            warn(RunWarning{"heat or prestress acts at once where the run begins and brings " +
+                                count_text(long(count), "element") + " beyond yield, first " +
+                                structure_->element_name(first) +
+                                "; the run begins on the yield surface, "
+                                "with " +
+                                number_text(work, 4) + " J of plastic work",
+                            "a static run before it (from = ...) applies them step by step"});
+    }
+    w_.yielding.clear();
+    step_ = {};
 }
 
 /// Reactions where the run begins: what holds the supports' share of the mass of elements that accelerate at once. In

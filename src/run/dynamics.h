@@ -104,6 +104,7 @@ private:
     void add_inertia_to_reactions();
     void must_be_solved(const SolveReport& report);
     void find_acceleration(std::vector<Vec6>& out_of_balance);
+    void return_to_yield_surface();
     double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
     Energy energy_of_trial();
     DynamicSettings fitted(DynamicSettings settings) const;
