@@ -3004,8 +3004,10 @@ function model:remove(options) end
 ---no force; what is held is pressed. Of several declarations for one member the last one counts. Statics heats from
 ---where the run begins, 20 degrees Celsius at first, to the temperature, as the load factor goes from 0 to 1; as a
 ---load, heat may belong to a load case. A temperature over time acts in dynamics; statics keeps what it is at the time
----of the run. In dynamics a number is there from the start. The energy balance has the account `heat`. It does not go
----with integrator = "energy-momentum". Source: EN 1993-1-2:2005, 3.2 and 3.4.
+---of the run. In dynamics a number is there from the start: what it presses beyond yield begins on the yield surface,
+---with its plastic work, and the run warns. The energy balance has the account `heat`; what heat has done before the
+---first step of dynamics is in `initial`. It does not go with integrator = "energy-momentum". Source: EN
+---1993-1-2:2005, 3.2 and 3.4.
 ---```lua
 ---local hot = hinge.model()
 ---local left, right = hot:node { 0, 0, 0 }, hot:node { 4, 0, 0 }
@@ -3033,8 +3035,8 @@ function model:heat(options) end
 ---@field case? hinge.case_like load case that it belongs to; default: none. For a temperature that is a number
 
 ---Makes members too short or too long: prestress. Several declarations for one member add up. It grows with the load
----factor of statics, and in dynamics it is there from the start. Its work is in the account `heat` of the energy
----balance.
+---factor of statics, and in dynamics it is there from the start, as heat is. Its work is in the account `heat` of the
+---energy balance.
 ---```lua
 ---local tight = hinge.model()
 ---local left, right = tight:node { 0, 0, 0 }, tight:node { 4, 0, 0 }
