@@ -477,8 +477,8 @@ function hinge.joint(options) end
 ---@field Mx? "rigid"|"free"|hinge.joint_axis moment about the section's x axis: strong-axis bending of a beam
 ---@field My? "rigid"|"free"|hinge.joint_axis
 ---@field Mz? "rigid"|"free"|hinge.joint_axis torsion
----N: it breaks at this tension along the member; default: never. The force is that of the member's end, which in
----explicit steps is without the inertia of half an element
+---N: it breaks at this tension along the member; default: never. The force is that of the member's end, with the
+---inertia of what moves with the node
 ---@field tension? number
 ---@field shear? number N: it breaks at this force across the member; default: never
 ---linear: a tension T leaves the part 1 - T / tension of the strengths of Mx and My (EN 1993-1-8, 6.2.7.1 (3)). In

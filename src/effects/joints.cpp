@@ -26,6 +26,7 @@
 #include "effects/joint_parts.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
+#include "state/node_mass.h"
 
 namespace hinge {
 namespace {
@@ -40,6 +41,10 @@ constexpr double of_sliding = 1e-9;
 /// Part of its strength from which on a joint counts as sliding where it is asked how it goes on (Yielded::goes_on):
 /// the residual of an equilibrium, and what it turns back by in dynamics from step to step.
 constexpr double at_strength = 1 - 1e-6;
+
+/// Part of its capacity that another joint has when one breaks, for the order to be in doubt: tension and shear of
+/// joints in explicit and in Newmark's steps differ by some per cent of their peaks.
+constexpr double close_part = 0.9;
 
 const char* const axis_names[] = {"Mx", "My", "Mz"};
 
@@ -157,15 +162,16 @@ public:
         for (std::size_t i = 0; i < made_.size(); ++i) list()[i].viscous = now_[i].viscous;
     }
     void before_commit(const Step& step) override {
-        bool any = false;
+        int first = -1;  // of those that break in the step
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
             keep(i, step.dt);
             if (list()[i].over < 0 || !w_.kind.dynamic) continue;
             release(i, step.end());
-            any = true;
+            if (first < 0) first = int(i);
         }
-        if (!any) return;
+        if (first < 0) return;
+        note_close_call(std::size_t(first), step.end());
         host_.constraints_changed();
         changed(w_.trial);
     }
@@ -195,8 +201,16 @@ public:
 
     // ---- energy, warnings and checkpoint --------------------------------------------------------------------------
     void add_energy(const State& state, Accounts& sums) const override { sums["joint_stored"] += stored(state); }
-    /// Statics breaks no joint.
+    /// Statics breaks no joint. In dynamics the order in which they break may hang on the settings.
     void check_run(std::vector<RunWarning>& warnings) const override {
+        if (close_.times > 0)
+            warnings.push_back(
+                {name_of(close_.broke) + " broke at t = " + number_text(close_.time, 4) + " s, when " +
+                     name_of(close_.other) + " had " + number_text(100 * close_.part, 3) + " % of its capacity" +
+                     (close_.times > 1 ? ", and so " + std::to_string(close_.times - 1) + " more times" : "") +
+                     ": which of them breaks first may hang on dt, the integrator and the elements, and "
+                     "what follows with it",
+                 "compare with another integrator, and with twice the elements", made_[close_.broke].member});
         for (std::size_t i = 0; i < made_.size(); ++i) {
             const JointNow& j = list()[i];
             if (w_.kind.dynamic || j.over < 0) continue;
@@ -205,6 +219,7 @@ public:
         }
     }
     bool restored(std::span<const State* const> states) override {
+        if (close_.times < 0 || close_.broke >= made_.size() || close_.other >= made_.size()) return false;
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const auto* there = s->data.find<JointsNow>(joints_effect);
             if (!there || there->list.size() != made_.size()) return false;
@@ -214,6 +229,9 @@ public:
             return true;
         });
     }
+
+    void save(Writer& to) const override { to(close_); }
+    void restore(Reader& from) override { from(close_); }
 
 private:
     /// A declared joint in this structure.
@@ -393,6 +411,24 @@ private:
         return work;
     }
 
+    /// The largest part of a capacity that the joint has at the end of the step.
+    double used(std::size_t i) const {
+        const JointProperties& is = declared()[i].is;
+        double most = std::max(list()[i].tension / is.tension, list()[i].shear / is.shear);
+        for (int k = 0; k < 3; ++k) most = std::max(most, std::abs(list()[i].rotation[k]) / is.axis[k].capacity);
+        return most;
+    }
+    /// Called when one has broken: another one that does not break in the same step, but nearly does?
+    void note_close_call(std::size_t broke, double time) {
+        for (std::size_t k = 0; k < made_.size(); ++k) {
+            if (list()[k].broken || !declared()[k].is.can_break()) continue;
+            const double part = used(k);
+            if (!(part >= close_part && part < 1)) continue;
+            if (close_.times++ == 0) close_.broke = broke, close_.other = k, close_.part = part, close_.time = time;
+            return;
+        }
+    }
+
     /// `by_rate`: N m s/rad about each axis.
     void add(std::size_t i, const RelativeRotation& r, const Vec3& slope, const Vec3& moment, Blocks& blocks,
              const Vec3& by_rate) const {
@@ -427,7 +463,7 @@ private:
             if (!m.parts[k].empty()) j.slid[k] = std::move(e.slid[k]);
         j.moment = e.moment;
         const Mat3 turned = w_.structure.large() ? Mat3(w_.trial.rotation[m.end].toRotationMatrix() * m.axes) : m.axes;
-        const Vec3 f = turned.transpose() * now_[i].of_end;
+        const Vec3 f = turned.transpose() * (now_[i].of_end + inertia_of_end(m.end));
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
         if (is.tension_weakens) {
@@ -440,6 +476,12 @@ private:
             if (std::abs(j.rotation[k]) >= is.axis[k].capacity) j.over = k;
         if (j.tension >= is.tension) j.over = 3;
         if (j.shear >= is.shear) j.over = 4;
+    }
+
+    /// The force of a member's end has the inertia of what moves with its node. R of implicit steps has it already.
+    Vec3 inertia_of_end(int end) const {
+        if (!w_.kind.explicit_steps) return Vec3::Zero();
+        return lumped_mass_at(w_.structure, w_.state, end).mass * w_.trial.acceleration[end].head<3>();
     }
 
     /// Sliders that hold less from the next step on slip at once: what their springs lose is dissipated.
@@ -505,6 +547,16 @@ private:
     std::vector<std::size_t> in_order_;  ///< joints between nodes first
     std::vector<Now> now_;
     bool lost_any_ = false;
+    /// The first break at which another joint was close to its own, and how many there were.
+    struct Close {
+        long times = 0;
+        std::size_t broke = 0, other = 0;
+        double part = 0, time = 0;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.times, s.broke, s.other, s.part, s.time);
+        }
+    } close_;
 };
 
 std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
