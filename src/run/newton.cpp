@@ -23,6 +23,10 @@ constexpr int most_idle = 5, halvings_of_idle = 8;
 /// With a tangent in which hinges keep much of the elastic stiffness.
 constexpr int many_iterations = 400;
 
+double size_of(const std::vector<Vec6>& displacements) {
+    return std::sqrt(dot_translations(displacements, displacements));
+}
+
 }  // namespace
 
 struct Newton::Iteration {
@@ -62,6 +66,7 @@ void Newton::recover() { forces_.recover(); }
 
 bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
                      const std::vector<Vec6>& start) {
+    heat_counts_ = control.kind() != Control::load;
     for (Vec3& m : w_.rotation_step) m.setZero();
     for (Vec6& v : total_) v.setZero();
     if (!start.empty()) {
@@ -93,16 +98,24 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
     return false;
 }
 
-bool Newton::find_response() {
-    std::vector<Vec6> load(w_.external.size());
+bool Newton::find_response() { return find_rate(heat_counts_, result_.response); }
+
+std::vector<Vec6> Newton::path_rate() {
+    std::vector<Vec6> rate(w_.external.size(), Vec6::Zero());
+    return find_rate(true, rate) ? rate : std::vector<Vec6>{};
+}
+
+bool Newton::find_rate(bool with_heat, std::vector<Vec6>& rate) {
+    std::vector<Vec6> load(w_.external.size()), internal;
+    if (with_heat && forces_.are_heated()) internal = forces_.internal_rates();
     const std::vector<Vec6>&of_supports = tangent_.forces_of_supports(), &rates = forces_.support_rates();
     for (std::size_t i = 0; i < load.size(); ++i) {
-        load[i] = forces_.load_rate(i);
+        load[i] = internal.empty() ? forces_.load_rate(i) : Vec6(w_.external[i] - internal[i]);
         if (!of_supports.empty()) load[i] -= of_supports[i];
         load[i] = problem_.without_supported(i, load[i]);
     }
-    if (!tangent_.solve(load, result_.response)) return false;
-    for (std::size_t i = 0; i < rates.size(); ++i) result_.response[i] += rates[i];
+    if (!tangent_.solve(load, rate)) return false;
+    for (std::size_t i = 0; i < rates.size(); ++i) rate[i] += rates[i];
     return true;
 }
 
@@ -111,6 +124,7 @@ bool Newton::find_correction() {
     for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = forces_.out_of_balance(i);
     if (!tangent_.solve(right_, correction_) || !find_response()) return false;
     if (first_softness_ == 0) first_softness_ = softness();
+    if (first_softness_ == 0) first_softness_ = size_of(path_rate());  // heat alone
     return true;
 }
 
@@ -188,6 +202,6 @@ bool Newton::is_hopeless(const Iteration& at) const {
 
 void Newton::commit() { hinges_ = flowing_on(w_.yielding); }
 
-double Newton::softness() const { return std::sqrt(dot_translations(result_.response, result_.response)); }
+double Newton::softness() const { return size_of(result_.response); }
 
 }  // namespace hinge

@@ -32,8 +32,12 @@ public:
 
     const NewtonResult& result() const { return result_; }
     void set_result(NewtonResult result) { result_ = std::move(result); }
-    /// Finds the response of the tangent that is factorised. False where there is none.
+    /// Finds the response of the tangent that is factorised. False where there is none. Under load control it does not
+    /// include what heat does; path_rate does.
     bool find_response();
+    /// Displacements per unit of the load factor along the path at the trial, of loads, settlements and heat. Empty
+    /// where there are none.
+    std::vector<Vec6> path_rate();
     /// Recovers the stresses and the forces of all effects at the trial.
     void recover();
     /// True if an iteration of find had a tangent with more negative eigenvalues than where the run begins.
@@ -51,6 +55,7 @@ private:
     bool iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
                  const std::vector<Vec6>& start = {});
     bool find_correction();
+    bool find_rate(bool with_heat, std::vector<Vec6>& rate);
     bool find_step(double factor_change, Iteration& at);
     void move_by_step(double factor);
     void place_dependent_nodes(const ConfigurationView& from);
@@ -68,6 +73,7 @@ private:
     std::vector<Vec6> total_, step_;        ///< displacements so far, and of the iteration
     NewtonResult result_;
     bool passed_unstable_ = false;
+    bool heat_counts_ = false;  ///< the control finds the load factor, of which the temperatures are a part
     double first_softness_ = 0;
 };
 

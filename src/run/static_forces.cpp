@@ -96,6 +96,22 @@ Vec6 StaticForces::load_rate(std::size_t node) const {
     return w_.external[node] - yielding_by_load_[node];
 }
 
+/// Downwards in the upper half of the way, so that no temperature leaves the range of its properties.
+std::vector<Vec6> StaticForces::internal_rates() {
+    constexpr double difference = 1e-5;
+    const double factor = w_.factor, change = factor > 0.5 ? -difference : difference;
+    const std::vector<Vec6> now = w_.resisting;
+    const std::vector<PlasticIncrement> yielding = w_.yielding;
+    w_.factor = factor + change;
+    recover();
+    std::vector<Vec6> rates = w_.resisting;
+    for (std::size_t i = 0; i < rates.size(); ++i) rates[i] = (rates[i] - now[i]) / change;
+    w_.factor = factor;
+    recover();
+    w_.yielding = yielding;
+    return rates;
+}
+
 // ---- equilibrium ------------------------------------------------------------------------------------------------
 
 void StaticForces::recover() {

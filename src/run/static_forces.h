@@ -23,6 +23,10 @@ public:
     Vec6 load(std::size_t node, double factor) const;
     /// Derivative of out-of-balance force by load factor.
     Vec6 load_rate(std::size_t node) const;
+    /// Derivative of the internal forces by load factor at constant displacements, N and N m: what heat and loads
+    /// between nodes make of them. By a difference of two recoveries of stresses, after which the trial is as before.
+    std::vector<Vec6> internal_rates();
+    bool are_heated() const { return !problem_.effects.heaters.empty(); }
     /// Load minus internal force on a node; zero where it is supported.
     Vec6 out_of_balance(std::size_t node) const;
     /// Norm of the out-of-balance forces (N), and of the loads and internal forces that they are compared with.

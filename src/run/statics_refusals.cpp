@@ -78,9 +78,10 @@ void Statics::refuse_mechanism() {
                      "; statics needs supports that stop every rigid-body mode (model:fix, or fixed_group = a group)");
 }
 
-/// Displacement and arc length find the load factor that keeps the structure where they drive it.
+/// Displacement and arc length find the load factor that keeps the structure where they drive it: that of loads,
+/// settlements and heat.
 void Statics::refuse_idle_loads() const {
-    if (settings().control == Control::load || !forces_.support_rates().empty()) return;
+    if (settings().control == Control::load || !forces_.support_rates().empty() || forces_.are_heated()) return;
     for (std::size_t i = 0; i < w_.external.size(); ++i)
         for (int c = 0; c < 6; ++c)
             if (w_.external[i][c] != 0 && !(problem_.held[i] >> c & 1)) return;
