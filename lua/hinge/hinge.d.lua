@@ -3398,10 +3398,13 @@ function model:static(options) end
 ---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad): to the displacement
 ---that run:displacement gives, which goes on from that of `from`; an error where it has it already. Driven, a step that
 ---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
----short enough, the path itself has come past a branching point: the run goes on, and run.reason says so
+---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so. Heat,
+---prestress and settlements follow the load factor as loads do, and may be all that acts
 ---@field control? "load"|"arc"|{ node?: hinge.node, [1]: hinge.component|"arc", to: number }
 ---load control after the structure has become unstable (large displacement). fail (default): the run ends. Its state is
----the last stable equilibrium. continue: the run goes on. run.instability says where it was unstable, run.reason says
+---the last stable equilibrium. A step that ends on another branch of equilibria is no instability: it is shortened,
+---down to 1e-3 of the load factor and further, and the run goes on. continue: the run goes on past the instability.
+---run.instability says where it was unstable, run.reason says
 ---whether the state at the end is stable, and run.warnings says where it may have jumped to another branch. The steps
 ---decide to which branch it comes. A step that jumps over a whole snap-through at once, at many times the limit load,
 ---may still go unnoticed: use short steps

@@ -16,6 +16,9 @@ constexpr int quick = 4;
 /// When the load of a snapped step is taken off, the structure does not come back within this part of the step.
 constexpr double comes_back = 1e-2;
 
+/// Displacements by a step that differ by more than this part of them from those that its tangent gives: a leap.
+constexpr double leaps_by = 0.1;
+
 /// A step of load after which the structure has moved so many times as far as such a load moved it at first, and by
 /// this part of its size, has passed a plateau or a snap.
 constexpr double far_times = 30, far_part = 3e-3;
@@ -83,11 +86,29 @@ void StabilityMonitor::accept_branching(const PathControl& control) {
     if (!branching_) branching_ = w_.state.factor;
 }
 
+/// The tangent at the trial gives displacements that belong to its branch. Where Newton's method has leapt there, the
+/// displacements of the step have a part that does not become smaller with the step.
+bool StabilityMonitor::is_leap(const std::vector<Vec6>& moved, double increment) const {
+    const std::vector<Vec6> rate = newton_.path_rate();
+    if (rate.empty()) return true;
+    double off = 0, most = 0;
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+        off += (moved[i] - increment * rate[i]).head<3>().squaredNorm();
+        most += moved[i].head<3>().squaredNorm();
+    }
+    return !(off <= leaps_by * leaps_by * most);
+}
+
+bool StabilityMonitor::follows_tangent(double increment) const {
+    return !is_leap(newton_.result().displacements, increment);
+}
+
 // ---- where the structure becomes unstable ---------------------------------------------------------------------------
 
 double StabilityMonitor::locate_instability(const PathControl& control, double increment, const Try& try_step) {
     Instability found;
     double stable = 0, unstable = increment;
+    std::vector<Vec6> held(w_.external.size(), Vec6::Zero());  // displacements of the step to the last stable one
     found.factor = w_.state.factor;
     const bool arc = control.kind() == Control::arc;
     const double close = arc ? 1e-4 * increment : 0.1 * StepHalving::smallest;
@@ -96,7 +117,7 @@ double StabilityMonitor::locate_instability(const PathControl& control, double i
         const double middle = 0.5 * (stable + unstable);
         const Found there = try_step(middle);
         at_unstable = there == Found::unstable;
-        if (there == Found::stable) stable = middle, found.factor = w_.factor;
+        if (there == Found::stable) stable = middle, found.factor = w_.factor, held = newton_.result().displacements;
         else unstable = middle;
     }
     // and the first equilibrium beyond: there may be none close to it
@@ -107,6 +128,8 @@ double StabilityMonitor::locate_instability(const PathControl& control, double i
     found.beyond = w_.factor;
     found.count = std::max(1, new_modes());
     describe(tangent_.negative_mode(), found);
+    for (std::size_t i = 0; i < held.size(); ++i) held[i] = newton_.result().displacements[i] - held[i];
+    left_branch_ = control.kind() == Control::load && is_leap(held, found.beyond - found.factor);
     instability_ = found;
     try_step(increment);
     return stable;

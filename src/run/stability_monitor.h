@@ -49,6 +49,10 @@ public:
     /// Takes an equilibrium beyond a branching point as that of the path.
     void accept_branching(const PathControl& control);
 
+    /// Under load control: true if the trial lies as far from the state as its own tangent says of such a load, so that
+    /// no leap has brought it there.
+    bool follows_tangent(double increment) const;
+
     /// Number of negative eigenvalues at the trial; and whether no equilibrium before had so many.
     int modes() const { return modes_; }
     bool has_more_modes() const { return modes_ > most_modes_; }
@@ -57,6 +61,10 @@ public:
     /// Finds the load factor at which the structure becomes unstable, within a step that has ended beyond it. Returns
     /// the largest increment whose equilibrium is stable; the trial is then the whole step again.
     double locate_instability(const PathControl& control, double increment, const Try& try_step);
+    /// Under load control: true if the two equilibria between which locate_instability has found it are far from each
+    /// other. The second one is then on another branch, and the structure itself need not be unstable there.
+    bool has_left_branch() const { return left_branch_; }
+    void forget_instability() { instability_.reset(); }
     /// Takes so many negative eigenvalues as those of the path.
     void accept_modes(int modes) { most_modes_ = modes; }
     void count_ways(int modes) { instability_->count = modes - modes_at_start_; }
@@ -72,6 +80,7 @@ public:
 private:
     int count_modes(double hinge_stiffness);
     int count_free_modes(const PathControl& control);
+    bool is_leap(const std::vector<Vec6>& moved, double increment) const;
     bool unloading_returns(PathControl& control, double increment);
     void describe(const std::vector<Vec6>& mode, Instability& found) const;
     void find_driving_members(const std::vector<Vec6>& mode, Instability& found) const;
@@ -84,6 +93,7 @@ private:
     int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
     bool may_have_snapped_ = false;             ///< the trial may lie on another branch of equilibria
     bool snap_told_ = false;
+    bool left_branch_ = false;  ///< has_left_branch
     std::optional<double> branching_;
     std::optional<Instability> instability_;
 };

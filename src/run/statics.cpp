@@ -1,12 +1,23 @@
 #include "run/statics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "core/rotation.h"
 #include "core/text.h"
 #include "effects/all_effects.h"
 
 namespace hinge {
+namespace {
+
+/// Part of the load factor to which steps of load are shortened before the structure is said to be unstable.
+constexpr double instability_bracket = 1e-3;
+
+/// A step that, so often in a row, ends on another branch however near the state comes to it, has no path of its own.
+constexpr int most_branches_left = 20;
+
+}  // namespace
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
     : Run(std::move(structure), std::move(start), RunKind{}, 1, false),
@@ -59,18 +70,21 @@ void Statics::take_substep() {
     stability_.accept_branching(*path_);
     if (stability_.has_more_modes() && !pass_instability(*substep)) return;
     if (path_->kind() == Control::load) warn(stability_.check_for_snap(substep->increment));
+    branches_left_ = 0;
     commit(*substep);
 }
 
-/// The substep that comes next, or half of it, and half of that; none where the run ends there. Driven by displacement,
-/// an equilibrium that even that cannot hold is that of another branch, to which Newton's method has snapped, or the
-/// structure's own beyond a branching point: it is the latter where no shorter step finds another.
+/// The substep that comes next, or half of it, and half of that; none where the run ends there. An equilibrium that
+/// cannot be held may be that of another branch, to which Newton's method has leapt. It is the structure's own where it
+/// lies as far from the state as its tangent says, or where no shorter step finds another.
 std::optional<Statics::Substep> Statics::find_equilibrium() {
     const double whole = halving_.next();
     double increment = whole;
-    const auto is_on_path = [&] { return !stability_.has_left_path(*path_) || increment / 2 < StepHalving::smallest; };
-    while (try_step(*path_, increment) == Found::nothing || !is_on_path()) {
+    for (;;) {
+        const Found found = try_step(*path_, increment);
+        if (found != Found::nothing && is_on_path(increment)) break;
         if (halving_.halve(increment)) continue;
+        if (const auto unheld = reach_unheld()) return Substep{path_.get(), *unheld};
         if (const auto exchanged = exchange_mechanisms(whole)) {
             halving_.go_on_with(*exchanged);
             return Substep{path_.get(), *exchanged};
@@ -83,16 +97,53 @@ std::optional<Statics::Substep> Statics::find_equilibrium() {
     return Substep{path_.get(), increment};
 }
 
+/// Where short steps find no equilibrium, one that cannot be held and that a longer step has found tells how the
+/// structure gives way. Returns the increment to it.
+std::optional<double> Statics::reach_unheld() {
+    if (!unheld_ || instability() || !(unheld_->factor > state_.factor)) return {};
+    to_unheld_ = unheld_->factor - state_.factor;
+    if (try_step(*path_, to_unheld_) == Found::unstable) return to_unheld_;
+    return {};
+}
+
+/// Displacements from the state to an equilibrium.
+std::vector<Vec6> Statics::way_to(const Equilibrium& there) const {
+    std::vector<Vec6> way(there.displacement.size());
+    for (std::size_t i = 0; i < way.size(); ++i)
+        way[i] << there.displacement[i] - state_.displacement[i],
+            rotation_vector(there.rotation[i] * state_.rotation[i].conjugate());
+    return way;
+}
+
+/// Whether the equilibrium that has been tried counts as the next one of the path.
+bool Statics::is_on_path(double increment) const {
+    if (increment / 2 < StepHalving::smallest) return true;
+    if (path_->kind() != Control::load) return !stability_.has_left_path(*path_);
+    if (!stability_.has_more_modes() || instability()) return true;
+    return increment <= instability_bracket * std::abs(w_.factor) || stability_.follows_tangent(increment);
+}
+
 Found Statics::try_step(PathControl& control, double increment, double hinge_stiffness) {
     if (on_try) on_try();
     stability_.begin_try();
     if (!newton_.find(control, increment, hinge_stiffness, start_of(control, increment))) return Found::nothing;
-    return stability_.judge(control, increment, hinge_stiffness);
+    const Found found = stability_.judge(control, increment, hinge_stiffness);
+    if (found == Found::unstable && &control == path_.get()) note_unheld();
+    return found;
 }
 
-/// Where a step begins, as displacements from the state: at the state itself, but for the first step onto a branch.
+/// The nearest one is kept, in case that no equilibrium is found before it.
+void Statics::note_unheld() {
+    if (path_->kind() != Control::load || instability()) return;
+    if (unheld_ && unheld_->factor > state_.factor && unheld_->factor <= w_.factor) return;
+    unheld_ = {w_.factor, w_.trial.displacement, w_.trial.rotation};
+}
+
+/// Where a step begins, as displacements from the state: at the state itself, but for the first step onto a branch, and
+/// for the step to an equilibrium that is known.
 std::vector<Vec6> Statics::start_of(const PathControl& control, double increment) const {
     std::vector<Vec6> start;
+    if (to_unheld_ > 0 && increment == to_unheld_) return way_to(*unheld_);
     if (substeps_ > 0 || settings().branch.empty()) return start;
     start = settings().branch;
     const double by = control.along(start, increment);
@@ -116,22 +167,31 @@ std::optional<double> Statics::exchange_mechanisms(double increment) {
     return {};
 }
 
-/// A step along the arc has passed the load factor at which the path ends: a step of load ends there. Where none is
-/// found, the path goes on, and may come by once more.
+/// A step along the arc has passed the load factor at which the path ends: a step of load ends there, or a part of it
+/// comes near. Where none is found, the path goes on, and may come by once more.
 Statics::Substep Statics::step_to_target(const Substep& passing) {
     const double rest = settings().target - state_.factor;
-    if (try_step(load_to_target_, rest) != Found::nothing) return {&load_to_target_, rest};
+    for (double part = rest; std::abs(part) >= StepHalving::smallest; part /= 2)
+        if (try_step(load_to_target_, part) != Found::nothing) return {&load_to_target_, part};
     try_step(*passing.control, passing.increment);
     return passing;
 }
 
 /// The structure becomes unstable on the way to the trial. False where the run ends there, at the last equilibrium that
-/// can be held.
+/// can be held, or goes on from there, since the trial lies on another branch of equilibria.
 bool Statics::pass_instability(const Substep& substep) {
     const int modes = stability_.modes();
     const auto try_part = [&](double part) { return try_step(*substep.control, part); };
-    const double stable = instability() ? substep.increment
-                                        : stability_.locate_instability(*substep.control, substep.increment, try_part);
+    double stable = substep.increment;
+    if (!instability()) {
+        stable = stability_.locate_instability(*substep.control, substep.increment, try_part);
+        if (goes_on_before_leap(stable) && try_part(stable) == Found::stable) {
+            ++branches_left_;
+            stability_.forget_instability();
+            commit({substep.control, stable});
+            return false;
+        }
+    }
     stability_.accept_modes(modes);
     if (path_->kind() == Control::load && !settings().past_unstable) {
         if (stable > 0 && try_part(stable) == Found::stable) commit_state();
@@ -142,9 +202,17 @@ bool Statics::pass_instability(const Substep& substep) {
     return true;
 }
 
+/// Whether the step has leapt to another branch, and a part of it leads on along the structure's own.
+bool Statics::goes_on_before_leap(double part) const {
+    return stability_.has_left_branch() && part >= StepHalving::smallest && branches_left_ < most_branches_left;
+}
+
 void Statics::commit(const Substep& substep) {
     commit_state();
-    path_->commit(substep.increment, newton_.result().displacements, substep.control == &load_to_target_);
+    const double target = settings().target;
+    const bool at_target = substep.control == &load_to_target_ &&
+                           std::abs(state_.factor - target) <= 1e-12 * std::max(1.0, std::abs(target));
+    path_->commit(substep.increment, newton_.result().displacements, at_target);
     halving_.commit(substep.increment, newton_.result().iterations);
 }
 
@@ -164,6 +232,7 @@ void Statics::commit_state() {
     assembly_.save_turns(state_, w_.trial);
     state_.factor = w_.factor;
     newton_.commit();
+    to_unheld_ = 0;
     for (const auto& e : effects_->all) e->after_commit(step);
     tangent_.commit(w_.points_moved);
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;

@@ -47,12 +47,22 @@ private:
         PathControl* control;
         double increment;
     };
+    struct Equilibrium {
+        double factor;
+        std::vector<Vec3> displacement;
+        std::vector<Quat> rotation;
+    };
     void take_substep();
     std::optional<Substep> find_equilibrium();
     Found try_step(PathControl& control, double increment, double hinge_stiffness = 0);
     std::vector<Vec6> start_of(const PathControl& control, double increment) const;
+    std::vector<Vec6> way_to(const Equilibrium& there) const;
     std::optional<double> exchange_mechanisms(double increment);
     Substep step_to_target(const Substep& passing);
+    bool is_on_path(double increment) const;
+    bool goes_on_before_leap(double part) const;
+    void note_unheld();
+    std::optional<double> reach_unheld();
     bool pass_instability(const Substep& substep);
     void commit(const Substep& substep);
     void commit_state();
@@ -87,7 +97,10 @@ private:
     LoadControl load_to_target_;  ///< for the step that ends a path of arc length
     StepHalving halving_;
     long substeps_ = 0;
-    double factor_at_start_ = 0;  ///< StaticForces::factor_at_start
+    std::optional<Equilibrium> unheld_;  ///< the last one that a step was too long for, and that cannot be held
+    double to_unheld_ = 0;               ///< increment of the step that begins Newton's method there; 0: none
+    int branches_left_ = 0;              ///< in a row: parts of steps after which the step itself lay on another branch
+    double factor_at_start_ = 0;         ///< StaticForces::factor_at_start
     bool limit_ = false;
 };
 
