@@ -45,6 +45,11 @@ Found StabilityMonitor::judge(PathControl& control, double increment, double hin
     return may_have_snapped_ && !problem_.settings.past_unstable ? Found::nothing : Found::stable;
 }
 
+bool StabilityMonitor::can_be_held() {
+    modes_ = free_modes_ = count_modes(0);
+    return modes_ <= modes_at_start_;
+}
+
 /// Of the tangent at the trial equilibrium. With small displacement it never has other ones than at the start.
 int StabilityMonitor::count_modes(double hinge_stiffness) {
     if (!w_.structure.large()) return modes_at_start_;

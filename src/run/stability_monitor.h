@@ -39,6 +39,9 @@ public:
     /// and, under load control, whether it lies on the path: `nothing` where the step has snapped to another branch.
     Found judge(PathControl& control, double increment, double hinge_stiffness);
 
+    /// Whether the trial can be held as far as the equilibrium where the run began.
+    bool can_be_held();
+
     /// True if displacement control leaves the equilibrium more negative eigenvalues than any before: it is that of
     /// another branch, or lies beyond a branching point of the path.
     bool has_left_path(const PathControl& control) const {

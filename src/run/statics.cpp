@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/rotation.h"
 #include "core/text.h"
 #include "effects/all_effects.h"
 
@@ -13,9 +12,6 @@ namespace {
 
 /// Part of the load factor to which steps of load are shortened before the structure is said to be unstable.
 constexpr double instability_bracket = 1e-3;
-
-/// A step that, so often in a row, ends on another branch however near the state comes to it, has no path of its own.
-constexpr int most_branches_left = 20;
 
 }  // namespace
 
@@ -97,24 +93,6 @@ std::optional<Statics::Substep> Statics::find_equilibrium() {
     return Substep{path_.get(), increment};
 }
 
-/// Where short steps find no equilibrium, one that cannot be held and that a longer step has found tells how the
-/// structure gives way. Returns the increment to it.
-std::optional<double> Statics::reach_unheld() {
-    if (!unheld_ || instability() || !(unheld_->factor > state_.factor)) return {};
-    to_unheld_ = unheld_->factor - state_.factor;
-    if (try_step(*path_, to_unheld_) == Found::unstable) return to_unheld_;
-    return {};
-}
-
-/// Displacements from the state to an equilibrium.
-std::vector<Vec6> Statics::way_to(const Equilibrium& there) const {
-    std::vector<Vec6> way(there.displacement.size());
-    for (std::size_t i = 0; i < way.size(); ++i)
-        way[i] << there.displacement[i] - state_.displacement[i],
-            rotation_vector(there.rotation[i] * state_.rotation[i].conjugate());
-    return way;
-}
-
 /// Whether the equilibrium that has been tried counts as the next one of the path.
 bool Statics::is_on_path(double increment) const {
     if (increment / 2 < StepHalving::smallest) return true;
@@ -130,13 +108,6 @@ Found Statics::try_step(PathControl& control, double increment, double hinge_sti
     const Found found = stability_.judge(control, increment, hinge_stiffness);
     if (found == Found::unstable && &control == path_.get()) note_unheld();
     return found;
-}
-
-/// The nearest one is kept, in case that no equilibrium is found before it.
-void Statics::note_unheld() {
-    if (path_->kind() != Control::load || instability()) return;
-    if (unheld_ && unheld_->factor > state_.factor && unheld_->factor <= w_.factor) return;
-    unheld_ = {w_.factor, w_.trial.displacement, w_.trial.rotation};
 }
 
 /// Where a step begins, as displacements from the state: at the state itself, but for the first step onto a branch, and
@@ -191,6 +162,8 @@ bool Statics::pass_instability(const Substep& substep) {
             commit({substep.control, stable});
             return false;
         }
+        if (path_->kind() == Control::load && leans_on_slack_members()) return false;
+        if (settings().past_unstable) try_part(substep.increment);
     }
     stability_.accept_modes(modes);
     if (path_->kind() == Control::load && !settings().past_unstable) {
@@ -200,11 +173,6 @@ bool Statics::pass_instability(const Substep& substep) {
     }
     stability_.count_ways(modes);
     return true;
-}
-
-/// Whether the step has leapt to another branch, and a part of it leads on along the structure's own.
-bool Statics::goes_on_before_leap(double part) const {
-    return stability_.has_left_branch() && part >= StepHalving::smallest && branches_left_ < most_branches_left;
 }
 
 void Statics::commit(const Substep& substep) {

@@ -56,17 +56,22 @@ private:
     std::optional<Substep> find_equilibrium();
     Found try_step(PathControl& control, double increment, double hinge_stiffness = 0);
     std::vector<Vec6> start_of(const PathControl& control, double increment) const;
-    std::vector<Vec6> way_to(const Equilibrium& there) const;
     std::optional<double> exchange_mechanisms(double increment);
     Substep step_to_target(const Substep& passing);
     bool is_on_path(double increment) const;
-    bool goes_on_before_leap(double part) const;
-    void note_unheld();
-    std::optional<double> reach_unheld();
     bool pass_instability(const Substep& substep);
     void commit(const Substep& substep);
     void commit_state();
     bool is_over() const { return path_->is_over(state_.factor, steps_done()); }
+
+    // statics_branches.cpp: branches of equilibria beside the path
+    void note_unheld();
+    std::optional<double> reach_unheld();
+    std::vector<Vec6> way_to(const Equilibrium& there) const;
+    bool goes_on_before_leap(double part) const;
+    std::vector<int> slack_elements() const;
+    bool leans_on_slack_members();
+    RunWarning warning_of_lean(const Instability& upright, int member) const;
 
     // statics_ends.cpp: the end of a run
     void end_at_limit(const std::string& why);

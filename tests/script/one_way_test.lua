@@ -215,6 +215,60 @@ case("crossed rods with their own weight: statics finds the sway of rods without
   end
 end)
 
+--- A pinned bay of 6 by 4 m with crossed rods, in the plane of x or of y, under P on each column. Returns the model and
+--- the top of a column.
+local function bay(o)
+  local P = o.P
+  local column, beam, rod = hinge.section.named "HEB 160", hinge.section.named "IPE 300",
+    hinge.section.round { diameter = 0.024 }
+  local material = yielding(355e6)
+  local model, y = hinge.model(), o.along == "y"
+  local function node(along, z) return model:node { y and 0 or along, y and along or 0, z } end
+  local a, b, c, d = node(0, 0), node(6, 0), node(0, 4), node(6, 4)
+  model:fix({ a, b }, "xyz rz")
+  model:fix({ c, d }, y and "x ry rz" or "y rx rz")
+  for _, ends in ipairs { { a, c }, { b, d } } do
+    model:member { ends[1], ends[2], section = column, material = material, elements = o.elements or 8,
+      up = y and { 0, 1, 0 } or { 1, 0, 0 } }
+    model:load { node = ends[2], force = { y and 0 or o.wind or 0, y and o.wind or 0, -P } }
+  end
+  model:member { c, d, section = beam, material = material, release = { a = "Mx", b = "Mx" } }
+  for _, ends in ipairs { { a, d }, { b, c } } do
+    model:member { ends[1], ends[2], section = rod, material = material, carries = "tension" }
+  end
+  return model, c
+end
+
+case("rods that go slack under vertical load are no limit: the bay leans until one is taut", function()
+  -- The columns shorten by s. A rod is taut again at a sway of s h / b, and holds the sway moment of the loads.
+  local P, h, b = 1000e3, 4, 6
+  local s = P * h / (E * hinge.section.named("HEB 160").area)
+  local k = E * math.pi * 0.012 ^ 2 * b ^ 2 / (b ^ 2 + h ^ 2) ^ 1.5
+  local sway = s * h / b / (1 - 2 * P / (h * k))
+  for _, o in ipairs { {}, { along = "y" }, { steps = 1 }, { steps = 100, elements = 4 }, { wind = 1 } } do
+    o.P = P
+    local model, top = bay(o)
+    local run = model:static { steps = o.steps or 20, to_limit = true, record = false }:finish()
+    local what = ("along %s, %d steps, wind %s"):format(o.along or "x", o.steps or 20, o.wind)
+    expect(run.verdict == "completed" and not run.limit and not run.instability, "%s: %s at %g", what, run.reason,
+      run.factor)
+    local u, v = top:displacement(run)
+    near(o.along == "y" and v or u, sway, 0.005 * sway, what .. ": sway") -- to the first order in the sway
+    equal(#run.warnings, o.wind and 0 or 1, what .. ": warnings")
+    expect(o.wind or run.warnings[1]:find("leans over until member", 1, true), "%s: %s", what, run.warnings[1])
+  end
+end)
+
+case("a bay with slack rods has the limit load of one that a small wind has leant", function()
+  local found = {}
+  for i, wind in ipairs { 0, 1 } do
+    local run = bay({ P = 3000e3, wind = wind }):static { steps = 20, to_limit = true, record = false }:finish()
+    expect(run.limit, "wind %g: %s", wind, run.reason)
+    found[i] = run.factor
+  end
+  near(found[1], found[2], 1e-3 * found[2], "limit load") -- the bracket of an instability
+end)
+
 case("a cable under its own weight hangs as a catenary", function()
   local span, pieces = 8, 20
   local heavy, rope = hinge.material { E = E, density = 9e5 }, hinge.section.round { diameter = 0.012 }
