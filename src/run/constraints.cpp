@@ -85,4 +85,12 @@ void Constraints::add_curvature(const ConfigurationView& at, Blocks& blocks) con
     for (const auto& c : constrainers_) c->add_curvature(at, unbalanced_, blocks);
 }
 
+bool Constraints::add_curvature_of_state(const ConfigurationView& at, double factor, Blocks& blocks) const {
+    std::vector<Vec6> forces(unbalanced_.size(), Vec6::Zero());
+    for (std::size_t n = 0; n < of_state_.size(); ++n) forces[n] = factor * of_state_[n];
+    const std::size_t others = blocks.nodes.size();
+    for (const auto& c : constrainers_) c->add_curvature(at, forces, blocks);
+    return has_state_ || blocks.nodes.size() == others;
+}
+
 }  // namespace hinge

@@ -39,6 +39,12 @@ public:
     /// Adds the constraints' own part of the tangent stiffness, by the forces of the last balance.
     void add_curvature(const ConfigurationView& at, Blocks& blocks) const;
 
+    /// The trial of the last balance becomes the state: keeps its forces.
+    void commit() { of_state_ = unbalanced_, has_state_ = true; }
+    /// The same part by `factor` times the forces of the state. False where no step has been done since the run was
+    /// made or read, so that nobody knows them, and there would be such a part.
+    bool add_curvature_of_state(const ConfigurationView& at, double factor, Blocks& blocks) const;
+
     /// All constraints, with their factors in a configuration.
     std::vector<LinearConstraint> list_at(const ConfigurationView& at) const;
 
@@ -50,6 +56,8 @@ private:
     const RoleList<Constrainer>& constrainers_;
     Reduction reduction_;
     std::vector<Vec6> unbalanced_;  ///< R - F of dependent nodes before they are balanced
+    std::vector<Vec6> of_state_;    ///< the same where the last step that was kept ended
+    bool has_state_ = false;
 };
 
 }  // namespace hinge

@@ -255,6 +255,7 @@ void Dynamics::commit() {
     state_.force.swap(w_.force);
     for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
+    if (constraints_) constraints_->commit();
     for (const auto& e : effects_->all) e->after_commit(step_);
     if (constraints_due_) rebuild_constraints();
     if (unseen_) control_.not_looked_at(size_);

@@ -58,6 +58,19 @@ Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unk
     return entries;
 }
 
+/// What effects and constraints add to the stiffness at a pose, with `factor` times the forces of the state.
+Blocks added_at(const Run& run, Yielded yielded, const State& pose, double factor) {
+    Blocks blocks = run.added_stiffness(yielded);
+    if (!run.constraints()) return blocks;
+    const bool known = run.constraints()->add_curvature_of_state(pose, factor, blocks);
+    const auto carries = [](const Vec6& p) { return !p.isZero(0); };
+    if (!known && std::any_of(run.state().force.begin(), run.state().force.end(), carries))
+        throw InputError(
+            "the run has done no step since it was made or read, so that the forces of its rigid links and diaphragms "
+            "are not known; take a step, or ask the run before");
+    return blocks;
+}
+
 void add_effects(const Blocks& blocks, const FreeUnknowns& unknowns, Triplets& to) {
     for (const Coupling& c : blocks.pairs) unknowns.add(to, c.a, c.b, c.K);
     for (const Blocks::Node& n : blocks.nodes) unknowns.add(to, n.node, n.node, n.K);
@@ -95,7 +108,7 @@ struct Vibration {
     double shift = 1e-9;  ///< small: bodies that nothing holds have modes of frequency 0
 
     Vibration(const Run& run, Yielded yielded)
-        : unknowns(unknowns_of(run, run.state())), blocks(run.added_stiffness(yielded)) {
+        : unknowns(unknowns_of(run, run.state())), blocks(added_at(run, yielded, run.state(), 1)) {
         const State& state = run.state();
         Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
         add_effects(blocks, unknowns, stiffness);
@@ -177,13 +190,12 @@ public:
         : run_(run),
           state_(initial_state(run.structure())),
           unknowns_(unknowns_of(run, state_)),
-          forces_(run.state().force) {
-        add_effects(run.added_stiffness(yielded), unknowns_, effects_);
-    }
+          forces_(run.state().force),
+          yielded_(yielded) {}
     SparseMatrix at(double factor) {
         scale(factor);
         Triplets entries = of_elements(run_, state_, unknowns_, 0, 1);
-        entries.insert(entries.end(), effects_.begin(), effects_.end());
+        add_effects(added_at(run_, yielded_, state_, factor), unknowns_, entries);
         add_strongly_pressed(entries);
         return unknowns_.reduced(entries);
     }
@@ -209,7 +221,8 @@ private:
         const std::vector<Element>& elements = run_.structure().elements();
         for (std::size_t i = 0; i < forces_.size(); ++i) {
             state_.force[i] = factor * forces_[i];
-            state_.plastic[i][axial] = -state_.force[i][axial] * elements[i].length / elements[i].rigidity.EA;
+            state_.plastic[i][axial] =
+                -state_.force[i][axial] * elements[i].length / elements[i].rigidity.EA;
         }
     }
     /// S and A of a pair are straight lines beyond p = 6, which its return to the yield surface asks for
@@ -249,7 +262,7 @@ private:
     State state_;
     FreeUnknowns unknowns_;
     std::vector<Vec6> forces_;
-    Triplets effects_;
+    Yielded yielded_;
 };
 
 }  // namespace

@@ -201,6 +201,7 @@ void Statics::commit_state() {
     state_.factor = w_.factor;
     newton_.commit();
     to_unheld_ = 0;
+    if (constraints_) constraints_->commit();
     for (const auto& e : effects_->all) e->after_commit(step);
     tangent_.commit(w_.points_moved);
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;

@@ -246,6 +246,48 @@ case("joints, floors that are rigid in their plane and compression count", funct
   expect(stiff < soft, "compression makes it softer: %g and not less than %g Hz", stiff, soft)
 end)
 
+-- A column of 2 m with a rigid arm of 1 m on its head: a stiff member, or a rigid link; a mass and a load at the end
+-- of the arm.
+local function column_with_arm(kind)
+  local model = hinge.model { elements_per_member = 8 }
+  local light = hinge.material { E = 210e9, density = 1 }
+  local foot, head, top = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }, model:node { 0, 0, 3 }
+  model:fix(foot)
+  model:member { foot, head, section = square, material = light }
+  if kind == "member" then
+    model:member { head, top, elements = 2, material = light,
+      section = hinge.section.general { area = 0.1, Ix = 1e-2, Iy = 1e-2, J = 1e-2 } }
+  else
+    model:member { top, model:node { 0, 0.3, 3 }, section = square, material = light }
+    model:rigid_link { from = head, to = top }
+  end
+  model:mass { node = top, mass = 100 }
+  model:load { node = top, force = { 0, 0, -1 }, case = model:case "P" }
+  return model
+end
+
+case("a load on the arm of a rigid link turns the node over as on a stiff member", function()
+  local stiff, linked = column_with_arm "member", column_with_arm "link"
+  for _, P in ipairs { 1, 10e3, 25e3 } do
+    local a = stiff:static({ loads = { P = P }, steps = 4 }):finish()
+    local b = linked:static({ loads = { P = P }, steps = 4 }):finish()
+    -- the member at the end of the link has 1.5 kg; the stiff member bends a little
+    near(b:modes({ n = 1 })[1].frequency, a:modes({ n = 1 })[1].frequency, 1e-3 * a:modes({ n = 1 })[1].frequency,
+      P .. " N: frequency, Hz")
+    near(P * b:buckling()[1].factor, P * a:buckling()[1].factor, 1e-4 * P * a:buckling()[1].factor, P .. " N: buckling")
+  end
+  local limit = linked:static({ loads = { P = 60e3 }, steps = 60, to_limit = true }):finish()
+  local loaded = linked:static({ loads = { P = 1e3 }, steps = 1 }):finish()
+  -- the column shortens by 2e-4 up to there
+  near(1e3 * loaded:buckling()[1].factor, 60e3 * limit.factor, 1e-3 * 60e3 * limit.factor, "statics to its limit")
+  -- at rest in dynamics, too; and not before the first step
+  local shaken = linked:dynamic { from = loaded, loads = { P = 1e3 }, dt = 1e-2, duration = 2e-2 }
+  local good, failure = pcall(shaken.modes, shaken)
+  expect(not good and support.has(tostring(failure), "has done no step"), "%s", failure)
+  local wanted = loaded:modes({ n = 1 })[1].frequency
+  near(shaken:finish():modes({ n = 1 })[1].frequency, wanted, 1e-6 * wanted, "in dynamics, Hz")
+end)
+
 case("a broken beam leaves two columns", function()
   local model = hinge.model()
   for i = 1, 2 do

@@ -82,7 +82,10 @@ int buckling(lua_State* L) {
             "run:buckling: the members of this run carry nothing; run it first: the factors are on its "
             "internal forces");
     const double part = part_of_loads(L, *record);
-    const BucklingModes found = buckling_modes(*record->run, count, most / std::abs(part), yielded);
+    BucklingModes found;
+    try {
+        found = buckling_modes(*record->run, count, most / std::abs(part), yielded);
+    } catch (const InputError& e) { throw InputError(std::string("run:buckling: ") + e.what()); }
     lua_createtable(L, int(found.list.size()), 0);
     for (std::size_t i = 0; i < found.list.size(); ++i) {
         push<ModeBox>(L, ModeBox{record, found.list[i].shape, part * found.list[i].factor});
