@@ -444,7 +444,7 @@ private:
         if (!by_rate.isZero(0)) blocks.damping(made_[i].node, made_[i].end, between(by_rate));
         Mat12 G = Mat12::Zero();
         add_moment_curvature(r, moment, G);
-        K += 0.5 * (G + G.transpose());
+        K += blocks.yielded == Yielded::at_rotation ? Mat12(0.5 * (G + G.transpose())) : G;  // modes take all of it
         blocks.stiffness(made_[i].node, made_[i].end, K);
     }
 

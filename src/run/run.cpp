@@ -84,8 +84,14 @@ Energy Run::energy_of(const State& state) const {
 
 Blocks Run::added_stiffness(Yielded yielded) const { return added_blocks(*effects_, state_, 0, yielded); }
 
+/// Loads along members turn the ends of their elements in the iteration of statics alone: those in the axes of space
+/// have a potential. Those in the members' axes have blocks.
 bool Run::has_unsymmetric_loads() const {
-    return structure_->large() && any_of(effects_->loads, &Load::is_unsymmetric);
+    const auto is_one = [](const InRole<Load>& of) {
+        const auto* force = dynamic_cast<const Force*>(of.effect);
+        return of->is_unsymmetric() && (!of->follows_nodes() || (force && force->has_blocks()));
+    };
+    return structure_->large() && std::any_of(effects_->loads.begin(), effects_->loads.end(), is_one);
 }
 
 Blocks Run::added_damping() const {
