@@ -191,7 +191,10 @@ public:
           state_(initial_state(run.structure())),
           unknowns_(unknowns_of(run, state_)),
           forces_(run.state().force),
-          yielded_(yielded) {}
+          yielded_(yielded) {
+        state_.heat.resize(run.state().heat.size());  // its deformations are in the forces
+        for (std::size_t i = 0; i < state_.heat.size(); ++i) state_.heat[i].stiffness = run.state().heat[i].stiffness;
+    }
     SparseMatrix at(double factor) {
         scale(factor);
         Triplets entries = of_elements(run_, state_, unknowns_, 0, 1);
@@ -222,7 +225,7 @@ private:
         for (std::size_t i = 0; i < forces_.size(); ++i) {
             state_.force[i] = factor * forces_[i];
             state_.plastic[i][axial] =
-                -state_.force[i][axial] * elements[i].length / elements[i].rigidity.EA;
+                -state_.force[i][axial] * elements[i].length / elements[i].rigidity.EA / softened(i);
         }
     }
     /// S and A of a pair are straight lines beyond p = 6, which its return to the yield surface asks for
@@ -237,7 +240,7 @@ private:
                 const double p = std::numbers::pi * std::numbers::pi * std::min(by.part[plane], 1 - 1e-9);
                 if (!(p > beam::pair_most)) continue;
                 const Element& e = elements[i];
-                const double b = 0.5 * (plane == 0 ? e.rigidity.EIx : e.rigidity.EIy) / e.length;
+                const double b = 0.5 * softened(i) * (plane == 0 ? e.rigidity.EIx : e.rigidity.EIy) / e.length;
                 const Vec3 axis = e.axes.toRotationMatrix().col(plane);
                 const auto has = beam::stability_functions(p);
                 const double cot = std::sqrt(p) / std::tan(std::sqrt(p)), S = cot + beam::pair_sag * p,
@@ -251,6 +254,7 @@ private:
             }
         }
     }
+    double softened(std::size_t element) const { return heat_of(state_.heat, int(element)).stiffness; }
     void add_rotations(Triplets& to, int a, int b, const Mat3& K) const {
         Mat6 block = Mat6::Zero();
         block.bottomRightCorner<3, 3>() = K;

@@ -439,6 +439,18 @@ case("a run that ends at a part of its load has its factor on the declared loads
   near(more:buckling()[1].factor, 1 / 0.8, 1e-3 / 0.8, "more of it")
 end)
 
+case("a hot column buckles with the stiffness of hot steel", function()
+  local factors = {}
+  for i, temperature in ipairs { 20, 600 } do
+    local model, tip = cantilever(4, { 0, 0, 0 })
+    model:load { node = tip, force = { -1e3, 0, 0 }, case = model:case "P" }
+    model:heat { member = model:members()[1], temperature = temperature, case = model:case "fire" }
+    local hot = model:static({ loads = { P = 1, fire = 1 } }):finish()
+    factors[i] = hot:buckling()[1].factor
+  end
+  near(factors[2], 0.31 * factors[1], 1e-6 * factors[1], "k_E of EN 1993-1-2, table 3.1") -- where it is declared
+end)
+
 case("a portal on pinned feet, and one with a semi-rigid beam", function()
   -- sway: alpha tan(alpha) = 6 c / EI_c h with the rotational stiffness of the joints c; alpha = h sqrt(P / EI)
   local function by_hand(r)
