@@ -3887,7 +3887,8 @@ function run:read(quantity, group) end
 ---Moments, and loads that turn with their member, make the stiffness unsymmetric; where that changes the square of a
 ---frequency by a thousandth, it counts. It is an error if there are then more than 2000 degrees of freedom, and if a
 ---mode flutters: its vibrations grow, which no real frequency says. It is an error if a frequency is lost in rounding,
----beside parts that are some 1e14 times as stiff.
+---beside parts that are some 1e14 times as stiff. So is a run that has done no step, if rigid links or diaphragms
+---carry forces that it took from another run.
 ---```lua
 ---for _, mode in ipairs(run:modes { n = 3 }) do print(mode.frequency, mode.period, mode.share.z) end
 ---```
@@ -3903,7 +3904,10 @@ function run:modes(options) end
 ---before it buckles has a limit load that is lower: the factor is an upper bound, which statics with an imperfection
 ---shows. Joints that have yielded have the stiffness with which they unload, or with joints = "slide" none, as in
 ---run:modes. The second result is the factor at which a pair of elements would buckle between clamped ends, which its
----two elements do not show: more elements a member show it; nil: there is none. It needs displacement = "large".
+---two elements do not show: more elements a member show it; nil: there is none. It needs displacement = "large". It is
+---an error where moments of fixed axis, or loads that turn with their member, change the factor by a thousandth: such
+---a structure may flutter and need not buckle, and the symmetric part of its stiffness has a factor that it does not
+---have.
 ---```lua
 ---local column = model:node { 1, 0, 2 }
 ---model:member { tip, column, section = square, material = steel }

@@ -133,6 +133,12 @@ int negative_pivots(const SparseMatrix& K) {
     return int((factors.vectorD().array() < 0).count());
 }
 
+Eigen::VectorXd solution(const SparseMatrix& K, const Eigen::VectorXd& right) {
+    const Factors factors(K);
+    must_be_regular(factors);
+    return factors.solve(right);
+}
+
 Eigen::MatrixXd vectors_next_to_zero(const SparseMatrix& K, int count) {
     const Factors factors(K);
     must_be_regular(factors);

@@ -27,6 +27,9 @@ double largest_eigenvalue(const Eigen::MatrixXd& symmetric);
 /// singular.
 int negative_pivots(const SparseMatrix& K);
 
+/// x of K x = right. Throws std::runtime_error where K is singular.
+Eigen::VectorXd solution(const SparseMatrix& K, const Eigen::VectorXd& right);
+
 /// Vectors of the `count` eigenvalues of K nearest to zero, by inverse iteration; columns of length 1. K is regular.
 Eigen::MatrixXd vectors_next_to_zero(const SparseMatrix& K, int count);
 

@@ -4,8 +4,8 @@
 
 namespace hinge {
 
-Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, double of_damping, Yielded yielded) {
-    Blocks blocks(of_damping, true, yielded);
+Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, double of_damping) {
+    Blocks blocks(of_damping);
     for (const auto& force : effects.forces)
         if (force->has_blocks()) force->add_blocks(at, blocks);
     return blocks;

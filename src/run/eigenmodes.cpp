@@ -58,9 +58,9 @@ Triplets of_elements(const Run& run, const State& state, const FreeUnknowns& unk
     return entries;
 }
 
-/// What effects and constraints add to the stiffness at a pose, with `factor` times the forces of the state.
+/// What effects and constraints add to the stiffness at a pose, with `factor` times the forces and loads of the state.
 Blocks added_at(const Run& run, Yielded yielded, const State& pose, double factor) {
-    Blocks blocks = run.added_stiffness(yielded);
+    Blocks blocks = run.added_stiffness(yielded, factor);
     if (!run.constraints()) return blocks;
     const bool known = run.constraints()->add_curvature_of_state(pose, factor, blocks);
     const auto carries = [](const Vec6& p) { return !p.isZero(0); };
@@ -203,6 +203,15 @@ public:
         return unknowns_.reduced(entries);
     }
     int unstable(double factor) { return negative_pivots(at(factor)); }
+    /// How much what moments make of the stiffness that is not symmetric changes a factor of the symmetric one, x its
+    /// mode, as a part of it: A x . K0^-1 A x over x . K0 x, by second-order perturbation.
+    double change_by_unsymmetric(double factor, const Eigen::VectorXd& x) {
+        const SparseMatrix unloaded = at(0);
+        scale(factor);
+        const SparseMatrix K = unsymmetric_stiffness(run_, state_, unknowns_, added_at(run_, yielded_, state_, factor));
+        const Eigen::VectorXd moved = 0.5 * (K * x - SparseMatrix(K.transpose()) * x);
+        return moved.dot(solution(unloaded, moved)) / x.dot(unloaded.selfadjointView<Eigen::Lower>() * x);
+    }
     /// The factor at which the first pair of elements buckles between its ends.
     double hidden() const {
         double most = 0;
@@ -269,6 +278,16 @@ private:
     Yielded yielded_;
 };
 
+/// Throws where moments change the factor by more than a thousandth: the symmetric part of the stiffness then has a
+/// factor that the structure does not have.
+void must_be_symmetric(Loaded& loaded, double factor, const Eigen::VectorXd& x) {
+    if (!(loaded.change_by_unsymmetric(factor, x) > 1e-3)) return;
+    throw InputError(
+        "moments whose axes stay as they are, or loads that turn with their member, make the stiffness unsymmetric, so "
+        "that the structure may flutter and need not buckle; see how far statics goes (to_limit = true), and what a "
+        "small push does in dynamics. Give a moment that another part would pass on as a pair of forces");
+}
+
 }  // namespace
 
 BucklingModes buckling_modes(const Run& run, int count, double most, Yielded yielded) {
@@ -291,6 +310,7 @@ BucklingModes buckling_modes(const Run& run, int count, double most, Yielded yie
         }
         const int multiple = std::max(1, loaded.unstable(above * (1 + together)) - known);
         const Eigen::MatrixXd x = vectors_next_to_zero(loaded.at(below), multiple);
+        if (run.has_unsymmetric_loads()) must_be_symmetric(loaded, below, x.col(0));
         for (int i = 0; i < multiple && int(modes.list.size()) < count; ++i)
             modes.list.push_back({0.5 * (below + above), loaded.shape(x.col(i))});
         known += multiple;

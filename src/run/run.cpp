@@ -82,7 +82,18 @@ Energy Run::energy_of(const State& state) const {
     return energy;
 }
 
-Blocks Run::added_stiffness(Yielded yielded) const { return added_blocks(*effects_, state_, 0, yielded); }
+Blocks Run::added_stiffness(Yielded yielded, double loads) const {
+    Blocks blocks(0, true, yielded);
+    for (const InRole<Force>& of : effects_->forces) {
+        if (!of->has_blocks()) continue;
+        Blocks own(0, true, yielded);
+        of->add_blocks(state_, own);
+        const double factor = dynamic_cast<const Load*>(of.effect) ? loads : 1;
+        for (const Coupling& c : own.pairs) blocks.pairs.push_back({c.a, c.b, factor * c.K});
+        for (const Blocks::Node& n : own.nodes) blocks.nodes.push_back({n.node, factor * n.K});
+    }
+    return blocks;
+}
 
 /// Loads along members turn the ends of their elements in the iteration of statics alone: those in the axes of space
 /// have a potential. Those in the members' axes have blocks.

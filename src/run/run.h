@@ -47,8 +47,9 @@ public:
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
     Energy energy() const { return energy_of(state_); }
     /// What effects add to the stiffness of the elements where the state is; joints that have yielded with that of
-    /// unloading, so that it does not follow the rounding of a moment that is at its strength.
-    Blocks added_stiffness(Yielded yielded = Yielded::unloads) const;
+    /// unloading, so that it does not follow the rounding of a moment that is at its strength. `loads`: factor on the
+    /// part of loads that turn with their members.
+    Blocks added_stiffness(Yielded yielded = Yielded::unloads, double loads = 1) const;
     /// Whether a load acts whose derivative by the displacements is unsymmetric: a moment, a load that turns with its
     /// member.
     bool has_unsymmetric_loads() const;
