@@ -3885,10 +3885,11 @@ function run:read(quantity, group) end
 ---one; joints = "slide": those at their strength (to a millionth of it) have none, as long as the motion turns them
 ---further. Axial forces change the stiffness as in the run. Bodies that nothing holds have modes of frequency 0.
 ---Moments, and loads that turn with their member, make the stiffness unsymmetric; where that changes the square of a
----frequency by a thousandth, it counts. It is an error if there are then more than 2000 degrees of freedom, and if a
----mode flutters: its vibrations grow, which no real frequency says. It is an error if a frequency is lost in rounding,
----beside parts that are some 1e14 times as stiff. So is a run that has done no step, if rigid links or diaphragms
----carry forces that it took from another run.
+---frequency by a thousandth, it counts. It is an error if there are then more than 2000 degrees of freedom, and if one
+---of the modes asked for flutters: its vibrations grow, which no real frequency says (ask for more modes to see
+---whether a higher one does). It is an error if a frequency is lost in rounding, beside parts that are some 1e14 times
+---as stiff. So is a run that has done no step, if rigid links or diaphragms carry forces that it took from another
+---run.
 ---```lua
 ---for _, mode in ipairs(run:modes { n = 3 }) do print(mode.frequency, mode.period, mode.share.z) end
 ---```
