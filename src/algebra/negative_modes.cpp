@@ -17,100 +17,99 @@ SolverSettings by_factors() {
 
 using Solve = std::function<bool(const std::vector<Vec6>& right, std::vector<Vec6>& x)>;
 
-/// Subspace iteration with (A + shift W)^-1 W, which `solve` has the inverse of: the `size` eigenvalues of A next to
-/// -shift. W weighs rotations with the square of an element's length.
-class SubspaceIteration {
+/// Ritz values of A^-1 are those of A where the residual is no larger than this part of them, and real where their
+/// imaginary part is: rounding parts a double eigenvalue by the root of its size.
+constexpr double converged_to = 1e-8, real_to = 1e-4;
+
+/// Arnoldi's method for the eigenvalues of a matrix A that are next to zero, with A^-1 as `solve` has it. It begins
+/// with a block of vectors, so that it finds eigenvalues as often as they are there, up to the size of the block.
+/// Rotations are weighed with an element's length. What has converged does not depend on the vectors that it begins
+/// with.
+class Arnoldi {
 public:
-    SubspaceIteration(const std::vector<std::uint8_t>& held, const Vec6& weight, int size)
-        : weight_(weight), basis_(size, std::vector<Vec6>(held.size())), image_(basis_), right_(held.size()) {
-        for (int k = 0; k < size; ++k)
-            for (int i = 0; i < int(held.size()); ++i)
-                for (int c = 0; c < 6; ++c)
-                    basis_[k][i][c] = held[i] >> c & 1 ? 0 : std::sin(1.0 + (k + 1) * (0.7 * i + 0.3) + 1.9 * c);
+    Arnoldi(const std::vector<std::uint8_t>& held, double length, int block, int most)
+        : held_(held), length_(length), right_(held.size()), image_(held.size()) {
+        const int size = 6 * int(held.size());
+        basis_ = Eigen::MatrixXd::Zero(size, most + block);
+        projected_ = Eigen::MatrixXd::Zero(most + block, most);
+        for (int k = 0; k < block; ++k) {
+            Eigen::VectorXd v = Eigen::VectorXd::Zero(size);
+            for (int i = 0; i < size; ++i)
+                if (!(held[i / 6] >> i % 6 & 1)) v[i] = std::sin(1.0 + (k + 1) * (0.7 * (i / 6) + 0.3) + 1.9 * (i % 6));
+            add_orthogonal(v, nullptr);
+        }
     }
 
-    /// Iterates, and finds the eigenvalues in the subspace. False where one of the solutions fails.
-    bool run(const Solve& solve) {
-        for (int iteration = 0; iteration < 40; ++iteration) {
-            if (iteration > 0) basis_.swap(image_);
-            if (!orthonormalise() || !apply(solve)) return false;
+    /// Until all eigenvalues within `radius` of zero have converged, or there are no more vectors. Returns how many
+    /// of those that have converged are real and negative; -1 where a solution fails.
+    int real_negative(const Solve& solve, double radius) {
+        for (int next = 0; next < int(projected_.cols()) && next < vectors_; ++next) {
+            Eigen::VectorXd v = basis_.col(next);
+            if (!apply(solve, v)) return -1;
+            add_orthogonal(v, &next);
+            done_ = next + 1;
+            if (done_ % check_every == 0 && has_all_within(radius)) return count_;
         }
-        Eigen::MatrixXd inverse(basis_.size(), basis_.size());
-        for (std::size_t j = 0; j < basis_.size(); ++j)
-            for (std::size_t k = 0; k < basis_.size(); ++k) inverse(j, k) = product(basis_[j], image_[k]);
-        if (!inverse.allFinite()) return false;
-        solver_.compute(inverse);
-        return solver_.info() == Eigen::Success;
-    }
-
-    /// How many of the eigenvalues are real and negative. Without a shift an eigenvalue counts where its vector is one,
-    /// to a hundredth: what is not yet separated from others may have either sign.
-    int real_negative(double shift) const {
-        int count = 0;
-        for (int m = 0; m < int(basis_.size()); ++m) {
-            const std::complex<double> stiffness = 1.0 / solver_.eigenvalues()[m] - shift;
-            const bool real = std::abs(stiffness.imag()) <= 1e-3 * std::abs(stiffness.real());
-            count += stiffness.real() < 0 && real && (shift > 0 || is_vector(m));
-        }
-        return count;
+        has_all_within(radius);
+        return count_;
     }
 
 private:
-    double product(const std::vector<Vec6>& a, const std::vector<Vec6>& b) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < a.size(); ++i) sum += a[i].dot(weight_.cwiseProduct(b[i]));
-        return sum;
+    static constexpr int check_every = 8;
+
+    bool apply(const Solve& solve, Eigen::VectorXd& v) {
+        const auto weight = [&](Vec6 x) -> Vec6 { return x.tail<3>() *= length_, x; };
+        for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = weight(v.segment<6>(6 * Eigen::Index(i)));
+        if (!solve(right_, image_)) return false;
+        for (std::size_t i = 0; i < right_.size(); ++i) v.segment<6>(6 * Eigen::Index(i)) = weight(image_[i]);
+        return v.allFinite();
     }
 
-    /// Gram and Schmidt, twice against rounding. False where a vector depends on those before it.
-    bool orthonormalise() {
-        for (std::size_t k = 0; k < basis_.size(); ++k) {
-            for (std::size_t j = 0; j < 2 * k; ++j) {
-                const std::vector<Vec6>& other = basis_[j % k];
-                const double part = product(other, basis_[k]);
-                for (std::size_t i = 0; i < other.size(); ++i) basis_[k][i] -= part * other[i];
-            }
-            const double norm = std::sqrt(product(basis_[k], basis_[k]));
-            if (!(norm > 0)) return false;
-            for (Vec6& v : basis_[k]) v /= norm;
+    /// Gram and Schmidt, twice against rounding. `column`: of the projected matrix; null: of none. What depends on the
+    /// basis adds nothing to it.
+    void add_orthogonal(Eigen::VectorXd v, const int* column) {
+        const double size = v.norm();
+        for (int twice : {0, 1}) {
+            (void)twice;
+            const Eigen::VectorXd part = basis_.leftCols(vectors_).transpose() * v;
+            v -= basis_.leftCols(vectors_) * part;
+            if (column) projected_.col(*column).head(vectors_) += part;
         }
-        return true;
+        const double left = v.norm();
+        if (!(left > 1e-13 * size)) return;
+        if (column) projected_(vectors_, *column) = left;
+        basis_.col(vectors_++) = v / left;
     }
 
-    bool apply(const Solve& solve) {
-        for (std::size_t k = 0; k < basis_.size(); ++k) {
-            for (std::size_t i = 0; i < right_.size(); ++i) right_[i] = weight_.cwiseProduct(basis_[k][i]);
-            if (!solve(right_, image_[k])) return false;
+    /// Counts, from the eigenvalue next to zero outwards.
+    bool has_all_within(double radius) {
+        const Eigen::EigenSolver<Eigen::MatrixXd> solver(projected_.topLeftCorner(done_, done_));
+        count_ = 0;
+        if (solver.info() != Eigen::Success) return false;
+        const Eigen::MatrixXd rest = projected_.block(done_, 0, vectors_ - done_, done_);
+        std::vector<int> order(static_cast<std::size_t>(done_));
+        for (int m = 0; m < done_; ++m) order[std::size_t(m)] = m;
+        const auto size_of = [&](int m) { return std::abs(solver.eigenvalues()[m]); };
+        std::sort(order.begin(), order.end(), [&](int m, int n) { return size_of(m) > size_of(n); });
+        bool all = true, beyond = vectors_ == done_;
+        for (const int m : order) {
+            const std::complex<double> inverse = solver.eigenvalues()[m];
+            const double residual = (rest * solver.eigenvectors().col(m)).norm();
+            const bool converged = residual <= converged_to * std::abs(inverse);
+            all = all && converged;
+            beyond = beyond || (all && std::abs(inverse) * radius < 1);
+            const bool real = std::abs(inverse.imag()) <= real_to * std::abs(inverse.real());
+            count_ += converged && real && inverse.real() < 0;
         }
-        return true;
+        return beyond;
     }
 
-    /// Whether the vector of the real eigenvalue m is an eigenvector of the whole matrix, to a hundredth.
-    bool is_vector(int m) const {
-        double off = 0, size_of = 0;
-        for (std::size_t i = 0; i < right_.size(); ++i) {
-            Vec6 wanted = Vec6::Zero(), found = Vec6::Zero();
-            for (std::size_t k = 0; k < basis_.size(); ++k) {
-                const double part = solver_.eigenvectors()(k, m).real();
-                wanted += solver_.eigenvalues()[m].real() * part * basis_[k][i], found += part * image_[k][i];
-            }
-            off += (found - wanted).cwiseAbs2().dot(weight_), size_of += wanted.cwiseAbs2().dot(weight_);
-        }
-        return off <= 1e-4 * size_of;
-    }
-
-    Vec6 weight_;
-    std::vector<std::vector<Vec6>> basis_, image_;
-    std::vector<Vec6> right_;
-    Eigen::EigenSolver<Eigen::MatrixXd> solver_;
+    const std::vector<std::uint8_t>& held_;
+    const double length_;
+    std::vector<Vec6> right_, image_;
+    Eigen::MatrixXd basis_, projected_;
+    int vectors_ = 0, done_ = 0, count_ = 0;
 };
-
-/// Of the `size` eigenvalues of A next to -shift: how many are real and negative, -1 where that is not known.
-int real_negative_next_to(const Solve& solve, const std::vector<std::uint8_t>& held, const Vec6& weight, int size,
-                          double shift) {
-    SubspaceIteration iteration(held, weight, size);
-    return iteration.run(solve) ? iteration.real_negative(shift) : -1;
-}
 
 }  // namespace
 
@@ -124,35 +123,31 @@ int EffectiveStiffness::negative_modes() {
 }
 
 /// Of A that is not symmetric, no more than `most`. Applied moments drive a structure in pairs of complex ones too,
-/// which leave it where it is as long as nothing moves. A has no real eigenvalue below those of its symmetric part, so
-/// that with a shift beyond these the lowest are found. Where moments make the symmetric part very negative, that shift
-/// is far from the real ones, and those next to zero are looked for as well.
+/// which leave it where it is as long as nothing moves. A has no real eigenvalue below those of its symmetric part:
+/// that bounds what has to be looked for.
 int EffectiveStiffness::real_negative_modes(int most) {
-    const int nodes = int(structure_.position().size()), size = std::min(most + 4, structure_.free_dofs());
+    const int nodes = int(structure_.position().size()), free = structure_.free_dofs();
     double length = 0;
     for (const Element& e : structure_.elements()) length += e.length / double(structure_.elements().size());
     Vec6 weight;
     weight << Vec3::Ones(), Vec3::Constant(length * length);
     double stiffest = 0;
     for (int i = 0; i < nodes; ++i) stiffest = std::max(stiffest, matrices_.own(i).diagonal().head<3>().maxCoeff());
-    // no larger than it must be: beside stiff parts, a large shift leaves the eigenvalues of slender ones too close
-    double shift = 1e-13 * stiffest;
-    for (;; shift *= 4) {
+    double bound = 1e-13 * stiffest;
+    for (;; bound *= 4) {
         DirectFactors symmetric(false);
-        if (factorise_shifted(symmetric, true, shift * weight) && symmetric.negative_pivots() == 0) break;
-        if (!(shift < stiffest)) return most;
+        if (factorise_shifted(symmetric, true, bound * weight) && symmetric.negative_pivots() == 0) break;
+        if (!(bound < stiffest)) break;
     }
-    DirectFactors shifted(true);
-    if (!factorise_shifted(shifted, false, 2 * shift * weight)) return most;
-    const auto found_by = [&](DirectFactors& factors, double distance) {
-        const Solve solve = [&](const std::vector<Vec6>& right, std::vector<Vec6>& x) {
-            return solve_by(factors, right, x);
-        };
-        return real_negative_next_to(solve, matrices_.held(), weight, size, distance);
+    constexpr int least_vectors = 60, vectors_of_each = 12;
+    const int block = std::min(most + 2, free),
+              vectors = std::min(std::max(least_vectors, vectors_of_each * block), free);
+    Arnoldi arnoldi(matrices_.held(), length, block, vectors);
+    const auto solve = [&](const std::vector<Vec6>& right, std::vector<Vec6>& x) {
+        return solve_by(factors_, right, x);
     };
-    const int lowest = found_by(shifted, 2 * shift);
-    if (lowest < 0 || lowest >= most) return most;
-    return std::min(std::max(lowest, found_by(factors_, 0)), most);
+    const int found = arnoldi.real_negative(solve, bound);
+    return found < 0 ? most : std::min(found, most);
 }
 
 /// Inverse iteration, for as long as what comes out is still driven on.

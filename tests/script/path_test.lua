@@ -178,6 +178,47 @@ case("Lee's frame, an arch and a plastic portal have one limit load, with any st
   end
 end)
 
+-- Moments that keep their axis ----------------------------------------------------------------------------------------
+
+--- A bar of 10 m along `t`, clamped, under an end moment about `axis` that winds it `turns` times.
+local function wound(o)
+  local side = o.side or 0.02
+  local section, L = hinge.section.solid { width = side, depth = 0.02 }, 10
+  local soft = hinge.material { E = 2e9, nu = 0, density = 1000 }
+  local model = hinge.model { elements_per_member = o.elements }
+  local function along(v, f) return { f * v[1], f * v[2], f * v[3] } end
+  local a, b = model:node { 0, 0, 0 }, model:node(along(o.t, L))
+  model:fix(a)
+  local across = { o.axis[2] * o.t[3] - o.axis[3] * o.t[2], o.axis[3] * o.t[1] - o.axis[1] * o.t[3],
+    o.axis[1] * o.t[2] - o.axis[2] * o.t[1] }
+  model:member { a, b, section = section, material = soft, up = across }
+  model:load { node = b, moment = along(o.axis, 2 * math.pi * o.turns * 2e9 * section.Ix / L) }
+  local run = model:static { steps = 20, record = false }:finish()
+  local u = { b:displacement(run) }
+  -- the arc: sin phi / phi of the length along the bar, (1 - cos phi) / phi across it
+  local phi, off = 2 * math.pi * o.turns, 0
+  for i = 1, 3 do
+    local exact = L * ((math.sin(phi) / phi - 1) * o.t[i] + (1 - math.cos(phi)) / phi * across[i])
+    off = off + (u[i] - exact) ^ 2
+  end
+  return run, math.sqrt(off) / L
+end
+
+local r2 = math.sqrt(0.5)
+local axes = { { t = { 1, 0, 0 }, axis = { 0, -1, 0 } }, { t = { 0, 0, 1 }, axis = { 0, 1, 0 } },
+  { t = { r2, r2, 0 }, axis = { 0.5, -0.5, r2 } } }
+
+case("a cantilever wound up by an end moment is an arc, and stable, in all directions", function()
+  -- The internal moment is the applied one everywhere, so that the shape follows from the clamp: no other equilibrium.
+  for i, way in ipairs(axes) do
+    way.turns, way.elements = 1.5, i == 2 and 40 or 32
+    local run, off = wound(way)
+    local what = ("axis %d, %d elements"):format(i, way.elements)
+    expect(run.verdict == "completed" and not run.instability, "%s: %s at %g", what, run.reason, run.factor)
+    near(off, 0, 1e-6, what .. ": off the arc, of the length") -- elements that take 17 degrees each
+  end
+end)
+
 -- Heat, prestress and settlements along other paths -------------------------------------------------------------------
 
 --- A portal of box sections. Returns the model and the tops of its columns.
