@@ -56,6 +56,8 @@ local function draws(seed, stream)
   return d
 end
 
+scenes.draws = draws -- for tests/hard/relation_scenes.lua
+
 -- Sections and materials ---------------------------------------------------------------------------------------------
 
 -- Section of a shape whose smallest radius of gyration is about length / slenderness.
