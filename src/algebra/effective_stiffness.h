@@ -84,9 +84,14 @@ public:
     /// Number of negative eigenvalues of the factorised A, that is of unstable modes; only real ones if A is not
     /// symmetric.
     int negative_modes();
+    /// Of the modes that negative_modes has counted, if A is not symmetric: the eigenvalue next to zero, without its
+    /// sign. 0 for a symmetric A, or where there is none.
+    double nearest_negative() const { return nearest_negative_; }
     /// True if there are more unstable modes than `known`; if A is not symmetric, if their number differs from it by
     /// one, three, five. Costs next to nothing.
     bool more_negative_modes(int known) const;
+    /// Size of the eigenvalue of the factorised A next to zero, as a scale.
+    double smallest_eigenvalue();
     /// The unstable mode nearest to stability, no component larger than 1. All zero if there is none.
     std::vector<Vec6> negative_mode();
     /// Seconds that one product of A, all its nodes in blocks of 6x6 in double precision, takes with a vector: the
@@ -150,6 +155,7 @@ private:
     std::vector<char> is_dirty_;
     bool factor_valid_ = false;
     DirectFactors factors_;
+    double nearest_negative_ = 0;
     std::unique_ptr<DirectFactors> symmetric_;  // of the symmetric part, made when asked for
     Counts counts_;
 };

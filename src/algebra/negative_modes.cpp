@@ -54,6 +54,12 @@ public:
         return count_;
     }
 
+    /// The one of them that is next to zero, without its sign.
+    double nearest() const { return count_ > 0 ? nearest_ : 0; }
+
+    /// Size of the Ritz value next to zero.
+    double smallest() const { return smallest_; }
+
 private:
     static constexpr int check_every = 8;
 
@@ -91,6 +97,7 @@ private:
         for (int m = 0; m < done_; ++m) order[std::size_t(m)] = m;
         const auto size_of = [&](int m) { return std::abs(solver.eigenvalues()[m]); };
         std::sort(order.begin(), order.end(), [&](int m, int n) { return size_of(m) > size_of(n); });
+        smallest_ = 1 / size_of(order.front());
         bool all = true, beyond = vectors_ == done_;
         for (const int m : order) {
             const std::complex<double> inverse = solver.eigenvalues()[m];
@@ -99,7 +106,8 @@ private:
             all = all && converged;
             beyond = beyond || (all && std::abs(inverse) * radius < 1);
             const bool real = std::abs(inverse.imag()) <= real_to * std::abs(inverse.real());
-            count_ += converged && real && inverse.real() < 0;
+            if (!converged || !real || inverse.real() >= 0) continue;
+            if (count_++ == 0) nearest_ = 1 / std::abs(inverse);
         }
         return beyond;
     }
@@ -109,11 +117,13 @@ private:
     std::vector<Vec6> right_, image_;
     Eigen::MatrixXd basis_, projected_;
     int vectors_ = 0, done_ = 0, count_ = 0;
+    double nearest_ = 0, smallest_ = 0;
 };
 
 }  // namespace
 
 int EffectiveStiffness::negative_modes() {
+    nearest_negative_ = 0;
     if (!symmetric_factors().good()) return 0;
     const int count = symmetric_factors().negative_pivots();
     if (keeping_ != MatrixStorage::unsymmetric || count == 0) return count;
@@ -147,7 +157,20 @@ int EffectiveStiffness::real_negative_modes(int most) {
         return solve_by(factors_, right, x);
     };
     const int found = arnoldi.real_negative(solve, bound);
+    nearest_negative_ = arnoldi.nearest();
     return found < 0 ? most : std::min(found, most);
+}
+
+double EffectiveStiffness::smallest_eigenvalue() {
+    const int free = structure_.free_dofs();
+    if (free == 0) return 0;
+    double length = 0;
+    for (const Element& e : structure_.elements()) length += e.length / double(structure_.elements().size());
+    Arnoldi arnoldi(matrices_.held(), length, std::min(2, free), std::min(16, free));
+    const auto solve = [&](const std::vector<Vec6>& right, std::vector<Vec6>& x) {
+        return solve_by(factors_, right, x);
+    };
+    return arnoldi.real_negative(solve, 1e300) < 0 ? 0 : arnoldi.smallest();
 }
 
 /// Inverse iteration, for as long as what comes out is still driven on.

@@ -19,6 +19,10 @@ constexpr double comes_back = 1e-2;
 /// Displacements by a step that differ by more than this part of them from those that its tangent gives: a leap.
 constexpr double leaps_by = 0.1;
 
+/// An eigenvalue that passes zero is, in the bracket of an instability, so near to it: of the first one where the run
+/// begins, at least, and in parts of the bracket's width over the load factor. Others have not passed it.
+constexpr double near_zero = 1e-3, near_zero_by_width = 30;
+
 /// A step of load after which the structure has moved so many times as far as such a load moved it at first, and by
 /// this part of its size, has passed a plateau or a snap.
 constexpr double far_times = 30, far_part = 3e-3;
@@ -28,7 +32,8 @@ constexpr double far_times = 30, far_part = 3e-3;
 StabilityMonitor::StabilityMonitor(const StaticProblem& problem, StaticTangent& tangent, Newton& newton)
     : problem_(problem), w_(problem.w), tangent_(tangent), newton_(newton) {}
 
-void StabilityMonitor::begin() {
+void StabilityMonitor::begin(bool unsymmetric) {
+    if (unsymmetric) first_eigenvalue_ = tangent_.smallest_eigenvalue();
     if (w_.structure.large()) modes_at_start_ = most_modes_ = most_free_modes_ = tangent_.negative_modes_of_matrix();
     newton_.set_modes_at_start(modes_at_start_);
 }
@@ -55,7 +60,8 @@ int StabilityMonitor::count_modes(double hinge_stiffness) {
     if (!w_.structure.large()) return modes_at_start_;
     if (!tangent_.renew(1, hinge_stiffness)) return most_modes_ + 1;
     tangent_.holds_for_trial();
-    return tangent_.negative_modes();
+    counted_ = tangent_.negative_modes();
+    return std::max(counted_ - driven_, 0);
 }
 
 /// Those that the control leaves.
@@ -132,6 +138,10 @@ double StabilityMonitor::locate_instability(const PathControl& control, double i
     }
     found.beyond = w_.factor;
     found.count = std::max(1, new_modes());
+    const bool in_pairs = new_modes() > 0 && new_modes() % 2 == 0;
+    const double width = (found.beyond - found.factor) / std::max(std::abs(found.beyond), 1e-300);
+    const double near = first_eigenvalue_ * std::max(near_zero, near_zero_by_width * std::abs(width));
+    found_driven_ = in_pairs && tangent_.nearest_negative() > near && first_eigenvalue_ > 0 ? new_modes() : 0;
     describe(tangent_.negative_mode(), found);
     for (std::size_t i = 0; i < held.size(); ++i) held[i] = newton_.result().displacements[i] - held[i];
     left_branch_ = control.kind() == Control::load && is_leap(held, found.beyond - found.factor);

@@ -2,6 +2,7 @@
 // to another branch of equilibria, and whether displacement control has left its path.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,8 +31,8 @@ enum class Found { nothing, stable, unstable };
 class StabilityMonitor {
 public:
     StabilityMonitor(const StaticProblem& problem, StaticTangent& tangent, Newton& newton);
-    /// Counts the negative eigenvalues of the tangent where the run begins.
-    void begin();
+    /// Counts the negative eigenvalues of the tangent where the run begins. `unsymmetric`: it will be.
+    void begin(bool unsymmetric);
 
     /// Another equilibrium is tried.
     void begin_try() { may_have_snapped_ = false; }
@@ -68,6 +69,13 @@ public:
     /// other. The second one is then on another branch, and the structure itself need not be unstable there.
     bool has_left_branch() const { return left_branch_; }
     void forget_instability() { instability_.reset(); }
+    /// True if the eigenvalues that it has found did not pass zero. Under applied moments two complex ones may become
+    /// real below zero; the equilibrium has not given way.
+    bool are_driven() const { return found_driven_ > 0; }
+    /// From now on they do not count.
+    void accept_driven() { driven_ += found_driven_, found_driven_ = 0; }
+    /// The trial has become the state.
+    void commit() { driven_ = std::min(driven_, counted_); }
     /// Takes so many negative eigenvalues as those of the path.
     void accept_modes(int modes) { most_modes_ = modes; }
     void count_ways(int modes) { instability_->count = modes - modes_at_start_; }
@@ -94,7 +102,9 @@ private:
     Newton& newton_;
     int modes_at_start_ = 0, modes_ = 0, most_modes_ = 0;  ///< negative eigenvalues of the tangent: first, last, most
     int free_modes_ = 0, most_free_modes_ = 0;  ///< of the last and the most, those that displacement control leaves
-    bool may_have_snapped_ = false;             ///< the trial may lie on another branch of equilibria
+    int counted_ = 0, driven_ = 0, found_driven_ = 0;  ///< all at the trial; those of them that did not pass zero
+    double first_eigenvalue_ = 0;    ///< the one next to zero where the run begins; 0: the tangent stays symmetric
+    bool may_have_snapped_ = false;  ///< the trial may lie on another branch of equilibria
     bool snap_told_ = false;
     bool left_branch_ = false;  ///< has_left_branch
     std::optional<double> branching_;

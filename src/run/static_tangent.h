@@ -29,6 +29,9 @@ public:
     /// Number of negative eigenvalues of the tangent, and with those that pairs of elements cannot show.
     int negative_modes_of_matrix() { return matrix_->negative_modes(); }
     int negative_modes() { return matrix_->negative_modes() + modes_within_pairs(); }
+    /// See EffectiveStiffness.
+    double nearest_negative() const { return matrix_->nearest_negative(); }
+    double smallest_eigenvalue() { return matrix_->smallest_eigenvalue(); }
     /// True if it has more of them than `known`.
     bool more_negative_modes(int known);
     /// Member whose compression was found to exceed most what a pair of its elements can show; -1: none does.

@@ -33,8 +33,9 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
     factor_at_start_ = forces_.factor_at_start();
     if (constraints_) constraints_->reduction().refuse_held(problem_.held);
     refuse_mechanism();
-    stability_.begin();
-    if (structure_->large() && forces_.are_unsymmetric()) tangent_.keep_unsymmetric();
+    const bool unsymmetric = structure_->large() && forces_.are_unsymmetric();
+    stability_.begin(unsymmetric);
+    if (unsymmetric) tangent_.keep_unsymmetric();
 }
 
 /// A step of the run, in as many substeps as it takes.
@@ -156,6 +157,11 @@ bool Statics::pass_instability(const Substep& substep) {
     double stable = substep.increment;
     if (!instability()) {
         stable = stability_.locate_instability(*substep.control, substep.increment, try_part);
+        if (stability_.are_driven()) {
+            stability_.accept_driven();
+            stability_.forget_instability();
+            return false;
+        }
         if (goes_on_before_leap(stable) && try_part(stable) == Found::stable) {
             ++branches_left_;
             stability_.forget_instability();
@@ -200,6 +206,7 @@ void Statics::commit_state() {
     assembly_.save_turns(state_, w_.trial);
     state_.factor = w_.factor;
     newton_.commit();
+    stability_.commit();
     to_unheld_ = 0;
     if (constraints_) constraints_->commit();
     for (const auto& e : effects_->all) e->after_commit(step);
