@@ -4,6 +4,7 @@
 -- Every setting runs in this process, with its own models, since a scenario is a function of this Lua state. So
 -- start-up is not in the times, and runs of different settings can alternate. The most memory is measured anew for each
 -- (/proc/self/clear_refs).
+local core = require "hinge.core"
 local check = require "hinge.check"
 local scenarios = require "hinge.scenario"
 local benches = require "hinge.cost.bench"
@@ -152,6 +153,9 @@ function cost.compare(scenario, options)
     check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario))
   end
   local o = check.options(where, options, rules)
+  if o.out and core.sandboxed() then
+    check.fail("%s: field 'out' is not available to a script in the sandbox: it would be a folder of its own", where)
+  end
   local inputs = ladder.inputs(where, scenario, o, o.parameters)
   local bench = benches.open(scenario, parameters_of(scenario, o), inputs, o)
   if o.effects then return effects.compare(bench, inputs, o) end

@@ -94,7 +94,7 @@ local function metatables(env)
 end
 
 -- What starts processes and writes folders of its own.
-local starts_processes = { "benchmark", "cost", "study" }
+local starts_processes = { "benchmark", "study" }
 
 local sandbox = {}
 

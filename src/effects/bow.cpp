@@ -6,7 +6,6 @@
 // in the middle, and forms when the largest moment of the span reaches the plastic one.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "beam/pair_bow.h"
@@ -54,7 +53,6 @@ public:
             const beam::YieldSurface& y = e.law->screen();
             const double weights[4] = {y.x, y.y, y.n, y.z};
             for (int j = 0; j < 4; ++j) b.yield[j][i % lane_count] = weights[j];
-            b.from[i % lane_count] = e.law->moves_surface() ? -1 : near;
         }
     }
 
@@ -76,13 +74,11 @@ public:
             return;
         }
         const std::vector<Vec6>& force = w_.force_of_fixed_ends();
-        const bool all_of_them = !w_.kind.dynamic || host_.breaks_by_strain();
         w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
             for (int block = first; block < end; ++block) {
                 for (int i = 0; i < lane_count / 2; ++i) added_[std::size_t(block * lane_count / 2 + i)].setZero();
-                if (!(has_kept(block) || counts(block, force))) continue;
-                const Forces of(*this, block, force, all);
-                if (all_of_them || of.any_near(blocks_[block])) add_to_block(block, of, force, at, factor, all);
+                if (has_kept(block) || counts(block, force))
+                    add_to_block(block, Forces(*this, block, force, all), force, at, factor, all);
             }
         });
     }
@@ -123,9 +119,6 @@ private:
         Lanes nothing[2] = {};   ///< a moment that is taken as none, N m
         Lanes point = {};        ///< the elements' integration points, -1 to 1
         Lanes yield[4] = {};     ///< of the law's screen for Mx, My, N, Mz; 0 without a law
-        /// f_y of the middle section below which a section cannot flow in dynamics, where the bow adds at most half
-        /// of the moment. Infinite without a law, below 0 where the surface moves.
-        Lanes from = spread(std::numeric_limits<double>::infinity(), Lanes{});
     };
     /// What the forces of a block's elements are.
     struct Forces {
@@ -146,8 +139,6 @@ private:
                 f[i] /= strength * strength;
             }
         }
-        bool any_near(const Block& b) const { return any_true(~(f <= b.from)); }
-
         Lanes p[lane_count];
         Lanes P;          ///< compression of the pairs over what heat leaves of E, N; 0 where one is broken
         Lanes middle[2];  ///< moments in the middle of the pair about x and about y, N m
@@ -190,11 +181,10 @@ private:
                       double factor, std::vector<beam::FixedEnd>& all) const {
         const Block& b = blocks_[block];
         const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
-        Lanes p[2], more[2];
-        for (int plane : {0, 1}) {
-            p[plane] = b.flexible[plane] * of.P;
-            more[plane] = bow_of_block(b, of, plane, p[plane]);
-        }
+        const Lanes p[2] = {b.flexible[0] * of.P, b.flexible[1] * of.P};
+        // the two elements of a pair have the same p: the even lanes compute one plane, the odd lanes the other
+        const Lanes bow = beam::bow_of_moment<Lanes>(counted(even_and_odd(p[0], p[1])));
+        Lanes more[2] = {moment_of_pairs(b, of, 0) * evens(bow), moment_of_pairs(b, of, 1) * odds(bow)};
         for (int i = 0; i + 1 < count; i += 2) {
             if (!(std::max(p[0][i], p[1][i]) > beam::bow_by_moments)) continue;
             const Eigen::Vector2d m = middle_moment(from + i, force, place());
@@ -217,10 +207,10 @@ private:
             for (int k : {0, 1}) add_to(from + i + k, added, all[from + i + k]);
         }
     }
-    static Lanes bow_of_block(const Block& b, const Forces& of, int plane, const Lanes& p) {
-        if (!any_above(p < 0 ? -p : p, counts_from)) return Lanes{};
+    /// Mean of the moments at the two integration points, N m.
+    static Lanes moment_of_pairs(const Block& b, const Forces& of, int plane) {
         const Lanes G = 0.5 * ((b.point - 1) / 2 * of.p[2 * plane] + (b.point + 1) / 2 * of.p[2 * plane + 1]);
-        return (G + neighbours(G)) * beam::bow_of_moment<Lanes>(counted(p));
+        return G + neighbours(G);
     }
 
     bool has_kept(int block) const {

@@ -57,8 +57,6 @@ public:
     virtual std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
                                                        double factor) = 0;
     virtual void count_break() = 0;
-    /// Limits of deformation break elements (Breaker::by_strain of any).
-    virtual bool breaks_by_strain() const = 0;
     virtual bool has_effective_stiffness() const = 0;
 };
 

@@ -190,7 +190,9 @@ void Dynamics::restart() {
     begin_step();
 }
 
-std::string Dynamics::failure_of_elements() const { return assembly_.failure(!breaks_by_strain()); }
+std::string Dynamics::failure_of_elements() const {
+    return assembly_.failure(!any_of(effects_->breakers, &Breaker::by_strain));
+}
 
 /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
 void Dynamics::recover(double time) {

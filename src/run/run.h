@@ -123,7 +123,6 @@ protected:
     std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
                                                double factor) override;
     void count_break() override { ++breaks_; }
-    bool breaks_by_strain() const override { return any_of(effects_->breakers, &Breaker::by_strain); }
     bool has_effective_stiffness() const override { return true; }
 
     template <class Self, class A>

@@ -1,5 +1,6 @@
 -- Runs of a scene, and how their answers are compared: what the relations of relation_list.lua share.
 local built = require "relation_model"
+local support = require "support"
 local runs = { steps = 100 } -- steps: of a dynamic run
 
 local function has(s, ...)
@@ -23,7 +24,7 @@ end
 -- Steps of the length in which a wave crosses a member: a tenth of what a portal takes to sway.
 local function dynamic_options(s)
   local shortest = math.huge
-  for _, member in ipairs(s.members) do shortest = math.min(shortest, member.length) end
+  for _, member in ipairs(s.members) do shortest = support.smallest_of(shortest, member.length) end
   local dt = (s.class == "collision" and 0.02 or 0.5) * shortest / 5100
   return { dt = dt, duration = (s.class == "collision" and 4 or 1) * runs.steps * dt, precision = "double",
     solver_tolerance = 1e-12, record = false, energy_tolerance = 0 }

@@ -15,10 +15,11 @@
 -- relation_runs.lua, the relations with their tolerances: relation_list.lua, _balance and _routes. The energy balance
 -- sees none of what these see: a force that is too large with all its work.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
-package.path = folder .. "/?.lua;" .. package.path
+package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.path
 local hinge = require "hinge"
 local scenes = require "relation_scenes"
 local relations = require "relation_list"
+local largest_of = require("support").largest_of
 
 -- Faults that are known, by relation and seed: what is wrong, in the words of an issue.
 local known = {}
@@ -96,7 +97,7 @@ for seed = options.first, options.first + options.count - 1 do
         for kind in pairs(scenes.kinds(s)) do of.by[kind] = (of.by[kind] or 0) + 1 end
         if off <= 1 then
           of.held = of.held + 1
-          if off > of.worst then of.worst = off end
+          of.worst = largest_of(of.worst, off)
         else
           of.broken[#of.broken + 1] = seed
           print(("seed %d, %s, %s: %s is off by %.3g of its tolerance: %s"):format(seed, s.class, s.mode, relation.name,

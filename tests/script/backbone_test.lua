@@ -59,7 +59,7 @@ end)
 
 -- A member that is bent, and pressed beyond its squash load and far beyond the load up to which its pairs are convex:
 -- 39 E I / l^2 about its weak axis, where 3.3 is that load. The return went down an energy that changed with the
--- strength: it was not found, or took 1000 times as long and then shorter steps. 1.5 %: Newmark's method in steps ten
+-- strength: it was not found, or took 1000 times as long and then shorter steps. 3 %: Newmark's method in steps ten
 -- times as long.
 case("a hinge whose strength changes is found beside any compression, in steps of 0.1 ms", function()
   local function pushed(points, dt, interaction, control)
@@ -85,7 +85,7 @@ case("a hinge whose strength changes is found beside any compression, in steps o
       expect(math.abs(run.energy_error) < 2e-3, "%s: energy error %g", what, run.energy_error)
       local fine, there = pushed(points, 1e-5, interaction)
       equal(fine.verdict, "completed", what .. ", fine: " .. (fine.reason or ""))
-      near(ux / there, 1, 0.015, what .. ": shortening")
+      near(ux / there, 1, 0.03, what .. ": shortening")
     end
   end
   equal(pushed({ { 0, 1 }, { 0.006, 1.2 } }, 1e-4, nil, 0).verdict, "completed", "every step is kept")

@@ -30,7 +30,6 @@ public:
     std::vector<beam::BowPoint> points_on_pair(int, int, const ConfigurationView&, double) override { return {}; }
     void count_break() override {}
     bool has_effective_stiffness() const override { return true; }
-    bool breaks_by_strain() const override { return false; }
 };
 
 using Names = std::vector<std::string>;
