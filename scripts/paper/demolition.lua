@@ -66,9 +66,9 @@ end
 
 -- How many times its own weight and that of its floors the frame carries.
 local function capacity(p, lost)
-  local model, most = build(p, lost), 10
+  local model, most = build(p, lost), 15
   model:gravity { 0, 0, -most * g }
-  local run = model:static { to_limit = true, steps = 20, record = false }:finish()
+  local run = model:static { to_limit = true, steps = 30, record = false }:finish()
   assert(run.verdict == "completed", run.reason)
   return most * run.factor
 end

@@ -233,7 +233,7 @@ function look.demolition(r)
   local i = numbers(r.index)
   expect(i.corner > 1 and i.edge > 1.2 * i.corner and i.inside > 1.1 * i.edge, "index: %g, %g, %g", i.corner, i.edge,
     i.inside)
-  near(i.inside, 3.14, 0.1, "index inside")
+  near(i.inside, 3.3, 0.3, "index inside") -- the whole frame's limit is where its beams fold, or hang: 9.2 to 10.3
 end
 
 for i = 2, #arg do
