@@ -30,6 +30,25 @@ double most_bent(const Structure& structure, const State& state) {
     return most;
 }
 
+/// Names the element that yields by fixed-end forces alone, with the remedy. Where such loads act at once its sections
+/// yield in no time, before the nodes move: what is lost by that does not depend on dt.
+std::string loads_between_nodes(const Structure& structure, const State& state, const ElementAssembly& assembly) {
+    double most = 1;
+    int worst = -1;
+    for (std::size_t i = 0; i < structure.elements().size(); ++i) {
+        const Element& e = structure.elements()[i];
+        if (state.broken[i] || !e.law) continue;
+        for (const double end : {-1.0, 1.0})
+            if (const double f = beam::yield_function(assembly.fixed_end(int(i)).at(end), end, e.yield); f > most)
+                most = f, worst = int(i);
+    }
+    if (worst < 0) return {};
+    return "; " + structure.element_name(worst) + " yields by the loads between its nodes alone: their fixed-end " +
+           "forces are " + number_text(std::sqrt(most), 3) +
+           " times what it can carry. Where they act at once no shorter step helps; give the member more elements, " +
+           "with a node where a point load acts, or let the load grow over a time (history)";
+}
+
 }  // namespace
 
 /// Settings that may hold where these have not, in the order in which they are tried: those that cost least first.
@@ -117,6 +136,8 @@ std::optional<bool> Dynamics::holds(const Remedy& remedy, double from, double be
 
 /// "; ... holds", "; ... may hold" with why it was not tried, or what was tried in vain.
 std::string Dynamics::advice() const {
+    // what holds in a short trial then is no remedy: the work of these loads on the flow is not resolved
+    if (std::string cause = loads_between_nodes(*structure_, state_, assembly_); !cause.empty()) return cause;
     const std::vector<Remedy> list = remedies();
     const auto untried = [&](const std::string& why) {
         return list.empty() ? std::string() : "; " + list.front().words + " may hold (not tried: " + why + ")";

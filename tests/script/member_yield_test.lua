@@ -246,4 +246,59 @@ case("slow dynamics follows statics", function()
   end
 end)
 
+-- A clamped bar, whose loads between its nodes are several times what its sections can carry at fixed ends.
+local function struck_bar(elements, load)
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
+  model:fix { a, b }
+  load.member = model:member { a, b, elements = elements, section = hinge.section.round { diameter = 0.03 },
+    material = hinge.material { E = 206e9, density = rho, yield_stress = 355e6 } }
+  model:load(load)
+  return model
+end
+local function fails_by_loads(run)
+  return run.verdict == "failed" and support.has(run.reason, "yields by the loads between its nodes alone")
+    and support.has(run.reason, "more elements") and support.has(run.reason, "history")
+end
+
+case("where loads between nodes act at once and make an element yield by themselves, the failure names that", function()
+  local jump = { { 0, 0 }, { 1e-3, 0 }, { 1e-3, 1 } }
+  for _, load in ipairs {
+    { elements = 2, at = 0.6, force = { 0, 0, -2e5 } },
+    { elements = 2, at = 0.6, force = { 0, 2e5, 0 } },
+    { elements = 4, at = 0.6, force = { 0, 0, -2e4 } },
+    { elements = 8, at = 0.6, force = { 0, 0, -2e5 } },
+    { elements = 2, q = { 0, 0, -5e4 } },
+    { elements = 2, q = { 0, 0, -5e4 }, history = jump },
+  } do
+    for _, settings in ipairs { { dt = 1e-4 }, { dt = "auto" }, { dt = "auto", integrator = "explicit" } } do
+      local what = ("%d elements, at %s, dt = %s, %s"):format(load.elements, load.at, settings.dt,
+        settings.integrator)
+      local given = { at = load.at, force = load.force, q = load.q, history = load.history }
+      local run = struck_bar(load.elements, given):dynamic(merged({ duration = 2e-3, record = false }, settings))
+      run:finish()
+      expect(fails_by_loads(run), "%s: %s, %s", what, run.verdict, run.reason)
+    end
+  end
+end)
+
+case("the remedies that such a failure names hold: elements, a node at the load, a load that grows", function()
+  local grows = { { 0, 0 }, { 2e-3, 1 } }
+  for _, load in ipairs {
+    { elements = 10, at = 0.6, force = { 0, 0, -2e5 } },
+    { elements = 10, at = 0.6, force = { 0, 0, -2e4 } },
+    { elements = 8, at = 0.6, force = { 0, 0, -2e5 }, history = grows },
+    { elements = 4, at = 0.6, force = { 0, 0, -2e4 }, history = grows },
+    { elements = 16, q = { 0, 0, -5e4 } },
+    { elements = 2, q = { 0, 0, -5e4 }, history = grows },
+  } do
+    local given = { at = load.at, force = load.force, q = load.q, history = load.history }
+    local run = struck_bar(load.elements, given):dynamic { dt = 1e-4, duration = 4e-3, record = false }
+    run:finish()
+    local what = ("%d elements, at %s, history %s: "):format(load.elements, load.at, load.history ~= nil)
+    equal(run.verdict, "completed", what .. run.reason)
+    near(run.energy_error, 0, 0.01, what .. "energy error")
+  end
+end)
+
 checks.done()
