@@ -3568,8 +3568,10 @@ function model:dynamic(options) end
 ---"member"): beyond 0.6 of that load, and with weight = "nodes" also below. Four elements show both. A free body that
 ---spins so fast for the steps of Newmark's method that its angle is lost: integrator = "energy-momentum" keeps it. A
 ---step of static load that moves the structure more than 30 times as far as the same load did at first. Dynamics checks
----this every 100 steps, or 20 times in a short run, and at the end. `hinge run` prints the warnings; they are in
----summary.json
+---this every 100 steps, or 20 times in a short run, and at the end. A perfect structure that can buckle while only
+---rounding starts it (a straight column, a symmetric arch or truss): dynamics of up to 500 nodes looks for that up to
+---40 times in a run, from 5 % of Euler's load in a member or 1 % of the size in displacement on. `hinge run` prints the
+---warnings; they are in summary.json
 ---@field warnings string[]
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics

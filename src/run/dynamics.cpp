@@ -492,6 +492,7 @@ bool Dynamics::advance() {
     check_energy();
     tell_error();
     look_at_pairs();
+    look_at_shape();
     return verdict_ != Verdict::failed;
 }
 
@@ -680,6 +681,14 @@ void Dynamics::look_at_pairs() {
     };
     warn(pairs_.missed_moments(
         *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
+}
+
+/// Now and then: whether the structure could buckle in a way in which nothing moves it.
+void Dynamics::look_at_shape() {
+    if (verdict_ != Verdict::running || settings_.trial || !structure_->large()) return;
+    if (!shape_.due(state_, size_.whole() / size_.own_length(), steps_done())) return;
+    if (effects_->any(&EffectTraits::calls_script)) return;
+    warn(shape_.look(*this, "at t = " + number_text(state_.time, 4) + " s"));
 }
 
 /// Whatever energy_tolerance is: a run that completes with a large energy error, or had one on its way, warns of it.

@@ -7,6 +7,7 @@
 
 #include "run/energy_monitor.h"
 #include "run/integrator.h"
+#include "run/perfect_shape.h"
 #include "run/settings.h"
 #include "run/spinning.h"
 
@@ -101,6 +102,7 @@ private:
     void look_between();
     void tell_error();
     void look_at_pairs();
+    void look_at_shape();
     void add_inertia_to_reactions();
     void must_be_solved(const SolveReport& report);
     void find_acceleration(std::vector<Vec6>& out_of_balance);
@@ -127,6 +129,7 @@ private:
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
     FastSpin spin_;
+    PerfectShape shape_;
     Step step_;
     bool constraints_due_ = false;  ///< constraints have ended in the step
     bool anew_ = false;             ///< the next step begins with the acceleration found anew

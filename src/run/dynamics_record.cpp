@@ -48,7 +48,7 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.size_, s.spin_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force,
+    a(s.size_, s.spin_, s.shape_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force,
       s.w_.supported, s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
     if constexpr (A::reading) s.energy_monitor_.make_room(s.state_);
     a(s.energy_monitor_);

@@ -107,7 +107,8 @@ struct Vibration {
     double k = 0, m = 0;  ///< the traces
     double shift = 1e-9;  ///< small: bodies that nothing holds have modes of frequency 0
 
-    Vibration(const Run& run, Yielded yielded)
+    /// `positive`: find a shift with which K + shift M is positive definite.
+    Vibration(const Run& run, Yielded yielded, bool positive = true)
         : unknowns(unknowns_of(run, run.state())), blocks(added_at(run, yielded, run.state(), 1)) {
         const State& state = run.state();
         Triplets stiffness = of_elements(run, state, unknowns, 0, 1), mass = of_elements(run, state, unknowns, 1, 0);
@@ -122,7 +123,8 @@ struct Vibration {
                 "density");
         k = K.diagonal().cwiseAbs().sum(), m = own.sum();
         K = K / k, M = M / m;
-        while (negative_pivots(K + shift * M) > 0) shift *= 4;  // an unstable state has negative values, too
+        while (positive && negative_pivots(K + shift * M) > 0)
+            shift *= 4;  // an unstable state has negative values, too
     }
     int size() const { return int(M.rows()); }
 };
@@ -179,6 +181,11 @@ NaturalModes natural_modes(const Run& run, int count, Yielded yielded) {
         modes.list.push_back(std::move(mode));
     }
     return modes;
+}
+
+int unstable_modes(const Run& run) {
+    const Vibration v(run, Yielded::unloads, false);
+    return v.size() == 0 ? 0 : negative_pivots(v.K + v.shift * v.M);
 }
 
 namespace {

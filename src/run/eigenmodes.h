@@ -28,6 +28,10 @@ struct NaturalModes {
 /// where no modes are found.
 NaturalModes natural_modes(const Run& run, int count, Yielded yielded = Yielded::unloads);
 
+/// Number of modes whose square of a frequency is negative, that of rigid bodies aside, by one factorisation. Throws
+/// InputError where a node that moves has no mass, std::runtime_error where the stiffness is singular.
+int unstable_modes(const Run& run);
+
 struct BucklingMode {
     double factor;            ///< on the internal forces of the run
     std::vector<Vec6> shape;  ///< of each node; its largest displacement is 1 m
