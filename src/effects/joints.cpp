@@ -31,9 +31,10 @@
 namespace hinge {
 namespace {
 
-/// Stiffness of a rigid axis over that of its member, 4 EI / L or GJ / L. With more, conjugate gradients may not
-/// converge, and explicit steps would be shorter.
-constexpr double rigid_part = 1e3, rigid_part_explicit = 100;
+/// Stiffness of a rigid axis over that of its member, 4 EI / L or GJ / L. A cantilever whose end has such an axis is
+/// softer by 3 / 4 of its inverse. With more in dynamics, conjugate gradients may not converge (they may be in single
+/// precision), and explicit steps would be shorter. Statics has factors, which take more.
+constexpr double rigid_part_static = 1e5, rigid_part_implicit = 1e3, rigid_part_explicit = 100;
 
 /// Stiffness of a joint that slides, as a part of its elastic one: in the tangent alone.
 constexpr double of_sliding = 1e-9;
@@ -295,14 +296,17 @@ private:
         m.damping = joint_damping(s, damping_of_elements_, {j.from, j.to});
         return m;
     }
+    double rigid_part() const {
+        return !w_.kind.dynamic         ? rigid_part_static
+               : w_.kind.explicit_steps ? rigid_part_explicit
+                                        : rigid_part_implicit;
+    }
     /// `own`: stiffness of the member about each axis, N m/rad.
     void find_parts(const Joint& j, const Vec3& own, Made& m) const {
         for (int k = 0; k < 3; ++k) {
             const JointAxis& axis = j.is.axis[k];
             m.parts[k] = parts_of(axis);
-            m.stiffness[k] = std::isfinite(axis.stiffness)
-                                 ? axis.stiffness
-                                 : (w_.kind.explicit_steps ? rigid_part_explicit : rigid_part) * own[k];
+            m.stiffness[k] = std::isfinite(axis.stiffness) ? axis.stiffness : rigid_part() * own[k];
         }
     }
 

@@ -609,4 +609,39 @@ case("wrong input is refused", function()
   refused(function() model:static() end, "every member at node 2")
 end)
 
+-- A cantilever of 3 m, with or without a joint at the wall that is soft about one axis, under a force or moment on its tip.
+local function rooted(joint, load)
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, material = stiff, ends = joint and { a = hinge.joint(joint) },
+    section = hinge.section.box { width = 0.1, depth = 0.2, thickness = 0.01 } }
+  model:load { node = tip, force = load.force, moment = load.moment }
+  return model, tip
+end
+
+case("a rigid axis beside a soft one is softer by what the reference says", function()
+  local loads = {
+    Mx = { force = { 0, 0, 1e3 }, at = 3, part = 0.75 },
+    My = { force = { 0, 1e3, 0 }, at = 2, part = 0.75 },
+    Mz = { moment = { 1e3, 0, 0 }, at = 4, part = 1 },
+  }
+  for _, soft in ipairs { "Mx", "My", "Mz" } do
+    for about, load in pairs(loads) do
+      local what = ("%s is soft, %s bends: "):format(soft, about)
+      if about ~= soft then
+        local plain, end_of_plain = rooted(nil, load)
+        local model, tip = rooted({ [soft] = { stiffness = 1e6 } }, load)
+        local still = model:static { steps = 1, record = false }:finish()
+        local wanted = select(load.at, plain:static { steps = 1, record = false }:finish():displacement(end_of_plain))
+        local has = select(load.at, still:displacement(tip))
+        near(has / wanted - 1, load.part * 1e-5, 1e-8, what .. "statics")
+        -- dynamics has a softer spring, and begins with the moments of statics
+        local on = model:dynamic { from = still, dt = 1e-3, duration = 0.1, record = false }:finish()
+        near(select(load.at, on:displacement(tip)) / has, 1, 1e-6, what .. "a run that goes on from statics stays there")
+      end
+    end
+  end
+end)
+
 checks.done()
