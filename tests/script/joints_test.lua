@@ -609,7 +609,7 @@ case("wrong input is refused", function()
   refused(function() model:static() end, "every member at node 2")
 end)
 
--- A cantilever of 3 m, with or without a joint at the wall that is soft about one axis, under a force or moment on its tip.
+-- A cantilever of 3 m, with or without a joint at the wall that is soft about one axis, and a load on its tip.
 local function rooted(joint, load)
   local model = hinge.model { displacement = "small" }
   local wall, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
@@ -638,7 +638,7 @@ case("a rigid axis beside a soft one is softer by what the reference says", func
         near(has / wanted - 1, load.part * 1e-5, 1e-8, what .. "statics")
         -- dynamics has a softer spring, and begins with the moments of statics
         local on = model:dynamic { from = still, dt = 1e-3, duration = 0.1, record = false }:finish()
-        near(select(load.at, on:displacement(tip)) / has, 1, 1e-6, what .. "a run that goes on from statics stays there")
+        near(select(load.at, on:displacement(tip)) / has, 1, 1e-6, what .. "a run that goes on from statics")
       end
     end
   end
