@@ -1,8 +1,10 @@
 // Plastic hinges at the end of a step: what flowed becomes part of the state (eqs 4, 6 and 10; state/hinges.h). The
 // return to the yield surface is in the assembly, the tangents of what flows in run/yield_tangents.h.
 #include <algorithm>
+#include <cmath>
 #include <set>
 
+#include "core/text.h"
 #include "effects/axial_strength.h"
 #include "effects/kinds.h"
 #include "effects/shear_strength.h"
@@ -11,6 +13,48 @@
 
 namespace hinge {
 namespace {
+
+/// Part of the largest axial force of a structure that half of the load along a slack element may be.
+constexpr double least_missed = 0.05;
+
+/// The sense in which an element carries axial force alone, if that is one: 1 tension, -1 compression; else 0.
+int one_sense(const Structure& structure, int element) {
+    switch (structure.model().members()[std::size_t(structure.elements()[std::size_t(element)].member)].carries) {
+        case Carries::tension: return 1;
+        case Carries::compression: return -1;
+        default: return 0;
+    }
+}
+
+/// A slack element has no axial force in its middle, but its nodes take half each of a load along it. The half at the
+/// slack end presses on the node there, in the place of hanging from the other end: N of the part that carries is too
+/// small by that. Dynamics is left out: what hangs from where depends on inertia there.
+void warn_of_slack_ends(const Workspace& w, std::vector<RunWarning>& list) {
+    if (w.kind.dynamic) return;
+    double largest = 0, most = 0;
+    int worst = -1;
+    for (int e = 0; e < int(w.state.force.size()); ++e) {
+        if (w.state.broken[e]) continue;
+        const double N = w.state.force[e][4];
+        const beam::FixedEnd& loads = w.assembly.fixed_end(e);
+        largest = std::max({largest, std::abs(N + loads.N[0]), std::abs(N + loads.N[1])});
+        const int sense = N == 0 ? one_sense(w.structure, e) : 0;
+        const double missed = sense == 0 ? 0 : -std::min(sense * loads.N[0], sense * loads.N[1]);
+        if (missed > (1 + 1e-9) * most) most = missed, worst = e;
+    }
+    if (worst < 0 || !(most > least_missed * largest)) return;
+    const int member = w.structure.elements()[std::size_t(worst)].member,
+              elements = w.structure.model().members()[std::size_t(member)].elements,
+              enough = 2 * int(std::ceil(0.5 * elements * most / (least_missed * largest)));
+    const char* sense = one_sense(w.structure, worst) > 0 ? "tension" : "compression";
+    list.push_back({"member " + std::to_string(member + 1) + " carries " + sense +
+                        " alone, and where it is slack half of the load along an element, " + number_text(most, 3) +
+                        " N, presses on its node, in the place of hanging from the part that carries: N there and the "
+                        "reaction at its end are too small by that",
+                    "elements = " + std::to_string(enough) + " for that member make it " +
+                        number_text(most * elements / enough, 2) + " N",
+                    member});
+}
 
 class Plasticity : public Effect, public StepLimiter, public Sleeper, public RunChecker {
 public:
@@ -38,6 +82,7 @@ public:
     void check_run(std::vector<RunWarning>& list) const override {
         strength_.check_run(w_, list);
         shear_.check_run(w_, list);
+        warn_of_slack_ends(w_, list);
     }
 
     bool allows_long_step() const override { return w_.yielding.empty(); }

@@ -11,7 +11,11 @@
 // that elongation y is apart from the slack: it moves the length at which the member carries again.
 //
 // N is that in the middle of the element, without the fixed-end parts of loads along it, which differ in sign at its
-// two ends. Bending and torsion are elastic, by the section's own stiffness: a slack member keeps a small stiffness
+// two ends. So half of the load of a slack element presses on the node at its slack end (plasticity.cpp warns). A law
+// that is slack at n = q l / 2 would let all of it hang from the other end. But in dynamics inertia too decides what
+// hangs from where: with that law a cable catches a mass with 15 % too much force.
+//
+// Bending and torsion are elastic, by the section's own stiffness: a slack member keeps a small stiffness
 // across its axis, so that statics has an equilibrium to go to, and its masses have a shape. The elements do not form
 // pairs whose bending depends on N: the stiffness that N gives across the axis is that of the chords of the elements.
 #include <algorithm>

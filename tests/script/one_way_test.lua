@@ -183,6 +183,58 @@ case("slack is no strain for fracture, and no hinge", function()
   end
 end)
 
+case("a rod that hangs from one of its two supports: N at its ends, and how many elements it takes", function()
+  local L, q = 4, 100
+  -- A rod from `top` on along a direction, between two fixed ends; the load along it pulls at its top.
+  local function hung(o)
+    local model = hinge.model { displacement = o.displacement }
+    local a = model:node { 1, 2, 3 }
+    local b = model:node { 1 + L * o.way[1], 2 + L * o.way[2], 3 + L * o.way[3] }
+    model:fix({ a, b }, "all")
+    local pulls = o.carries == "tension" and 1 or -1
+    local rod = model:member { a, b, section = hinge.section.round { diameter = 0.02 }, material = steel,
+      carries = o.carries, elements = o.elements }
+    model:load { member = rod, q = { pulls * q * o.way[1], pulls * q * o.way[2], pulls * q * o.way[3] } }
+    if o.other then -- a member with a larger force
+      local c, d = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+      model:fix(c, "all")
+      model:member { c, d, section = hinge.section.round { diameter = 0.02 }, material = steel }
+      model:load { node = d, force = { o.other, 0, 0 } }
+    end
+    local run = model:static { steps = 2 }:finish()
+    equal(run.verdict, "completed", run.reason)
+    local points, sum = rod:along(run, 2), 0
+    for _, node in ipairs { a, b } do
+      local r = { node:reaction(run) }
+      for c = 1, 3 do sum = sum + pulls * r[c] * o.way[c] end
+    end
+    near(sum, -q * L, 1e-8 * q * L, "sum of the reactions")
+    return pulls * points[1].N / (q * L), pulls * points[#points].N / (q * L), run
+  end
+  for _, o in ipairs { { way = { 0, 0, -1 } }, { way = { 0.6, 0, -0.8 } },
+    { way = { 0, 1, 0 }, displacement = "small" } } do
+    for _, carries in ipairs { "tension", "compression" } do
+      for _, n in ipairs { 2, 4, 8 } do
+        o.carries, o.elements = carries, n
+        local what = ("%s, along %g %g %g, %d elements"):format(carries, o.way[1], o.way[2], o.way[3], n)
+        local top, foot, run = hung(o)
+        near(top, 1 - 1 / (2 * n), 1e-6, what .. ": N at the top") -- 1: hangs whole; half an element's load is missing
+        near(foot, -1 / (2 * n), 1e-6, what .. ": N at the foot") -- 0
+        local found = table.concat(run.warnings, " ")
+        expect(found:find(carries .. " alone, and where it is slack half", 1, true), "%s: warns: %s", what, found)
+        o.elements = tonumber(found:match "elements = (%d+)")
+        top, foot, run = hung(o)
+        near(top, 1, 0.05, what .. ": N at the top with the elements that the warning names")
+        near(foot, 0, 0.05, what .. ": at the foot")
+        equal(#run.warnings, 0, what .. ": warnings with them")
+        o.elements, o.other = n, 20 * q * L
+        equal(#select(3, hung(o)).warnings, 0, what .. ": warnings beside a large force")
+        o.other = nil
+      end
+    end
+  end
+end)
+
 -- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, too short or too
 -- long in places: some of its members are slack at first.
 -- Frames with crossed rods in all panels, pushed sideways. Rods that sag under their weight are slack in one iteration
