@@ -3479,7 +3479,13 @@ function model:dynamic(options) end
 ---@field duration number s; rounded to whole steps if dt is a number
 ---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
 ---the run whose state this run begins from, such as rest under gravity. A static run must be finished or stopped first.
----Every such run must have done at least one step. If it failed, its last good state is used (see allow_failed)
+---Every such run must have done at least one step. If it failed, its last good state is used (see allow_failed).
+---From a dynamic run of which nothing but the duration has changed (model, loads, dt, integrator, settings; no new
+---velocity) this run goes on to the bit as that one would have. Its energies, warnings and hinges count from its own
+---start. Two things hang on the duration and may tell a run from its halves: dt = "auto", and step control once it has
+---undone a step (each step has its share of the duration). Where something has changed, the acceleration and the
+---stiffness are found anew: the motion differs by 1e-12 to 1e-5 of itself, and where members yield or touch by what a
+---hinge or a contact makes of that
 ---@field from? hinge.run
 ---true: this run may complete although `from` failed, or ended at a limit load or before its load factor. Default
 ---false: a run that goes on from such a state counts as failed when it has ended, and run.reason says from which run

@@ -42,4 +42,9 @@ Checkpoint open_checkpoint(std::string_view bytes, const std::string& path);
 /// settings, and OutsideError where its contents are not valid; the run is then as it was.
 void resume(Dynamics& run, const Checkpoint& from, const std::string& path);
 
+/// A run that began with the state of `before`, with its velocities, of the same model and settings but for the
+/// duration, goes on as that one would have, to the bit. Does nothing where something else has changed, or where
+/// `before` failed.
+void go_on(Dynamics& run, const Dynamics& before);
+
 }  // namespace hinge

@@ -32,6 +32,10 @@ public:
     /// or between two; the number of threads may be another. Throws Damaged (core/archive.h) where that makes no sense;
     /// the run is then as it was.
     void restore(std::string_view saved);
+    /// Goes on as `before` would have: with its acceleration, stiffness, contacts and length of steps. Its energies,
+    /// warnings and counts stay its own. Before this run's first step; `before` is a run of the same structure and
+    /// settings, but for the duration, of which this run began with the state.
+    void go_on_as(const Dynamics& before);
 
     EffectiveStiffness::Counts solver_counts() const;
     double shortest() const { return size_.own(); }  ///< s: dt, with "auto" the shortest, before any is halved

@@ -1,10 +1,12 @@
 // What a run of dynamics says of itself: its plan and its counts to whoever asks, all that later steps depend on to a
 // checkpoint.
 #include <algorithm>
+#include <cmath>
 
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
+#include "state/hinge_records.h"
 
 namespace hinge {
 
@@ -75,6 +77,44 @@ void Dynamics::restore(std::string_view saved) {
         read(now);
         throw;
     }
+}
+
+/// All that a checkpoint would hold, but for what belongs to the run itself.
+void Dynamics::go_on_as(const Dynamics& before) {
+    std::string saved;
+    before.save(saved);
+    const Stages stages = stages_;
+    const std::vector<RunWarning> warnings = warnings_;
+    const std::vector<Activation> activations = activations_;
+    const PressedPairs pairs = pairs_;
+    const double its_error = before.energy().error;
+    const StepSize size = size_;
+    size_.lengthen(before.size_);
+    try {
+        restore(saved);
+    } catch (const Damaged&) {
+        size_ = size;
+        return;
+    }
+    if (auto* records = state_.data.find<HingeRecords>(hinge_records))
+        for (HingeRecord& hinge : records->list) ++hinge.runs_ago;
+    stages_ = stages, warnings_ = warnings, activations_ = activations, pairs_ = pairs;
+    verdict_ = Verdict::running, reason_.clear();
+    state_.step = first_step_ = breaks_ = 0;
+    at_start_ = state_.accumulated;
+    Accounts counted;  // the potential energy of gravity counts from where `before` began
+    for (const auto& e : effects_->all) e->add_energy(state_, counted);
+    if (const double potential = counted["gravity"]; potential != 0) {
+        state_.accumulated["gravity"] += 0;  // so that it is there
+        at_start_["gravity"] += potential;
+    }
+    initial_ = 0;
+    initial_ -= energy_of(state_).error;
+    if (control_.on()) control_.leave_behind(-its_error);
+    size_.count_anew();
+    integrator_->fastest = {};
+    energy_monitor_ = EnergyMonitor(tolerance(), std::lround(settings_.duration / size_.own()));
+    energy_monitor_.begin(state_);
 }
 
 void Dynamics::read(std::string_view saved) {

@@ -91,6 +91,10 @@ public:
         a(s.done_, s.length_, s.least_, s.calm_, s.start_, s.easy_, s.patience_, s.grew_, s.rejected_);
     }
     bool makes_sense() const;
+    /// The same, of a duration that is longer by these steps.
+    void lengthen(const StepSize& before) { whole_ += before.done_; }
+    /// What was counted so far was another run's.
+    void count_anew() { least_ = length_, rejected_ = 0; }
 
 private:
     double unit_;  ///< s: own steps, or with step control the finest; lengths are counted in it

@@ -153,6 +153,27 @@ list[#list + 1] = { name = "cut in two", why = "bits",
     return same and 0 or math.huge, what
   end }
 
+list[#list + 1] = { name = "two runs", why = "bits; without step control, whose share of a step hangs on the duration",
+  fits = function(s) return s.mode == "dynamic" end,
+  check = function(hinge, s)
+    local o = dynamic_options(s)
+    local more = { integrator = s.seed % 3 == 0 and "explicit" or nil, step_control = s.seed % 3 ~= 0 and 0 or nil }
+    local whole, run = dynamic(hinge, s, built.way(), more)
+    run:finish()
+    more.duration = 37 * o.dt
+    local b, first, settings = dynamic(hinge, s, built.way(), more)
+    settings.from, settings.duration, settings.allow_failed = first:finish(), o.duration - 37 * o.dt, true
+    local second = b.model:dynamic(settings):finish()
+    local same = second.hash == run.hash and first.index + second.index == run.index
+    local what = ("%s %d %s, and %s %d + %d %s"):format(run.hash, run.index, run.verdict, second.hash, first.index,
+      second.index, second.verdict)
+    local failed = run.verdict == "failed" -- at a step that either way is the last: the energy balance is looked at
+    whole.model:close()
+    b.model:close()
+    if failed then return nil, "the run fails" end
+    return same and 0 or math.huge, what
+  end }
+
 list[#list + 1] = { name = "decay", why = "higher modes and the period of Newmark's method: 4 % of the ratio",
   fits = function(s) return s.mode == "static" and elastic(s) and s.seed % 2 == 0 and not has(s, "one_way") end,
   check = function(hinge, s)

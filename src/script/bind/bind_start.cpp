@@ -11,6 +11,7 @@
 #include "script/checks/load_warnings.h"
 #include "effects/all_effects.h"
 #include "effects/declared.h"
+#include "run/checkpoint.h"
 #include "run/dynamics.h"
 #include "script/checks/element_count.h"
 #include "script/checks/size_notice.h"
@@ -392,7 +393,10 @@ int dynamic_run(lua_State* L) {
     std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
     for (Warning& w : mistakes_in_dynamics(L, *structure, start, before, s)) likely_mistakes.push_back(std::move(w));
     weigh_dynamic(*context(L), *structure);
+    const auto* goes_on = before ? dynamic_cast<const Dynamics*>(before->run.get()) : nullptr;
+    if (goes_on && start.velocity != goes_on->state().velocity) goes_on = nullptr;  // some were given since
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
+    if (goes_on) go_on(*run, *goes_on);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));
     auto plan = read_checkpoint_plan(o, *m);
