@@ -22,7 +22,11 @@ local relations = require "relation_list"
 local largest_of = require("support").largest_of
 
 -- Faults that are known, by relation and seed: what is wrong, in the words of an issue.
-local known = {}
+local known = {
+  -- on processors without fused products
+  order = { [28] = "rate and sudden loads: the rotation of a node differs by 1.5e-3 with the order of members" },
+  units = { [31] = "a slack member of tension alone, prestressed from the start: by rounding the run fails at step 1" },
+}
 
 local options = { count = 50, first = 1 }
 for _, word in ipairs(arg) do
