@@ -129,8 +129,8 @@ TEST_CASE("loads: a force and a moment that rise with time give the momentum of 
         // the middle of mass: c t^3 / 6 m, by steps to dt^2 of it; a step late 3 / steps
         Vec3 middle = Vec3::Zero();
         for (const Element& e : structure->elements())
-            for (const int end : {0, 1})
-                middle += e.inertia.weight(end) / now.mass * run.state().displacement[e.node[end]];
+            for (const int side : {0, 1})
+                middle += e.inertia.weight(side) / now.mass * run.state().displacement[e.node[side]];
         const Vec3 way = c * std::pow(end, 3) / (6 * now.mass) * force;
         CHECK_FIGURE("way of the middle of mass", (middle - way).norm() / way.norm(), 2.0 / (steps * steps));
     }

@@ -19,7 +19,8 @@ namespace hinge::script {
 /// whatever links are there. Names go into other files and to other programs: none has a line break in it.
 void prepare_folder(const Context& c, const std::string& file) {
     namespace fs = std::filesystem;
-    if (const auto at = std::find_if(file.begin(), file.end(), [](unsigned char c) { return c < ' ' || c == 127; });
+    if (const auto at =
+            std::find_if(file.begin(), file.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; });
         at != file.end())
         throw InputError("the file name '" + std::string(file.begin(), at) + "...' goes on with the character number " +
                          std::to_string(int(*at)) + "; it must not have line breaks or other control characters");
