@@ -99,7 +99,7 @@ void StabilityMonitor::accept_branching(const PathControl& control) {
 
 /// The tangent at the trial gives displacements that belong to its branch. Where Newton's method has leapt there, the
 /// displacements of the step have a part that does not become smaller with the step.
-bool StabilityMonitor::is_leap(const std::vector<Vec6>& moved, double increment) const {
+bool StabilityMonitor::is_leap(const std::vector<Vec6>& moved, double increment, double part) const {
     const std::vector<Vec6> rate = newton_.path_rate();
     if (rate.empty()) return true;
     double off = 0, most = 0;
@@ -107,11 +107,16 @@ bool StabilityMonitor::is_leap(const std::vector<Vec6>& moved, double increment)
         off += (moved[i] - increment * rate[i]).head<3>().squaredNorm();
         most += moved[i].head<3>().squaredNorm();
     }
-    return !(off <= leaps_by * leaps_by * most);
+    return !(off <= part * part * most);
 }
 
 bool StabilityMonitor::follows_tangent(double increment) const {
-    return !is_leap(newton_.result().displacements, increment);
+    return !is_leap(newton_.result().displacements, increment, leaps_by);
+}
+
+bool StabilityMonitor::may_have_leapt(double increment) const {
+    constexpr double far_off = 0.5;
+    return w_.structure.large() && w_.yielding.empty() && is_leap(newton_.result().displacements, increment, far_off);
 }
 
 // ---- where the structure becomes unstable ---------------------------------------------------------------------------
@@ -144,7 +149,7 @@ double StabilityMonitor::locate_instability(const PathControl& control, double i
     found_driven_ = in_pairs && tangent_.nearest_negative() > near && first_eigenvalue_ > 0 ? new_modes() : 0;
     describe(tangent_.negative_mode(), found);
     for (std::size_t i = 0; i < held.size(); ++i) held[i] = newton_.result().displacements[i] - held[i];
-    left_branch_ = control.kind() == Control::load && is_leap(held, found.beyond - found.factor);
+    left_branch_ = control.kind() == Control::load && is_leap(held, found.beyond - found.factor, leaps_by);
     instability_ = found;
     try_step(increment);
     return stable;

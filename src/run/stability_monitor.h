@@ -56,6 +56,9 @@ public:
     /// Under load control: true if the trial lies as far from the state as its own tangent says of such a load, so that
     /// no leap has brought it there.
     bool follows_tangent(double increment) const;
+    /// Of large displacements without yielding: true if the trial lies so far from where its own tangent leads that it
+    /// may be on another branch.
+    bool may_have_leapt(double increment) const;
 
     /// Number of negative eigenvalues at the trial; and whether no equilibrium before had so many.
     int modes() const { return modes_; }
@@ -91,7 +94,7 @@ public:
 private:
     int count_modes(double hinge_stiffness);
     int count_free_modes(const PathControl& control);
-    bool is_leap(const std::vector<Vec6>& moved, double increment) const;
+    bool is_leap(const std::vector<Vec6>& moved, double increment, double part) const;
     bool unloading_returns(PathControl& control, double increment);
     void describe(const std::vector<Vec6>& mode, Instability& found) const;
     void find_driving_members(const std::vector<Vec6>& mode, Instability& found) const;
