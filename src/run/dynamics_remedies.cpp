@@ -149,16 +149,19 @@ std::string Dynamics::advice() const {
     const double from = state_.time, failed = lost ? lost->time : state_.time + size_.own();
     const double beyond = failed + steps_beyond * size_.own();
     long budget = most_updates;
-    std::string in_vain;
+    std::string in_vain, not_tried;
     for (const Remedy& r : list) {
         const std::optional<bool> held = r.settings ? holds(r, from, beyond, budget) : std::nullopt;
         if (held && *held)
             return "; " + r.words + " holds: tried from t = " + number_text(from, 4) + " s to " +
                    number_text(beyond, 4) + " s";
         if (held) in_vain += (in_vain.empty() ? "" : ", ") + r.words;
+        else if (not_tried.empty()) not_tried = r.words;
     }
     if (in_vain.empty()) return untried("a trial would take too long");
-    return "; tried in vain from t = " + number_text(from, 4) + " s: " + in_vain;
+    const std::string left =
+        not_tried.empty() ? "" : "; " + not_tried + " may hold (not tried: a trial would take too long)";
+    return "; tried in vain from t = " + number_text(from, 4) + " s: " + in_vain + left;
 }
 
 }  // namespace hinge

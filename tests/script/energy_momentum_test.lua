@@ -90,7 +90,8 @@ case("a bar with its own rotary inertia swings at the frequency of theory", func
   run:finish()
   equal(run.verdict, "failed", "slender cantilever by Newmark's method")
   expect(run.reason:find("(energy_tolerance 1 %)", 1, true)
-    and run.reason:find("step_control = 0.01 holds: tried", 1, true), "it names a remedy: %s", run.reason)
+    and (run.reason:find(" holds: tried", 1, true) or run.reason:find(" may hold", 1, true)),
+    "it names a remedy: %s", run.reason)
 end)
 
 -- A free frame that tumbles: both momenta, and the energy -------------------------------------------------------------
