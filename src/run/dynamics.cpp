@@ -681,6 +681,12 @@ void Dynamics::look_at_pairs() {
     };
     warn(pairs_.missed_moments(
         *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
+    // what falls freely does not sag: the element's mass at the node takes a part of the load
+    const auto held = [&](int node) -> Vec3 {
+        const Element& e = structure_->elements()[structure_->elements_at(node)[0]];
+        return load_on(node) - e.mass() * state_.acceleration[node].head<3>();
+    };
+    warn(pairs_.missed_tension(*structure_, state_, held, where));
 }
 
 /// Now and then: whether the structure could buckle in a way in which nothing moves it.
