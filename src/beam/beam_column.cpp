@@ -51,7 +51,10 @@ Vec12 on_both(const PairForces<double>& f) {
 }  // namespace
 
 PairKind<double> pair_kind(const Rigidity& c, double L) {
-    return {c.EA / L, L, {c.EIx / L, c.EIy / L}, {L * L / c.EIx, L * L / c.EIy}};
+    PairKind<double> k = {c.EA / L, L, {c.EIx / L, c.EIy / L}, {L * L / c.EIx, L * L / c.EIy}, {}};
+    const double GA[2] = {c.GAy, c.GAx};
+    for (int plane : {0, 1}) k.shear[plane] = pair_shear(1 / (k.c[plane] * GA[plane]));
+    return k;
 }
 
 double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
@@ -59,7 +62,7 @@ double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
     const double N = forces_of(k, y).N_whole, off = N - k.axial * y[0];
     double U = -off * off / k.axial;  // 2 N e - N^2 l/EA - e^2 EA/l
     for (int plane : {0, 1}) {
-        const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
+        const StabilityFunctions<double> of = stability_functions(k, plane, N);
         const double sum = y[1 + 2 * plane], difference = y[2 + 2 * plane];
         U += 0.25 * k.b[plane] * ((of.S - 1) * sum * sum + (of.A - 1) * difference * difference);
     }
@@ -85,7 +88,7 @@ PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6&
     with_N[0] = 2;
     double N_N = -2 / k.axial;
     for (int plane : {0, 1}) {
-        const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
+        const StabilityFunctions<double> of = stability_functions(k, plane, N);
         const double b = k.b[plane], c = k.c[plane], sum = y[1 + 2 * plane], difference = y[2 + 2 * plane];
         H(1 + 2 * plane, 1 + 2 * plane) = 0.5 * b * (of.S - 1);
         H(2 + 2 * plane, 2 + 2 * plane) = 0.5 * b * (of.A - 1);

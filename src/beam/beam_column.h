@@ -31,6 +31,12 @@
 // energy is conserved, a rigid motion strains nothing. A pair that is clamped at both ends buckles at p = pi^2 by its
 // middle node, which cannot follow without rotation of the ends: that takes four elements.
 //
+// Shear makes the bow softer (Engesser 1891): with P = -N and s = EI/(GA l^2) the slope of the deflection follows from
+// the section's rotation psi and the transverse force V by w' (1 - P/GA) = psi + V/GA, and psi from EI psi'' (1 - P/GA)
+// =
+// -(V + P psi). So all of this holds with p / (1 - s p) in the place of p: of the pair with S(p') and A(p'), the middle
+// node gives a^2 p' / p of the sag, and the elements' own shear strain the rest.
+//
 // C comes from the continued fraction p / (3 - p / (5 - p / (7 - p / (9 - p / 11)))) of 1 - C (Lambert 1761), right to
 // 2.5e-5 for p between -7.2 and 4.5 and to 3e-4 at 6. Beyond -7.2 and 6 S and A go on as straight lines.
 #pragma once
@@ -50,6 +56,9 @@ struct StabilityFunctions {
 inline constexpr double pair_least = -7.204172103970679, pair_most = 6;
 /// a^2, where a l is the distance of the integration points from the outer ends of the pair.
 inline constexpr double pair_sag = 0.25 * (1 - gauss_point) * (1 - gauss_point);
+/// Of an even load q on a pair between clamped ends, what comes to an end by the elements alone: half of the force q l
+/// on the middle node times a l, in q l^2.
+inline constexpr double arm_of_pair = 0.25 * (1 - gauss_point);
 
 /// Stability functions of a pair at p = -N l^2 / EI of one element.
 template <class Real>
@@ -76,12 +85,56 @@ template <class Real>
     return out;
 }
 
+/// Shear of a pair in one plane, and where p' is pair_least and pair_most. Without a shear area that counts, the second
+/// and the third are those themselves.
+template <class Real>
+struct PairShear {
+    Real flexible, least, most;  ///< s = EI/(GA l^2); values of p
+};
+inline PairShear<double> pair_shear(double s) {
+    constexpr double far = -1e30;  // p' stays above pair_least
+    return {s, 1 + s * pair_least > 0 ? pair_least / (1 + s * pair_least) : far, pair_most / (1 + s * pair_most)};
+}
+
+/// Puts the shear of one element in a lane.
+inline void put(PairShear<Lanes>& to, int lane, const PairShear<double>& from) {
+    to.flexible[lane] = from.flexible, to.least[lane] = from.least, to.most[lane] = from.most;
+}
+
+/// p' = p / (1 - s p), up to pair_most.
+template <class Real>
+[[gnu::always_inline]] inline Real softened_by_shear(const Real& p, const PairShear<Real>& shear) {
+    const Real t = p > shear.most ? shear.most : p;
+    return t / (spread(1.0, p) - shear.flexible * t);
+}
+
+/// S and A at p' as functions of p: derivatives with respect to p. Where p' is pair_least and pair_most they go on as
+/// straight lines in p.
+template <class Real>
+[[gnu::always_inline]] inline StabilityFunctions<Real> stability_functions(const Real& p,
+                                                                           const PairShear<Real>& shear) {
+    const auto c = [&](double v) { return spread(v, p); };
+    Real t = p < shear.least ? shear.least : p;
+    t = t > shear.most ? shear.most : t;
+    const Real r = c(1) / (c(1) - shear.flexible * t), r2 = r * r, bend = c(2) * shear.flexible * r * r2, past = p - t,
+               none = c(0);
+    StabilityFunctions<Real> of = stability_functions(Real(t * r));
+    of.S2 = past != none ? none : r2 * r2 * of.S2 + bend * of.S1;
+    of.A2 = past != none ? none : r2 * r2 * of.A2 + bend * of.A1;
+    of.S1 = r2 * of.S1;
+    of.A1 = r2 * of.A1;
+    of.S = of.S + of.S1 * past;
+    of.A = of.A + of.A1 * past;
+    return of;
+}
+
 /// Stiffness and length of the two equal elements of a pair. Index 0: bending about x; 1: about y. All zero but
 /// `axial`: an element without a partner.
 template <class Real>
 struct PairKind {
     Real axial, length;  ///< EA/l, N/m; l, m
     Real b[2], c[2];     ///< EI/l, N m; l^2/EI, 1/N
+    PairShear<Real> shear[2];
 };
 /// The pair kind of elements of length L with these rigidities.
 PairKind<double> pair_kind(const Rigidity& c, double L);
@@ -92,15 +145,29 @@ inline PairKind<double> operator*(double factor, PairKind<double> k) {
     return k;
 }
 
+/// S and A of one plane at axial force N.
+inline StabilityFunctions<double> stability_functions(const PairKind<double>& k, int plane, double N) {
+    return stability_functions(-k.c[plane] * N, k.shear[plane]);
+}
+/// p' of the compression P, N, in one plane, up to pair_most.
+inline double pressed_pair(const PairKind<double>& k, int plane, double P) {
+    return softened_by_shear(k.c[plane] * P, k.shear[plane]);
+}
+
 /// S and A of both planes at axial force N. Of eight, lanes 2 i and 2 i + 1 are the elements of one pair and have the
 /// same N: the even lanes compute one plane, the odd lanes the other.
 [[gnu::always_inline]] inline void both_planes(const PairKind<double>& k, double N,
                                                StabilityFunctions<double> (&of)[2]) {
-    for (int plane : {0, 1}) of[plane] = stability_functions(-k.c[plane] * N);
+    for (int plane : {0, 1}) of[plane] = stability_functions(k, plane, N);
 }
 [[gnu::always_inline]] inline void both_planes(const PairKind<Lanes>& k, const Lanes& N,
                                                StabilityFunctions<Lanes> (&of)[2]) {
-    const StabilityFunctions<Lanes> m = stability_functions<Lanes>(-even_and_odd(k.c[0], k.c[1]) * N);
+    const auto pick = [&](Lanes PairShear<Lanes>::*field) {
+        return even_and_odd(k.shear[0].*field, k.shear[1].*field);
+    };
+    const PairShear<Lanes> shear = {pick(&PairShear<Lanes>::flexible), pick(&PairShear<Lanes>::least),
+                                    pick(&PairShear<Lanes>::most)};
+    const StabilityFunctions<Lanes> m = stability_functions<Lanes>(-even_and_odd(k.c[0], k.c[1]) * N, shear);
     of[0] = {evens(m.S), evens(m.S1), evens(m.S2), evens(m.A), evens(m.A1), evens(m.A2)};
     of[1] = {odds(m.S), odds(m.S1), odds(m.S2), odds(m.A), odds(m.A1), odds(m.A2)};
 }
@@ -165,9 +232,11 @@ template <class Real>
                               PairForces<Real>& out) {
     const auto c = [&](double v) { return spread(v, N); };
     const auto size = [&](const Real& v) { return Real(v < c(0) ? c(0) - v : v); };
-    const StabilityFunctions<Real> ends[2] = {stability_functions(c(pair_least)), stability_functions(c(pair_most))};
     Real low = y.straight, high = y.straight;
     for (int plane : {0, 1}) {
+        const PairShear<Real>& shear = k.shear[plane];
+        const StabilityFunctions<Real> ends[2] = {stability_functions(shear.least, shear),
+                                                  stability_functions(shear.most, shear)};
         low += y.bowing * (ends[0].S1 * y.square[plane] + ends[0].A1 * y.difference_square[plane]);
         high += y.bowing * (ends[1].S1 * y.square[plane] + ends[1].A1 * y.difference_square[plane]);
     }
@@ -211,7 +280,9 @@ template <class Real>
     Real bow = c(0), slope = c(0);  // by the first terms of the series of S and A
     for (int plane : {0, 1}) {
         bow += c(S1) * y.square[plane] + c(A1) * y.difference_square[plane];
-        slope += k.c[plane] * (c(S2) * y.square[plane] + c(A2) * y.difference_square[plane]);
+        const Real twice = k.shear[plane].flexible + k.shear[plane].flexible;
+        slope += k.c[plane] *
+                 ((c(S2) + c(S1) * twice) * y.square[plane] + (c(A2) + c(A1) * twice) * y.difference_square[plane]);
     }
     const Real N = (y.straight + y.bowing * bow) / (c(1) + y.bowing * slope);
     PairForces<Real> out;

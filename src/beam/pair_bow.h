@@ -17,7 +17,7 @@
 //   middle of the beam   (1 - cos(u xi)) / (u sin u)
 //   at the node          xi - (cos(u x) - cos u) / (u sin u)
 //
-// K follows from the mean moment at the two integration points, EI/l S K.
+// K follows from the mean moment at the two integration points, EI/l S K. p is p' of beam_column.h all along.
 #pragma once
 
 #include <span>
@@ -81,12 +81,5 @@ struct BowPoint {
 /// loads at points and an even one: A cos(u x) + B sin(u x) + constant beside the points. 0 where there is none beyond
 /// it, of the same sign, and by 2 % beyond both ends.
 double bow_peak(double p, double first, double middle, double second, std::span<const BowPoint> points);
-
-/// P l^2 / EI of an element of length l, m, for a compression P, N. Shear makes a bow softer: P / (1 - P / GA) in the
-/// place of P (Engesser 1891).
-inline double bow_compression(double P, double l, double EI, double GA) {
-    const double part = P / GA;
-    return P * l * l / EI / (1 - (part < 0.5 ? part : 0.5));
-}
 
 }  // namespace hinge::beam

@@ -26,8 +26,8 @@ constexpr int most_work = 6000;
 constexpr double flat_fall = 1e-5, flat_change = 1e-3;
 constexpr int flat_rounds = 30;
 
-/// The larger of p in the two planes at axial force N.
-double pressed(const PairKind<double>& k, double N) { return -N * std::max(k.c[0], k.c[1]); }
+/// The larger of p' in the two planes at axial force N.
+double pressed(const PairKind<double>& k, double N) { return std::max(pressed_pair(k, 0, -N), pressed_pair(k, 1, -N)); }
 
 /// A pair whose return is looked for.
 class PairReturn : public PairElastic {
@@ -122,7 +122,7 @@ private:
     void own_stiffness(double N, Stiffness (&out)[2]) const {
         for (int i : {0, 1}) out[i] = of_[i];
         for (int plane : {0, 1}) {
-            const StabilityFunctions<double> at = stability_functions(-k_.c[plane] * N);
+            const StabilityFunctions<double> at = stability_functions(k_, plane, N);
             const double more = k_.b[plane] * (std::max(0.1, 0.5 * (at.S + at.A)) - 1);
             for (int i : {0, 1}) add_bending(out[i], plane, more);
         }
@@ -182,7 +182,7 @@ private:
         pair_.take_off_springs(own[0], own[1]);
         const PairShapeNumbers y = shape_of(own[0], own[1]);
         for (int plane : {0, 1}) {
-            const StabilityFunctions<double> at = stability_functions(-k_.c[plane] * a.N);
+            const StabilityFunctions<double> at = stability_functions(k_, plane, a.N);
             const double sum = at.S1 * y.sum[plane], difference = at.A1 * y.difference[plane];
             bow[plane][0] = 0.25 * k_.length * std::abs(sum + difference);  // d(bow)/d(kappa)
             bow[plane][1] = 0.25 * k_.length * std::abs(sum - difference);

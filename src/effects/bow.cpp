@@ -40,9 +40,11 @@ public:
         for (std::size_t i = 0; i < elements.size(); ++i) {
             const Element& e = elements[i];
             Block& b = blocks_[i / lane_count];
-            const double length = e.forms_pairs ? e.length : 0;
-            b.flexible[0][i % lane_count] = length * length / e.rigidity.EIx;
-            b.flexible[1][i % lane_count] = length * length / e.rigidity.EIy;
+            const beam::PairKind<double> pair = pair_kind_of(e);
+            for (int plane : {0, 1}) {
+                b.flexible[plane][i % lane_count] = pair.c[plane];
+                beam::put(b.shear[plane], i % lane_count, pair.shear[plane]);
+            }
             const double k = std::numbers::pi / (2 * e.length), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
             for (int plane : {0, 1}) {
                 b.omega[plane][i % lane_count] = k * k * std::sqrt(EI[plane] / e.rigidity.rhoA);
@@ -114,11 +116,15 @@ private:
 
     /// Eight elements, which are four pairs.
     struct Block {
-        Lanes flexible[2] = {};  ///< l^2/EI in the two planes, 1/N; 0 where it is in no pair
-        Lanes omega[2] = {};     ///< of the first bending vibration of the pair between pins, rad/s
-        Lanes nothing[2] = {};   ///< a moment that is taken as none, N m
-        Lanes point = {};        ///< the elements' integration points, -1 to 1
-        Lanes yield[4] = {};     ///< of the law's screen for Mx, My, N, Mz; 0 without a law
+        Lanes flexible[2] = {};                ///< l^2/EI in the two planes, 1/N; 0 where it is in no pair
+        beam::PairShear<Lanes> shear[2] = {};  ///< of beam::softened_by_shear
+        Lanes p(int plane, const Lanes& P) const {
+            return beam::softened_by_shear<Lanes>(flexible[plane] * P, shear[plane]);
+        }
+        Lanes omega[2] = {};    ///< of the first bending vibration of the pair between pins, rad/s
+        Lanes nothing[2] = {};  ///< a moment that is taken as none, N m
+        Lanes point = {};       ///< the elements' integration points, -1 to 1
+        Lanes yield[4] = {};    ///< of the law's screen for Mx, My, N, Mz; 0 without a law
     };
     /// What the forces of a block's elements are.
     struct Forces {
@@ -170,8 +176,8 @@ private:
         Lanes N = {};
         for (int i = 0; i < count; ++i) N[i] = force[from + i][4];
         const Lanes P = compression(from, count, N);
-        for (const Lanes& flexible : blocks_[block].flexible) {
-            const Lanes p = flexible * P;
+        for (int plane : {0, 1}) {
+            const Lanes p = blocks_[block].p(plane, P);
             if (any_above(p < 0 ? -p : p, counts_from)) return true;
         }
         return false;
@@ -181,7 +187,7 @@ private:
                       double factor, std::vector<beam::FixedEnd>& all) const {
         const Block& b = blocks_[block];
         const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
-        const Lanes p[2] = {b.flexible[0] * of.P, b.flexible[1] * of.P};
+        const Lanes p[2] = {b.p(0, of.P), b.p(1, of.P)};
         // the two elements of a pair have the same p: the even lanes compute one plane, the odd lanes the other
         const Lanes bow = beam::bow_of_moment<Lanes>(counted(even_and_odd(p[0], p[1])));
         Lanes more[2] = {moment_of_pairs(b, of, 0) * evens(bow), moment_of_pairs(b, of, 1) * odds(bow)};
@@ -267,11 +273,9 @@ private:
         Eigen::Vector2d m = Eigen::Vector2d::Zero();
         const auto& elements = w_.structure.elements();
         if (first + 1 >= int(elements.size()) || elements[first].partner != first + 1 || !whole(first)) return m;
-        const Block& b = blocks_[first / lane_count];
         const double P = compression(first, force);
-        const int lane = first % lane_count;
         for (int plane : {0, 1}) {
-            const double p = counted(b.flexible[plane][lane] * P);
+            const double p = counted(beam::pressed_pair(pair_kind_of(elements[first]), plane, P));
             if (p == 0 || !std::isfinite(p)) continue;
             if (p <= beam::bow_by_moments) {
                 const double G =

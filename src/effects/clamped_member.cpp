@@ -93,14 +93,17 @@ void MemberEnds::add_section_forces(int element, int end, double length, const V
 }
 
 PressedPair::PressedPair(const Structure& s, int first, const std::vector<Vec6>& force, const ElementHeats& heat)
-    : l_(0), p_{0, 0} {
+    : l_(0), p_{0, 0}, more_{0, 0} {
     const Element& e = s.elements()[first];
     if (!s.p_delta() || e.partner != first + 1 || first + 1 >= int(force.size()) || !e.forms_pairs) return;
     l_ = e.length;
-    const double N = 0.5 * (force[first][4] + force[first + 1][4]) / heat_of(heat, first).stiffness,
-                 EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
+    const double N = 0.5 * (force[first][4] + force[first + 1][4]) / heat_of(heat, first).stiffness;
     if (!std::isfinite(N)) return;  // a step that has failed
-    for (int plane : {0, 1}) p_[plane] = counted(-N * l_ * l_ / EI[plane]);
+    const beam::PairKind<double> kind = pair_kind_of(e);
+    for (int plane : {0, 1}) {
+        p_[plane] = counted(beam::pressed_pair(kind, plane, -N));
+        more_[plane] = kind.shear[plane].flexible * p_[plane];
+    }
 }
 
 namespace {
@@ -116,7 +119,8 @@ double PressedPair::of_even(int plane, double q) const {
     const double p = p_[plane];
     if (p == 0) return 0;
     const double fall = fall_of_A(p) * p;  // 1 / A - 1 = fall / (1 - fall)
-    return sign[plane] * l_ * l_ / 3 * q * fall / (1 - fall);
+    const double by_shear = more_[plane] * (1 / (1 - fall) - 3 * beam::arm_of_pair);
+    return sign[plane] * l_ * l_ / 3 * q * (fall / (1 - fall) + by_shear);
 }
 
 double PressedPair::of_spread(int end, int plane, const double (&q)[2]) const {
@@ -138,7 +142,7 @@ double PressedPair::of_force(int end, int plane, double x) const {
         symmetric = (std::cosh(u) - std::cosh(u * x)) / (u * std::sinh(u));
         antisymmetric = (std::sinh(u * x) - x * std::sinh(u)) / (u * std::cosh(u) - std::sinh(u));
     }
-    symmetric -= 0.5 * (1 - x * x);
+    symmetric += more_[plane] * (symmetric - beam::arm_of_pair * 2 * (1 - std::abs(x))) - 0.5 * (1 - x * x);
     antisymmetric -= 0.5 * x * (x * x - 1);
     return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
 }
@@ -149,19 +153,22 @@ double PressedPair::of_couple(int end, int plane, double x) const {
     const double u = std::sqrt(std::abs(p));
     const auto sine = [&](double z) { return p > 0 ? std::sin(u * z) : std::sinh(u * z); };
     const auto cosine = [&](double z) { return p > 0 ? std::cos(u * z) : std::cosh(u * z); };
-    const double symmetric = x - sine(x) / sine(1),
+    const double side = x > 0   ? 1
+                        : x < 0 ? -1
+                                : 0,
+                 symmetric = x - sine(x) / sine(1) + more_[plane] * (2 * beam::arm_of_pair * side - sine(x) / sine(1)),
                  antisymmetric = (u * cosine(x) - sine(1)) / (u * cosine(1) - sine(1)) - 0.5 * (3 * x * x - 1);
     return 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
 }
 
 double PressedPair::middle_of_spread(int plane, double q) const {
-    return p_[plane] == 0 ? 0 : -sign[plane] * q * l_ * l_ * beam::bow_of_even_load(p_[plane]);
+    return p_[plane] == 0 ? 0 : -sign[plane] * (1 + more_[plane]) * q * l_ * l_ * beam::bow_of_even_load(p_[plane]);
 }
 double PressedPair::middle_of_force(int plane, double x) const {
-    return p_[plane] == 0 ? 0 : -sign[plane] * l_ * beam::bow_of_force(p_[plane], x);
+    return p_[plane] == 0 ? 0 : -sign[plane] * (1 + more_[plane]) * l_ * beam::bow_of_force(p_[plane], x);
 }
 double PressedPair::middle_of_couple(int plane, double x) const {
-    return p_[plane] == 0 ? 0 : -beam::bow_of_couple(p_[plane], x);
+    return p_[plane] == 0 ? 0 : -(1 + more_[plane]) * beam::bow_of_couple(p_[plane], x);
 }
 
 Vec3 direction_of(const Structure& s, int element, const ConfigurationView& at) {

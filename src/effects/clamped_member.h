@@ -133,7 +133,7 @@ public:
     double middle_of_couple(int plane, double x) const;
 
 private:
-    double l_, p_[2];
+    double l_, p_[2], more_[2];
 };
 
 /// Of an element, along its chord.

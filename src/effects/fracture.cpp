@@ -71,7 +71,7 @@ bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& p
     if (p_delta) {
         const beam::PairKind<double> pair = pair_kind_of(e);
         for (int plane : {0, 1}) {
-            const beam::StabilityFunctions<double> of = beam::stability_functions(pair.c[plane] * resultant(e.yield.n));
+            const beam::StabilityFunctions<double> of = beam::stability_functions(pair, plane, -resultant(e.yield.n));
             bound.curvature[plane] /= std::max(least_bending, std::min(of.S, of.A));
             bound.axial += 0.5 * std::abs(of.S1) * std::pow(bound.curvature[plane] * e.length, 2);
         }
@@ -80,22 +80,24 @@ bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& p
 }
 
 /// The same for a pair's element with its forces of now, which spares most elements the search for their deformation.
-/// `force`, `of_partner`: forces p of the two elements. S and A fall ever faster (beam/beam_column.h) and are above the
-/// straight line from 1 at p = 0 to 0.58 at p = 2.
+/// `force`, `of_partner`: forces p of the two elements. S and A fall ever faster with p' (beam/beam_column.h) and are
+/// above the straight line from 1 at p' = 0 to 0.58 at p' = 2.
 bool now_within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, const Vec6& force,
                       const Vec6& of_partner) {
     constexpr double near = 2, fall = 0.21, slope = 0.28;  // |dS/dp| up to p = 2
     const auto larger = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-    const double N = std::min(force[4], of_partner[4]), pressed = std::max(0.0, -N) * e.length * e.length;
+    const double P = std::max(0.0, -std::min(force[4], of_partner[4]));
     const double shear = std::isfinite(rule.shear_strain) ? most_shear(e) : 0;
     ElasticBound bound = {{0, 0}, larger(force[4], of_partner[4]) / e.rigidity.EA, shear};
     for (int plane : {0, 1}) {
-        const double EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy, p = pressed / EI;
+        const double EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy,
+                     GA = plane == 0 ? e.rigidity.GAy : e.rigidity.GAx, softer = 1 / (1 - std::min(P / GA, 0.9)),
+                     p = softer * P * e.length * e.length / EI;
         if (!(p <= near)) return true;
         const double moment = std::max(larger(force[2 * plane], force[2 * plane + 1]),
                                        larger(of_partner[2 * plane], of_partner[2 * plane + 1]));
         bound.curvature[plane] = (1 + 1e-6) * moment / EI / (1 - fall * p);
-        bound.axial += 0.5 * slope * std::pow(bound.curvature[plane] * e.length, 2);
+        bound.axial += 0.5 * slope * std::pow(softer * bound.curvature[plane] * e.length, 2);
     }
     return within_reach(rule, e.length, plastic, bound);
 }

@@ -119,8 +119,11 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
         block.first[i] = ends.first;
         block.pairs[i] = s.p_delta() && a.partner == ends.first + 1 && a.forms_pairs ? ends.count / 2 : 0;
         block.most_pairs = std::max(i == 0 ? 0 : block.most_pairs, block.pairs[i]);
-        block.flexible[0][i] = a.length * a.length / a.rigidity.EIx;
-        block.flexible[1][i] = a.length * a.length / a.rigidity.EIy;
+        const beam::PairKind<double> kind = beam::pair_kind(a.rigidity, a.length);
+        for (int plane : {0, 1}) {
+            block.flexible[plane][i] = kind.c[plane];
+            beam::put(block.shear[plane], i, kind.shear[plane]);
+        }
         block.of_pair[i] = a.rigidity.rhoA * a.length * a.length;
         block.a_pair[i] = block.of_pair[i] / 3 / std::max(1, block.pairs[i]);
     }
@@ -181,7 +184,7 @@ bool MemberWeights::visit_pressed(const Block& b, const std::vector<Vec6>& force
     for (int k = 0; k < b.most_pairs && !force.empty(); ++k) {
         const Lanes N = force_of_pairs(b, k, force, heat);
         for (int plane : {0, 1}) {
-            const Lanes p = -b.flexible[plane] * N;
+            const Lanes p = beam::softened_by_shear<Lanes>(-b.flexible[plane] * N, b.shear[plane]);
             if (!any_above(p < 0 ? -p : p, counts_from)) continue;
             any = true;
             visit(k, plane, counted(p));
@@ -191,13 +194,14 @@ bool MemberWeights::visit_pressed(const Block& b, const std::vector<Vec6>& force
 }
 
 Lanes MemberWeights::end_by_N(const Block& b, int plane, const Lanes& p) {
-    const Lanes m = b.a_pair * (1 / beam::stability_functions(p).A - 1);
+    const Lanes whole = 1 / beam::stability_functions(p).A,
+                m = b.a_pair * (whole - 1 + b.shear[plane].flexible * p * (whole - 3 * beam::arm_of_pair));
     return plane == 0 ? -m : m;
 }
 
 void MemberWeights::add_middle(const Block& b, int k, int plane, const Lanes& p, const Lanes& across,
                                std::vector<beam::FixedEnd>& all) {
-    const Lanes m = b.of_pair * (beam::bow_functions(p).share - 0.5) * across;
+    const Lanes m = b.of_pair * (1 + b.shear[plane].flexible * p) * (beam::bow_functions(p).share - 0.5) * across;
     for (int i = 0; i < b.count; ++i) {
         if (k >= b.pairs[i]) continue;
         beam::FixedEnd* pair = &all[b.first[i] + 2 * k];

@@ -60,8 +60,9 @@ private:
         // what N changes (PressedPair)
         int first[lane_count], pairs[lane_count], most_pairs;  ///< elements; pairs of each, and the most of them
         Lanes flexible[2];                                     ///< l^2/EI in the two planes, l: one element, 1/N
-        Lanes a_pair;                                          ///< rho A l^2 / 3, divided by the number of pairs, kg m
-        Lanes of_pair;                                         ///< rho A l^2, kg m
+        beam::PairShear<Lanes> shear[2];
+        Lanes a_pair;   ///< rho A l^2 / 3, divided by the number of pairs, kg m
+        Lanes of_pair;  ///< rho A l^2, kg m
     };
     /// The axes x, y, z of a block's members in space.
     struct Axes {

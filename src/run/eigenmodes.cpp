@@ -253,12 +253,16 @@ private:
         for (std::size_t i = 0; i + 1 < elements.size(); i += 2) {
             const PairCompression by = pressed(run_.structure(), state_, state_.force, int(i));
             for (const int plane : {0, 1}) {
-                const double p = std::numbers::pi * std::numbers::pi * std::min(by.part[plane], 1 - 1e-9);
-                if (!(p > beam::pair_most)) continue;
+                constexpr double clamped = std::numbers::pi * std::numbers::pi;
                 const Element& e = elements[i];
+                const beam::PairKind<double> kind = pair_kind_of(e, heat_of(state_.heat, int(i)));
+                const double shear = kind.shear[plane].flexible,
+                             straight = clamped / (1 + clamped * shear) * std::min(by.part[plane], 1 - 1e-9),
+                             p = straight / (1 - shear * straight);
+                if (!(p > beam::pair_most)) continue;
                 const double b = 0.5 * softened(i) * (plane == 0 ? e.rigidity.EIx : e.rigidity.EIy) / e.length;
                 const Vec3 axis = e.axes.toRotationMatrix().col(plane);
-                const auto has = beam::stability_functions(p);
+                const auto has = beam::stability_functions(straight, kind.shear[plane]);
                 const double cot = std::sqrt(p) / std::tan(std::sqrt(p)), S = cot + beam::pair_sag * p,
                              A = p / (3 * (1 - cot));
                 const Mat3 turn = axis * axis.transpose(), by_S = b * (S - has.S) * turn, by_A = b * (A - has.A) * turn;

@@ -1,12 +1,14 @@
 #include "run/pressed_pairs.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
 #include "beam/beam_column.h"
 #include "core/text.h"
 #include "state/configuration.h"
+#include "state/hinges.h"
 
 namespace hinge {
 namespace {
@@ -55,17 +57,32 @@ double shortened_by_load(double p, double Q, double K) {
     return 0.5 * (Q * Q * (H(p + h) - H(p - h)) + 2 * K * Q * (F(p + h) - F(p - h))) / (2 * h);
 }
 
+/// Whether something may hold an end of a member: a support there, or another member. A node that is free to go there
+/// gives way, so that the sag makes no tension.
+bool may_be_held(const Structure& structure, int node, int member) {
+    constexpr std::uint8_t translations = 0b111;
+    const auto at = structure.elements_at(node);
+    return std::popcount<unsigned>(structure.fixed()[node] & translations) == 3 ||
+           std::any_of(at.begin(), at.end(), [&](int i) { return structure.elements()[i].member != member; });
+}
+bool both_ends_may_be_held(const Structure& structure, int element) {
+    const int member = structure.elements()[element].member;
+    const auto& nodes = structure.model().members()[member].node;
+    return may_be_held(structure, nodes[0], member) && may_be_held(structure, nodes[1], member);
+}
+
 std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
 
 }  // namespace
 
 PairCompression pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first) {
-    constexpr double clamped = std::numbers::pi * std::numbers::pi;  // N l^2 / EI, l: of one element
+    constexpr double clamped = std::numbers::pi * std::numbers::pi;  // p'
     const Element& e = structure.elements()[first];
     if (e.partner != first + 1 || state.broken[first] || state.broken[first + 1] || structure.conventional()) return {};
-    const double N = -0.5 * (force[first][4] + force[first + 1][4]),
-                 p = N * e.length * e.length / clamped / heat_of(state.heat, first).stiffness;
-    return {N, {p / e.rigidity.EIx, p / e.rigidity.EIy}};
+    const double N = -0.5 * (force[first][4] + force[first + 1][4]);
+    const beam::PairKind<double> k = pair_kind_of(e, heat_of(state.heat, first));
+    const auto part = [&](int plane) { return N * k.c[plane] * (1 + clamped * k.shear[plane].flexible) / clamped; };
+    return {N, {part(0), part(1)}};
 }
 
 std::optional<RunWarning> PressedPairs::beyond_euler(const Structure& structure, const State& state,
@@ -140,7 +157,7 @@ std::optional<RunWarning> PressedPairs::missed_tension(const Structure& structur
         const Element& e = structure.elements()[i];
         if (e.partner != int(i) + 1 || state.broken[i] || state.broken[i + 1]) continue;
         const Vec3 load = load_on(e.node[1]);
-        if (load.isZero(0)) continue;
+        if (load.isZero(0) || !both_ends_may_be_held(structure, int(i))) continue;
         const Mat3 axes = axes_of(element_frame(structure, int(i), state));
         const double N = 0.5 * (state.force[i][4] + state.force[i + 1][4]), l = e.length;
         double strain = 0;

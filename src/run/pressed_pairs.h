@@ -11,8 +11,8 @@
 
 namespace hinge {
 
-/// N l^2 / (pi^2 EI) of a pair, that begins with this element, in bending about x and about y: 1 where it buckles
-/// between clamped ends. Both 0 where it is none, or is broken.
+/// Compression of a pair, that begins with this element, over that at which it buckles between clamped ends, p' = pi^2
+/// (beam/beam_column.h), in bending about x and about y. Both 0 where it is none, or is broken.
 struct PairCompression {
     double force = 0;  ///< N, compression
     double part[2] = {0, 0};

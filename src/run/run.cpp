@@ -187,8 +187,12 @@ Eigen::Vector2d Run::compression(int element) const {
         return Eigen::Vector2d::Zero();
     const double P = -0.5 * (section_forces(element, -1).N + section_forces(element, 1).N),
                  E = heat_of(state_.heat, element).stiffness;
-    const auto along = [&](double EI, double GA) { return beam::bow_compression(P / E, e.length, EI, GA); };
-    return {along(e.rigidity.EIx, e.rigidity.GAy), along(e.rigidity.EIy, e.rigidity.GAx)};
+    const beam::PairKind<double> kind = pair_kind_of(e);
+    const auto along = [&](int plane) {  // beyond pair_most, too
+        const double p = kind.c[plane] * P / E;
+        return p / (1 - std::min(kind.shear[plane].flexible * p, 0.5));
+    };
+    return {along(0), along(1)};
 }
 
 std::vector<ShownLoad> Run::shown_loads() const {

@@ -97,7 +97,10 @@ const ElementAssembly::Kind& ElementAssembly::add_kind(const State& state, const
         if (structure_.p_delta()) {
             const beam::PairKind<double> pair = pair_kind_of(e);
             kind.pair.axial[i] = pair.axial, kind.pair.length[i] = pair.length;
-            for (int plane : {0, 1}) kind.pair.b[plane][i] = pair.b[plane], kind.pair.c[plane][i] = pair.c[plane];
+            for (int plane : {0, 1}) {
+                kind.pair.b[plane][i] = pair.b[plane], kind.pair.c[plane][i] = pair.c[plane];
+                beam::put(kind.pair.shear[plane], i, pair.shear[plane]);
+            }
         }
         kind.can_yield |= e.law != nullptr;
         kind.moves_surface |= e.law && e.law->moves_surface();

@@ -37,7 +37,7 @@ inline double slack_of(const Structure& structure, const State& state, int eleme
 /// form none, it adds nothing to the element's own.
 inline beam::PairKind<double> pair_kind_of(const Element& e, const ElementHeat& heat = no_heat) {
     if (!e.forms_pairs)
-        return {.axial = heat.stiffness * e.rigidity.EA / e.length, .length = 0, .b = {0, 0}, .c = {0, 0}};
+        return {.axial = heat.stiffness * e.rigidity.EA / e.length, .length = 0, .b = {}, .c = {}, .shear = {}};
     return heat.stiffness * beam::pair_kind(e.rigidity, e.length);
 }
 

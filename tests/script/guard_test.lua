@@ -163,8 +163,18 @@ case("an end that a moment folds back against its element names one cure", funct
     return model:dynamic { dt = 2e-4, duration = 0.02, step_control = 0, energy_tolerance = 0.9, record = false }
       :finish().reason
   end
+  -- Without yielding few moments end so: Newton's iteration fails first.
+  local function folds_elastically()
+    local why
+    for moment = 2.9e6, 3.3e6, 2e4 do
+      why = fold_back(moment, 2)
+      if why:find("177 degrees", 1, true) then return why end
+    end
+    return why
+  end
   for cure, why in pairs { ["a rule of fracture (model:fracture)"] = fold_back(3e5, 4, 235e6),
-      ["more elements a member"] = fold_back(3e6, 2), [" more elements a member"] = fold_back(3e5, 4, 235e6, true) } do
+      ["more elements a member"] = folds_elastically(),
+      [" more elements a member"] = fold_back(3e5, 4, 235e6, true) } do
     checks.expect(why:match "177 degrees or more; (.*)$" == cure:match "%S.*" .. " may help", "%s: %s", cure, why)
   end
 end)

@@ -102,6 +102,32 @@ TEST_CASE("beam-column: S and A fall ever faster, without a jump in value or slo
     }
 }
 
+TEST_CASE("beam-column: with shear S and A are those of p / (1 - s p), and so are their slopes", "[beam_column]") {
+    double value = 0, slope = 0, curvature = 0, last_S1 = 0, last_A1 = 0;
+    for (const double shear : {0.0, 0.003, 0.03, 0.5}) {
+        const double h = 1e-4;
+        const PairShear<double> of = pair_shear(shear);
+        const auto at = [&](double p) { return stability_functions(p, of); };
+        for (double p = -30; p <= 8; p += 0.0101) {
+            const StabilityFunctions<double> f = at(p), less = at(p - h), more = at(p + h);
+            if (p > of.least && p < of.most) {
+                const StabilityFunctions<double> softer = stability_functions(p / (1 - shear * p));
+                value = largest_of(value, std::abs(f.S - softer.S), std::abs(f.A - softer.A));
+            }
+            if (p > -29) CHECK((f.S1 <= last_S1 + 1e-12 && f.A1 <= last_A1 + 1e-12));
+            last_S1 = f.S1, last_A1 = f.A1;
+            if (std::abs(p - of.least) < 2 * h || std::abs(p - of.most) < 2 * h) continue;  // S2 and A2 jump there
+            slope = largest_of(slope, std::abs((more.S - less.S) / (2 * h) - f.S1) / (1 + std::abs(f.S1)),
+                               std::abs((more.A - less.A) / (2 * h) - f.A1) / (1 + std::abs(f.A1)));
+            curvature = largest_of(curvature, std::abs((more.S1 - less.S1) / (2 * h) - f.S2) / (1 + std::abs(f.S2)),
+                                   std::abs((more.A1 - less.A1) / (2 * h) - f.A2) / (1 + std::abs(f.A2)));
+        }
+    }
+    CHECK_FIGURE("S and A against those of p / (1 - s p)", value, 1e-13);
+    CHECK_FIGURE("slopes of S and A by differences", slope, 1e-4);
+    CHECK_FIGURE("second derivatives of S and A by differences", curvature, 1e-4);
+}
+
 TEST_CASE("beam-column: N solves its equation, however far the pair is bent and pressed", "[beam_column]") {
     Dice dice(11);
     double worst = 0;
@@ -114,7 +140,7 @@ TEST_CASE("beam-column: N solves its equation, however far the pair is bent and 
         const auto beyond = [&](double N) {  // N - EA/l (e + bow(N)), which grows with N
             double bow = 0;
             for (int plane : {0, 1}) {
-                const StabilityFunctions<double> of = stability_functions(-k.c[plane] * N);
+                const StabilityFunctions<double> of = stability_functions(k, plane, N);
                 bow -= k.length / 8 * (of.S1 * sum[plane] * sum[plane] + of.A1 * difference[plane] * difference[plane]);
             }
             return N - k.axial * (e + bow);
@@ -137,6 +163,8 @@ TEST_CASE("beam-column: eight at once are the same bits as one at a time", "[bea
             e[i] = dice(-2e-3, 2e-3);
             for (int plane : {0, 1}) {
                 kind.b[plane][i] = dice(1e4, 1e6), kind.c[plane][i] = kind.length[i] / kind.b[plane][i];
+                const PairShear<double> shear = pair_shear(dice(0, 0.2));
+                put(kind.shear[plane], i, shear), put(kind.shear[plane], i + 1, shear);
                 sum[plane][i] = dice(-0.3, 0.3), difference[plane][i] = dice(-0.3, 0.3);
             }
             kind.axial[i + 1] = kind.axial[i], kind.length[i + 1] = kind.length[i], e[i + 1] = e[i];
@@ -148,9 +176,16 @@ TEST_CASE("beam-column: eight at once are the same bits as one at a time", "[bea
         const PairForces<Lanes> many = pair_forces(kind, e, sum, difference);
         for (int i = 0; i < lane_count; ++i) {
             const double of_one[2] = {sum[0][i], sum[1][i]}, less[2] = {difference[0][i], difference[1][i]};
-            const PairForces<double> one = pair_forces<double>(
-                {kind.axial[i], kind.length[i], {kind.b[0][i], kind.b[1][i]}, {kind.c[0][i], kind.c[1][i]}}, e[i],
-                of_one, less);
+            const auto shear_of = [&](int plane) {
+                const PairShear<Lanes>& all = kind.shear[plane];
+                return PairShear<double>{all.flexible[i], all.least[i], all.most[i]};
+            };
+            const PairForces<double> one = pair_forces<double>({kind.axial[i],
+                                                                kind.length[i],
+                                                                {kind.b[0][i], kind.b[1][i]},
+                                                                {kind.c[0][i], kind.c[1][i]},
+                                                                {shear_of(0), shear_of(1)}},
+                                                               e[i], of_one, less);
             CHECK(many.N[i] == one.N);
             for (int plane : {0, 1}) CHECK(many.moment[plane][i] == one.moment[plane]);
         }
