@@ -21,8 +21,15 @@ local function ratios(p, E, fy, about_y)
       flange = math.max(about_y and web or 0, flange) / (1.12 * root) }
   elseif p.shape == "h" then
     local web, flange = p.c_web / p.tw, p.b / (2 * p.tf)
-    return { compression = math.max(web / (1.49 * root), flange / (0.56 * root)), web = web / (3.76 * root),
-      flange = flange / (0.38 * root), lambda = flange, compact = 0.38 * root, slender = 1.0 * root }
+    local r = { web = web / (3.76 * root), lambda = flange, compact = 0.38 * root, slender = 1.0 * root,
+      slender_y = 1.0 * root }
+    local pressed = 0.56 * root
+    if p.made == "welded" then -- built up: case 2 of B4.1a and case 11 of B4.1b, F_L = 0.7 Fy for compact webs
+      local kc = math.min(math.max(0.35, 4 / math.sqrt(web)), 0.76)
+      pressed, r.slender = 0.64 * math.sqrt(kc) * root, 0.95 * math.sqrt(kc / 0.7) * root
+    end
+    r.compression = math.max(web / (1.49 * root), flange / pressed)
+    return r
   end
   return { compression = 0, web = 0, flange = 0 }
 end
@@ -45,10 +52,10 @@ end
 
 -- Bending -------------------------------------------------------------------------------------------------------------
 
--- F3.2 and F6.2: what a noncompact flange of an H leaves of a moment.
-local function by_flange(Mp, S, fy, r)
-  if not r.lambda or r.lambda <= r.compact then return Mp end
-  return Mp - (Mp - 0.7 * fy * S) * (r.lambda - r.compact) / (r.slender - r.compact)
+-- F3.2 and F6.2: what a noncompact flange of an H leaves of a moment. slender: the limit for bending about this axis.
+local function by_flange(Mp, S, fy, r, slender)
+  if r.lambda <= r.compact then return Mp end
+  return Mp - (Mp - 0.7 * fy * S) * (r.lambda - r.compact) / (slender - r.compact)
 end
 
 -- F7.4: lateral torsional buckling of a box.
@@ -105,7 +112,7 @@ local function moments(s, p, material, L)
     local Sx, Sy = s.Ix / (p.d / 2), s.Iy / (p.b / 2)
     local lateral, Lp, Lr = by_lateral(s, p, material, Mpx, L)
     local top = math.min(Mpy, 1.6 * fy * Sy)
-    return math.min(lateral, by_flange(Mpx, Sx, fy, r)), math.min(top, by_flange(top, Sy, fy, r)), Lp, Lr
+    return math.min(lateral, by_flange(Mpx, Sx, fy, r, r.slender)), by_flange(top, Sy, fy, r, r.slender_y), Lp, Lr
   elseif p.shape == "rectangle" or p.shape == "round" then -- F11.1
     Mpx = math.min(Mpx, 1.6 * fy * s.Ix / (p.d / 2))
     return by_lateral(s, p, material, Mpx, L), math.min(Mpy, 1.6 * fy * s.Iy / (p.b / 2))

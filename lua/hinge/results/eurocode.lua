@@ -95,13 +95,20 @@ local function beside_torsion(p, t)
   return math.max(left, 1e-6)
 end
 
--- What shear beyond half of its resistance takes: 6.2.8. Factors on Mx, My and N.
+-- What shear beyond half of its resistance takes: 6.2.8. Factors on Mx, My and N. The yield stress is reduced in the
+-- shear area: of an H the web for V along y (6.30), and the flanges for V along x, which carry the rest of Mx.
 local function beside_shear(s, p, R, vx, vy)
   local rho_x = vx > 0.5 and math.min(1, (2 * vx - 1) ^ 2) or 0
   local rho_y = vy > 0.5 and math.min(1, (2 * vy - 1) ^ 2) or 0
-  local on_x = 1 - rho_y
-  if p.shape == "h" then on_x = math.min(1, 1 - rho_y * (p.hw * p.tw) ^ 2 / (4 * p.tw) / s.Zx) end -- 6.30
-  return on_x, 1 - rho_x, math.max(0, 1 - (rho_y * R.Avy + rho_x * R.Avx) / s.area)
+  local sheared = (rho_y * R.Avy + rho_x * R.Avx) / s.area
+  if p.shape == "h" then
+    local web = (p.hw * p.tw) ^ 2 / (4 * p.tw) / s.Zx
+    return 1 - rho_y * web - rho_x * (1 - web), 1 - rho_x, math.max(0, 1 - sheared)
+  end
+  -- of a pipe and a round bar vx and vy are the same, that of both
+  if p.shape == "pipe" or p.shape == "round" then sheared = rho_y * R.Avy / s.area end
+  local left = 1 - math.max(rho_x, rho_y)
+  return left, left, math.max(0, 1 - sheared)
 end
 
 --- The checks of one section under its resultants, by clause or equation. Each is a ratio that may be at most 1.
@@ -117,7 +124,7 @@ function eurocode.section(s, p, fy, at, o)
   end
   local kx, ky, kn = beside_shear(s, p, R, vx, vy)
   local n = over(N, R.N * kn)
-  local MNx, MNy, alpha, beta = beside_axial(s, p, R, math.min(n, 1), o)
+  local MNx, MNy, alpha, beta = beside_axial(s, p, R, n, o)
   MNx, MNy = MNx * kx, MNy * ky
   local mx, my = over(Mx, MNx), over(My, MNy)
   local both = n >= 1 and n + over(Mx, R.Mx) + over(My, R.My) or mx ^ alpha + my ^ beta
@@ -137,10 +144,8 @@ eurocode.curves = { "a0", "a", "b", "c", "d" }
 function eurocode.curves_of(p, fy)
   local high = fy > 420e6
   if p.shape == "h" and p.made == "rolled" then
-    if p.d / p.b > 1.2 then
-      if p.tf <= 0.04 then return high and "a0" or "a", high and "a0" or "b" end
-      return high and "a" or "b", high and "a" or "c"
-    end
+    if p.d / p.b > 1.2 and p.tf <= 0.04 then return high and "a0" or "a", high and "a0" or "b" end
+    -- above 100 mm the table has a row for h / b up to 1.2 alone, and more slender ones are not better
     if p.tf <= 0.1 then return high and "a" or "b", high and "a" or "c" end
     return high and "c" or "d", high and "c" or "d"
   elseif p.shape == "h" then

@@ -203,22 +203,29 @@ local function sizes_at(stations, side)
   return along
 end
 
--- Adds a row where a resultant has an extreme value between two stations, with the largest of the two for the rest.
+-- The row between two others with the extremes of both.
+local function row_between(x, r, s, side)
+  local at = { x = x, N = (side == 1 and math.min or math.max)(r.N, s.N) }
+  for _, other in ipairs(others) do at[other] = math.max(r[other], s[other]) end
+  return at
+end
+
+-- Adds a row where a resultant has an extreme value between two stations, with the extremes of the two for the rest.
 local function add_peaks(along, extremes, side)
   local count = #along
-  for _, name in ipairs(others) do
-    for _, end_of_range in ipairs { "_min", "_max" } do
-      local x = extremes[name .. end_of_range .. "_x"]
-      for i = 2, count do
-        local r, s = along[i - 1], along[i]
-        if x > r.x and x < s.x then
-          local at = { x = x, N = (side == 1 and math.min or math.max)(r.N, s.N) }
-          for _, other in ipairs(others) do at[other] = math.max(r[other], s[other]) end
-          at[name] = math.max(at[name], math.abs(extremes[name .. end_of_range]))
-          along[#along + 1] = at
-        end
+  local function add(name, end_of_range)
+    local x, value = extremes[name .. end_of_range .. "_x"], extremes[name .. end_of_range]
+    for i = 2, count do
+      if x > along[i - 1].x and x < along[i].x then
+        local at = row_between(x, along[i - 1], along[i], side)
+        at[name] = name == "N" and value or math.max(at[name], math.abs(value))
+        along[#along + 1] = at
       end
     end
+  end
+  add("N", side == 1 and "_min" or "_max")
+  for _, name in ipairs(others) do
+    for _, end_of_range in ipairs { "_min", "_max" } do add(name, end_of_range) end
   end
 end
 
