@@ -307,6 +307,43 @@ case("a load on members: forces of the pressure in their middles, against the re
   near(sum[3], 0, 1e-9 * force, "upwards")
 end)
 
+case("a roof member has the incident pressure of its middle, downwards", function()
+  -- a beam of a roof along y, 25 m from the charge and 6 m up; the roof faces the sky, so nothing is reflected
+  local model = hinge.model()
+  local a, b = model:node { 25, -2, 6 }, model:node { 25, 2, 6 }
+  local beam = model:member { a, b, section = square, material = steel, group = "roof" }
+  local distance = math.sqrt(25 ^ 2 + 6 ^ 2)
+  local p = bomb:parameters(distance)
+  local pressed = model:case "pressed"
+  local force, impulse, parts = bomb:load(model, { group = "roof", normal = { 0, 0, 1 }, width = 3, case = pressed })
+  close(parts[1].distance, distance, 1e-12, "slant distance of its middle, m")
+  close(parts[1].pressure, p.incident_pressure, 1e-12, "incident pressure, Pa")
+  close(force, p.incident_pressure * 12, 1e-12, "force on 4 m by 3 m, N")
+  close(impulse, p.incident_impulse * 12, 1e-12, "impulse, N s")
+  model:fix(a)
+  model:fix(b)
+  local run = model:static { loads = { pressed = 1 } }:finish()
+  local sum = { 0, 0, 0 }
+  for _, node in ipairs { a, b } do
+    local r = { node:reaction(run) }
+    for k = 1, 3 do sum[k] = sum[k] + r[k] end
+  end
+  close(sum[3], force, 1e-9, "the supports push upwards, N")
+  near(sum[1], 0, 1e-9 * force, "nothing away from the charge")
+  expect(beam:forces(run).Mx ~= 0, "it bends")
+  -- a roof that leans towards the charge by 30 degrees reflects with the cosine of its own angle
+  local normal = { -math.sin(math.rad(30)), 0, math.cos(math.rad(30)) }
+  local c = (25 * math.sin(math.rad(30)) - 6 * math.cos(math.rad(30))) / distance
+  local leaning = hinge.model()
+  leaning:member { leaning:node { 25, -2, 6 }, leaning:node { 25, 2, 6 }, section = square, material = steel,
+    group = "roof" }
+  local _, _, of = bomb:load(leaning, { group = "roof", normal = normal, width = 3 })
+  close(of[1].pressure, c ^ 2 * p.reflected_pressure + (1 + c - 2 * c ^ 2) * p.incident_pressure, 1e-12, "leaning, Pa")
+  -- a face whose normal lies along the member is no face of it
+  local along = { group = "roof", normal = { 0, 1, 0 }, width = 3 }
+  refused(function() bomb:load(leaning, along) end, "degrees from the axis")
+end)
+
 case("the impulse goes into the momentum of a free body, by either shape and integrator", function()
   for _, shape in ipairs { "friedlander", "triangle" } do
     for _, integrator in ipairs { "newmark", "explicit" } do

@@ -1,0 +1,148 @@
+-- hinge.import, rules of its formats one by one, by hand: releases of both ends by CSV, operators of Python and Tcl by
+-- precedence and associativity, units and masses of ETABS.
+--
+-- Run: lua5.4 tests/script/import_rules_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local import = require "hinge.import"
+local checks = support.checks "rules of import"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local folder = support.temporary_folder() .. "/"
+local function write(name, text)
+  support.write(folder .. name, text)
+  return folder .. name
+end
+
+-- CSV -----------------------------------------------------------------------------------------------------------------
+
+case("CSV: release_a and release_b are each at their own end", function()
+  local function frame(release_a, release_b)
+    return import.csv {
+      nodes = write("nodes.csv", "name,x,y,z\n1,0,0,0\n2,6,0,0\n"),
+      members = write("members.csv", ("name,a,b,section,material,up_x,up_y,up_z,release_a,release_b\n"
+        .. "m,1,2,S,steel,0,0,1,%s,%s\n"):format(release_a, release_b)),
+      sections = write("sections.csv", "name,area,Ix,Iy,J\nS,0.01,1e-4,1e-5,1e-6\n"),
+      materials = write("materials.csv", "name,E,G\nsteel,2.1e11,8e10\n"),
+      supports = write("supports.csv", "node,x,y,z,rx,ry,rz\n1,1,1,1,1,1,1\n2,1,1,1,1,1,1\n"),
+      loads = write("loads.csv", "case,member,qz\ndead,m,-8000\n"),
+    }
+  end
+  for _, r in ipairs { { "", "", 24e3, 24e3 }, { "rx", "", 0, 36e3 }, { "", "rx", 36e3, 0 }, { "rx", "rx", 0, 0 } } do
+    local read = frame(r[1], r[2])
+    local release = read.members[1].release
+    equal(release and release.a, r[1] ~= "" and r[1] or nil, "release at a")
+    equal(release and release.b, r[2] ~= "" and r[2] or nil, "release at b")
+    local model, _, members = import.build(read, { model = { displacement = "small" } })
+    local at_a, at_b = members.m:forces(model:static { steps = 1, loads = { dead = 1 } }:finish())
+    -- q L^2 / 12 at both ends, q L^2 / 8 at the one that is held, less 0.3 % by shear strain
+    near(math.abs(at_a.Mx), r[3], 5e-3 * 36e3, ("moment at a of '%s', '%s'"):format(r[1], r[2]))
+    near(math.abs(at_b.Mx), r[4], 5e-3 * 36e3, ("moment at b of '%s', '%s'"):format(r[1], r[2]))
+  end
+  local several = frame("rx;ry", "rz ry").members[1].release
+  equal(several.a .. " " .. several.b, "rx,ry rz,ry", "several at each end")
+  expect(not pcall(frame, "x", ""), "a displacement is refused")
+end)
+
+-- Python and Tcl ------------------------------------------------------------------------------------------------------
+
+-- The x of node 2 of a script of OpenSees whose coordinate is an expression.
+local function python(expression)
+  local text = ("import openseespy.opensees as ops\nops.model('basic', '-ndm', 3, '-ndf', 6)\n"
+    .. "ops.node(1, 0.0, 0.0, 0.0)\nv = %s\nops.node(2, v, 0.0, 0.0)\nops.fix(1, 1, 1, 1, 1, 1, 1)\nops.geomTransf('Linear', 1, 0.0, 0.0, 1.0)\n"
+    .. "ops.element('elasticBeamColumn', 1, 1, 2, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1)\n"):format(expression)
+  local frame = import.tcl { file = write("frame.py", text), units = { length = "m", force = "N" } }
+  return frame.nodes[2].x
+end
+
+local function tcl(expression)
+  local text = ("model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nset v [expr %s]\nnode 2 $v 0.0 0.0\n"
+    .. "fix 1 1 1 1 1 1 1\ngeomTransf Linear 1 0.0 0.0 1.0\n"
+    .. "element elasticBeamColumn 1 1 2 1.0 1.0 1.0 1.0 1.0 1.0 1\n")
+    :format(expression)
+  local frame = import.tcl { file = write("frame.tcl", text), units = { length = "m", force = "N" } }
+  return frame.nodes[2].x
+end
+
+case("Python: precedence and associativity of operators, as python3 prints them", function()
+  for expression, wanted in pairs {
+    ["2**3**2"] = 512, ["(2**3)**2"] = 64, ["2**-1"] = 0.5, ["10 - -2**2"] = 14, ["2*3**2"] = 18, ["10 - 2 - 3"] = 5,
+    ["100 / 5 / 2"] = 10, ["2 + 3 * 4"] = 14, ["7 // 2 * 2"] = 6, ["7 % 4 + 1"] = 4, ["-7 // 2 + 10"] = 6,
+    ["-7 % 3"] = 2, ["1 / 2"] = 0.5, ["(1 + 2) * 3"] = 9, ["2 if 1 > 2 else 3"] = 3, ["1 + (2 < 3)"] = 2,
+    ["1 if 1 < 2 < 3 else 9"] = 1, ["1 if 1 < 3 < 2 else 9"] = 9, ["4 if 0 or 2 else 5"] = 4,
+    ["4 if 1 and 0 else 5"] = 5, ["6 if not 1 else 7"] = 7, ["8**(1/3)"] = 2,
+  } do
+    local good, x = pcall(python, expression)
+    if good then near(x, wanted, 1e-12, expression)
+    else expect(support.has(tostring(x), "not") or support.has(tostring(x), "cannot"), "%s is refused: %s", expression,
+      tostring(x)) end
+  end
+  near(python "2**3**2", 512, 0, "powers go from the right")
+end)
+
+case("Tcl: precedence and associativity of operators, as tclsh prints them", function()
+  for expression, wanted in pairs {
+    ["{2**3**2}"] = 512, ["{(2**3)**2}"] = 64, ["{2*3**2}"] = 18, ["{10 - 2 - 3}"] = 5, ["{100 / 5 / 2}"] = 10,
+    ["{2 + 3 * 4}"] = 14, ["{7 / 2 * 2}"] = 6, ["{7.0 / 2}"] = 3.5, ["{-7 / 2 + 10}"] = 6, ["{-7 % 3}"] = 2,
+    ["{-2**2 + 10}"] = 14, ["{1 > 2 ? 3 : 4}"] = 4, ["{1 < 2 && 2 < 3 ? 5 : 6}"] = 5, ["{0 || 0 ? 5 : 6}"] = 6,
+    ["{!0 + 2}"] = 3, ["{sqrt(16) + 1}"] = 5, ["{pow(2, 3)}"] = 8, ["{abs(-3)}"] = 3, ["{1 == 1 ? 2 : 3}"] = 2,
+    ["{1 != 1 ? 2 : 3}"] = 3, ["{2 <= 1 ? 2 : 3}"] = 3, ["{2 >= 1 ? 2 : 3}"] = 2,
+  } do near(tcl(expression), wanted, 1e-12, expression) end
+end)
+
+-- ETABS ---------------------------------------------------------------------------------------------------------------
+
+-- A cantilever 3 m high of a section 0.1 m2 in these units; line: what the material says of weight and mass.
+local function etabs(force, length, metre, newton, line)
+  local function u(value, power) return ("%.12g"):format(value / metre ^ power) end
+  local text = ([[
+$ CONTROLS
+  UNITS  "%s"  "%s"  "C"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "S1"  HEIGHT %s
+  STORY "Base"  ELEV 0
+$ MATERIAL PROPERTIES
+  MATERIAL  "C"    TYPE "Concrete"  %s
+  MATERIAL  "C"    SYMTYPE "Isotropic"  E %.12g  U 0.2
+$ FRAME SECTIONS
+  FRAMESECTION  "R"  MATERIAL "C"  SHAPE "Rectangular"  D %s B %s
+$ POINT COORDINATES
+  POINT "1"  0 0
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+$ POINT ASSIGNS
+  POINTASSIGN  "1"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "S1"  SECTION "R"
+]]):format(force, length, u(3, 1), line, 30e9 / newton * metre ^ 2, u(0.5, 1), u(0.2, 1))
+  return import.e2k { file = write("frame.e2k", text) }
+end
+
+case("ETABS in several units: mass from M, or from the weight without M, and E and sizes", function()
+  for _, unit in ipairs { { "KN", "M", 1, 1e3 }, { "N", "MM", 1e-3, 1 }, { "KN", "MM", 1e-3, 1e3 },
+    { "KN", "CM", 1e-2, 1e3 }, { "KIP", "IN", 0.0254, 4448.2216152605 }, { "LB", "FT", 0.3048, 4.4482216152605 } } do
+    local force, length, metre, newton = table.unpack(unit)
+    local what = force .. ", " .. length .. ": "
+    local weight = 24000 * metre ^ 3 / newton -- 24 kN/m3
+    for _, key in ipairs { "WEIGHTPERVOLUME", "W" } do
+      local m = etabs(force, length, metre, newton, ("%s %.12g"):format(key, weight)).materials[1]
+      near(m.density, 24000 / 9.80665, 1e-4, what .. "density from " .. key)
+      near(m.E, 30e9, 1e3, what .. "E")
+    end
+    -- mass in force s^2 / length, which M gives per volume; 2500 kg/m3 beside a weight that says something else
+    local mass = 2500 * metre ^ 4 / newton
+    local m = etabs(force, length, metre, newton, ("WEIGHTPERVOLUME %.12g M %.12g"):format(weight, mass)).materials[1]
+    near(m.density, 2500, 1e-6, what .. "density from M")
+    local frame = etabs(force, length, metre, newton, ("W %.12g"):format(weight))
+    local model, nodes, members = import.build(frame, { model = { displacement = "small" } })
+    near(nodes["1@S1"].z, 3, 1e-9, what .. "height, m")
+    near(members["C1@S1"].section.area, 0.1, 1e-9, what .. "area, m2")
+    near(members["C1@S1"].section.Ix, 0.2 * 0.5 ^ 3 / 12, 1e-9, what .. "Ix, m4")
+    model:gravity { 0, 0, -9.80665 }
+    local run = model:static { steps = 1 }:finish()
+    near(select(3, nodes["1@Base"]:reaction(run)), 24000 * 0.1 * 3, 1, what .. "weight, N")
+  end
+end)
+
+checks.done()
