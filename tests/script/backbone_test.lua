@@ -209,6 +209,52 @@ case("worn members that are heated or break keep the energy balance", function()
   near(run.energy_error, 0, 3e-4, "broken: energy error")
 end)
 
+case("where one element of a pair breaks the other keeps its force, worn or not", function()
+  for _, wear in ipairs { false, true } do
+    for _, axial in ipairs { -1e3, -1e5, 4e5 } do
+      for _, turned in ipairs { false, true } do
+        numbers.wear, numbers.stiffness_wear = wear and 0.5 or nil, wear or nil
+        local backbone = hinge.backbone(numbers)
+        numbers.wear, numbers.stiffness_wear = nil, nil
+        local model = hinge.model {}
+        local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+        local member = model:member { turned and tip or foot, turned and foot or tip, section = column,
+          material = steel, up = { 0, 0, 1 }, elements = 2, backbone = backbone }
+        model:fix(foot, "all")
+        model:load { node = tip, force = { axial, 0, 0 }, case = model:case "axial" }
+        model:load { node = tip, force = { 0, 0, -Mp / L }, case = model:case "side" }
+        local run = model:static { steps = 1, loads = { axial = 1 } }:finish()
+        for _, turn in ipairs { 0.02, -0.02, 0.01 } do
+          run = model:static { from = run, steps = 30, loads = { axial = 1, side = 1 },
+            control = { node = tip, "uz", to = -turn * L } }:finish()
+          equal(run.verdict, "completed", run.reason)
+        end
+        -- the element at the foot breaks in a step of 10 ns, in which nothing moves
+        model:fracture(function(section) return section.element == (turned and 2 or 1) end)
+        local function of_tip(of) return (select(turned and 1 or 2, of:forces(member))) end
+        local before = of_tip(run)
+        local function at_middle(of)
+          local found
+          for _, at in ipairs(of:along(member, 8)) do
+            if math.abs(at.x - L / 2) < 1e-9 and (not turned or not found) then found = at.Mx end
+          end
+          return found
+        end
+        local middle = at_middle(run)
+        local broken = model:dynamic { from = run, dt = 1e-8, duration = 3e-8, loads = { axial = 1, side = 1 } }
+        broken:finish()
+        equal(broken:state(member), "broken", "the member")
+        local after, size = of_tip(broken), math.abs(middle)
+        local what = ("%s, N = %g%s"):format(wear and "worn" or "whole", axial, turned and ", turned" or "")
+        near(after.N, before.N, 1e-6 * support.largest_of(math.abs(before.N), 1e3), what .. ": N")
+        near(after.Qy, before.Qy, 1e-5 * size / L, what .. ": shear")
+        near(at_middle(broken), middle, 4e-3 * size, what .. ": the moment in the middle")
+        near(broken.energy_error, 0, 1e-4, what .. ": energy error")
+      end
+    end
+  end
+end)
+
 case("a run that was saved on the falling branch goes on to the same bytes", function()
   local path, options = os.tmpname(), { dt = 2e-4, duration = 0.12 }
   numbers.wear, numbers.stiffness_wear = 0.5, true

@@ -50,7 +50,8 @@ end)
 -- The x of node 2 of a script of OpenSees whose coordinate is an expression.
 local function python(expression)
   local text = ("import openseespy.opensees as ops\nops.model('basic', '-ndm', 3, '-ndf', 6)\n"
-    .. "ops.node(1, 0.0, 0.0, 0.0)\nv = %s\nops.node(2, v, 0.0, 0.0)\nops.fix(1, 1, 1, 1, 1, 1, 1)\nops.geomTransf('Linear', 1, 0.0, 0.0, 1.0)\n"
+    .. "ops.node(1, 0.0, 0.0, 0.0)\nv = %s\nops.node(2, v, 0.0, 0.0)\nops.fix(1, 1, 1, 1, 1, 1, 1)\n"
+    .. "ops.geomTransf('Linear', 1, 0.0, 0.0, 1.0)\n"
     .. "ops.element('elasticBeamColumn', 1, 1, 2, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1)\n"):format(expression)
   local frame = import.tcl { file = write("frame.py", text), units = { length = "m", force = "N" } }
   return frame.nodes[2].x

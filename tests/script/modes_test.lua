@@ -302,6 +302,65 @@ case("a load on the arm of a rigid link turns the node over as on a stiff member
   near(shaken:finish():modes({ n = 1 })[1].frequency, wanted, 1e-6 * wanted, "in dynamics, Hz")
 end)
 
+case("effective masses add up to the whole mass that can move, with masses on arms", function()
+  -- a bent cantilever, and two masses on rigid arms that lie along no axis: all modes together have every mass
+  for _, arms in ipairs { false, true } do
+    local model = hinge.model { elements_per_member = 2, displacement = "small" }
+    local light = hinge.material { E = 210e9, density = 1e-3 }
+    local foot, knee, tip = model:node { 0, 0, 0 }, model:node { 0, 0.2, 2 }, model:node { 1.5, 0, 2 }
+    model:fix(foot)
+    model:member { foot, knee, section = square, material = light }
+    model:member { knee, tip, section = square, material = light }
+    for _, of in ipairs { { knee, 70, { 0.4, -0.3, 0.5 } }, { tip, 40, { -0.2, 0.6, 0.3 } } } do
+      local at, arm = of[1], of[3]
+      local where = arms and model:node { at.x + arm[1], at.y + arm[2], at.z + arm[3] } or at
+      if arms then
+        -- something that the node at the end of the arm belongs to
+        model:member { where, model:node { where.x + 0.1, where.y, where.z }, section = square, material = light }
+        model:rigid_link { from = at, to = where }
+      end
+      model:mass { node = where, mass = of[2] }
+    end
+    model:load { node = tip, force = { 0, 0, -1 } }
+    local modes = model:static { steps = 1 }:finish():modes { n = 200 }
+    for _, axis in ipairs { "x", "y", "z" } do
+      local mass, share, product = 0, 0, 0
+      for _, mode in ipairs(modes) do
+        mass, share = mass + mode.mass[axis], share + mode.share[axis]
+        product = product + mode.participation[axis] ^ 2
+      end
+      -- the members have some 20 g, of which the half next to the support cannot move
+      near(mass, 110, 2e-2, ("%s, along %s: effective masses, kg"):format(arms and "arms" or "no arms", axis))
+      near(share, 1, 2e-4, axis .. ": shares")
+      near(product, mass, 1e-9 * mass, axis .. ": squares of the participation, modal mass 1")
+    end
+  end
+end)
+
+case("effective masses have the stub of a broken element, which hangs on its node as on an arm", function()
+  local light, heavy = hinge.material { E = 210e9, density = 1e-3 }, hinge.material { E = 210e9, density = 7850 }
+  for which = 1, 2 do
+    local model = hinge.model { elements_per_member = 2 }
+    local feet = { model:node { 0, 0, 0 }, model:node { 3, 0, 0 } }
+    local heads = { model:node { 0, 0, 2 }, model:node { 3, 0.5, 2 } }
+    model:fix(feet)
+    for i = 1, 2 do model:member { feet[i], heads[i], section = square, material = light } end
+    local beam = model:member { heads[1], heads[2], section = square, material = heavy, group = "beam" }
+    model:load { node = heads[1], force = { 0, 0, -1 } }
+    model:fracture { group = "beam", where = "all", rule = function(section) return section.element == 4 + which end }
+    local run = model:dynamic { dt = 1e-5, duration = 3e-5 }:finish()
+    if run:state(beam) == "broken" then
+      local modes = run:modes { n = 200 }
+      for _, axis in ipairs { "x", "y", "z" } do
+        local mass = 0
+        for _, mode in ipairs(modes) do mass = mass + mode.mass[axis] end
+        local wanted = 7850 * square.area * math.sqrt(9.25)
+        near(mass, wanted, 2e-3 * wanted, ("element %d broken, along %s: effective masses, kg"):format(which, axis))
+      end
+    else expect(false, "element %d does not break: %s", which, run:state(beam)) end
+  end
+end)
+
 case("a broken beam leaves two columns", function()
   local model = hinge.model()
   for i = 1, 2 do

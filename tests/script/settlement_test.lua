@@ -119,6 +119,33 @@ case("a run that goes on keeps the settlement, in statics and in dynamics", func
   near((select(3, moving:reaction(nodes[1]))), P, 1e-6 * math.abs(P), "at rest")
 end)
 
+case("a run that goes on keeps a rotation of a support, small and large, about each axis", function()
+  for _, displacement in ipairs { "small", "large" } do
+    for component, field in ipairs { "rx", "ry", "rz" } do
+      for _, theta in ipairs { 2e-3, -0.3 } do
+        local model = hinge.model { displacement = displacement, plasticity = false }
+        local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+        model:member { a, b, section = square, material = elastic, up = { 0, 0, 1 } }
+        model:fix({ a, b })
+        model:settle { node = b, [field] = theta }
+        local what = ("%s, %s = %g"):format(displacement, field, theta)
+        local first = finish(model, { steps = 4 })
+        local M = (select(3 + component, first:reaction(b)))
+        local again = finish(model, { steps = 3, from = first })
+        near((select(3 + component, again:displacement(b))), theta, 1e-9, what .. ": it turns no farther")
+        near((select(3 + component, again:reaction(b))), M, 1e-6 * math.abs(M), what .. ": with the same moment")
+        local third = finish(model, { steps = 1, from = again })
+        near((select(3 + component, third:reaction(b))), M, 1e-6 * math.abs(M), what .. ": nor in a third run")
+        if displacement == "small" then
+          local phi = 12 * EI / (GA * L ^ 2)
+          local stiffness = field == "rx" and elastic.G * square.J / L or (4 + phi) / (1 + phi) * EI / L
+          near(M, stiffness * theta, 1e-6 * math.abs(M), what .. ": the moment by hand")
+        end
+      end
+    end
+  end
+end)
+
 local function fails(call, words)
   local done, message = pcall(call)
   message = tostring(message)

@@ -443,3 +443,41 @@ TEST_CASE("own law: hardening as a function gives what hardening gives", "[mater
             CHECK_FIGURE("plastic work, as a part", work_off, 1e-10);
         }
 }
+
+// The integrals of the factor of a strain rate over a step, from 0 to the strain of its end: of factor - 1, and of that
+// times the strain. By Gauss's rule of three points on 4000 parts that grow with the strain, from 1e-9 of it.
+TEST_CASE("strain rate: the integrals over a step are those by quadrature", "[material_law]") {
+    struct Case {
+        const char* name;
+        StrainRate rate;
+    };
+    for (const Case& c :
+         {Case{"Cowper and Symonds", {.D = 40.4, .q = 5}}, Case{"Johnson and Cook", {.C = 0.014, .reference = 1}},
+          Case{"Johnson and Cook, low reference", {.C = 0.03, .reference = 1e-3}}}) {
+        const auto law = strain_rate_law(c.rate);
+        for (const double dt : {1e-5, 1e-3, 0.1})
+            for (const double rate : {1e-3, 0.5, 1.0, 3.0, 200.0}) {
+                const double strain = rate * dt;
+                const MaterialLaw::Moment at{dt, 20};
+                double first = 0, second = 0, low = 0;
+                const int parts = 4000;
+                for (int i = 1; i <= parts; ++i) {
+                    const double high = strain * std::pow(1e-9, 1 - double(i) / parts), half = (high - low) / 2;
+                    for (int g : {-1, 0, 1}) {
+                        const double s = low + half * (1 + g * std::sqrt(0.6)),
+                                     weight = half * (g == 0 ? 8.0 : 5.0) / 9;
+                        const double more = law->factor(nullptr, s, at).value - 1;
+                        first += weight * more, second += weight * more * s;
+                    }
+                    low = high;
+                }
+                const auto found = law->integrals(strain, dt);
+                INFO(c.name << ", dt = " << dt << " s, rate = " << rate << " 1/s");
+                // x log(1 + x^2) - 2 (x - atan x) loses digits of x^3 where x is small
+                const double rounding = 1e-15 * strain + 1e-9 * first,
+                             rounding_2 = 1e-15 * strain * strain + 1e-9 * second;
+                CHECK(std::abs(found.zeroth - first) <= rounding);
+                CHECK(std::abs(found.first - second) <= rounding_2);
+            }
+    }
+}
