@@ -5,12 +5,15 @@
 local function there(see, how) return { see = see, how = how } end
 local function missing(see, how) return { see = see, how = how, missing = true } end
 
-local floors = missing({ "model:load", "model:mass" }, "a floor is load and mass on the beams, without stiffness")
-local drift = missing({ "node:displacement", "run:probe" },
-  "the drift of a storey is the difference of the displacements of two nodes")
+local floors = there({ "model:diaphragm", "hinge.pressure", "model:mass" },
+  "a floor may be rigid in its plane; its load and its mass act on the beams, and it does not bend")
+local plates = missing({ "hinge.pressure", "model:load", "model:mass" },
+  "there are members alone; a plate is load and mass on them, without stiffness")
+local drift = there({ "results.storeys", "node:displacement" },
+  "hinge.results.storeys has the drift and the shear force of each storey")
 local modes = there({ "run:modes", "mode:displacement" }, "hinge check SCRIPT prints the natural periods, too")
-local no_law = missing({ "hinge.material", "model:fracture" },
-  "members yield at one strength, with hardening of their material, and break")
+local no_law = missing({ "section.concrete", "hinge.model_options", "hinge.backbone" },
+  "a hinge has one law of N, Mx and My: that of the section's shape, of concrete with its bars")
 local falls = there({ "hinge.backbone", "model:member" }, "the strength of a member's ends over their plastic rotation")
 local standard = there(
   { "hinge.backbone.asce41", "hinge.backbone.ufc", "hinge.backbone.nist", "hinge.backbone.lignos" },
@@ -24,8 +27,10 @@ local released = there({ "model:member", "hinge.joint" },
 local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
 local shaken = there({ "hinge.ground", "model:move", "hinge.record.read" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
-local used = missing({ "run:read", "member:state" }, "f_y of a section is 1 where it is fully plastic")
-local utilised = there({ "run:read", "member:state" }, used.how)
+local used = there({ "results.utilisation", "run:read" },
+  "hinge.results.utilisation checks members of steel by EN 1993-1-1 or AISC 360; f_y is 1 where fully plastic")
+local base = there({ "results.base", "node:reaction" }, "reactions, loads, weight and what is left of them")
+local extremes = there({ "results.envelope", "results.members" }, "extreme forces of members, with place and time")
 local named = there({ "section.named", "section.names" }, "a section by its name in tables, such as HEB 300 or W14X90")
 local grade = there({ "material.steel", "material.names" }, "a material by its name in standards, such as S355 or A992")
 
@@ -36,7 +41,8 @@ return {
   explosion = there({ "hinge.blast", "explosion:load" }, "pressure of an explosion on the ground, and loads from it"),
   drift = drift, ["storey drift"] = drift, ["interstorey drift"] = drift,
   diaphragm = rigid,
-  slab = floors, floor = floors, shell = floors, wall = floors, membrane = floors,
+  ["storey shear"] = drift, ["story drift"] = drift,
+  slab = floors, floor = floors, shell = plates, wall = plates, membrane = plates,
   ["own weight"] = there({ "model:gravity" }, "gravity acts on the density of members and on point masses"),
   ["dead load"] = there({ "model:case", "model:load", "model:gravity" }, "a load case holds loads under a name"),
   ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),
@@ -56,7 +62,9 @@ return {
   truss = there({ "model:connector", "model:fix" }, released.how),
   cable = one_way, ["tension only"] = one_way, ["compression only"] = one_way, strut = one_way,
   prestressing = there({ "model:prestress" }, "members that were made too short, or their force between fixed ends"),
-  utilisation = utilised, utilization = utilised, ["code check"] = used, ["design check"] = used,
+  utilisation = used, utilization = used, ["code check"] = used, ["design check"] = used, ["unity check"] = used,
+  ["member check"] = used, eurocode = used, ["eurocode 3"] = used, aisc = used, ["lateral torsional buckling"] = used,
+  ["base shear"] = base, ["base reaction"] = base, envelope = extremes, ["extreme forces"] = extremes,
   isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),
   link = there({ "model:connector" }, "springs, dashpots, curves and functions between two nodes"),
   restart = there({ "run:checkpoint", "run:resume", "hinge.resume" }, "a run goes on from its checkpoint, bit by bit"),

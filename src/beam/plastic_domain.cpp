@@ -454,11 +454,11 @@ void PlasticDomain::make_polyhedron(double side) {
             const Eigen::Vector2d to = all_rays()[ray].to;
             double radius = 0;
             for (std::size_t i = 0; i < points.size(); ++i) {
-                const Eigen::Vector2d &p = points[i], side = points[(i + 1) % points.size()] - p;
-                const double across = cross(to, side);
+                const Eigen::Vector2d &p = points[i], edge = points[(i + 1) % points.size()] - p;
+                const double across = cross(to, edge);
                 if (!(std::abs(across) > 0)) continue;
                 const double along = cross(to, p) / -across;
-                if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * side));
+                if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * edge));
             }
             inverse_[before + std::size_t(level) * rays + ray] =
                 radius > 0 ? 1 / ((1 - 1e-6) * radius) : std::numeric_limits<double>::infinity();

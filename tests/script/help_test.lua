@@ -88,11 +88,11 @@ end)
 case("hinge reference finds a call by words that the reference does not use", function()
   -- Words of engineers that the reference does not use.
   for words, wanted in pairs {
-    ["-s drift"] = "'drift' is not available; see node:displacement, run:probe (the drift of a storey is the "
-      .. "difference of the displacements of two nodes)",
+    ["-s drift"] = "'drift': see results.storeys, node:displacement (hinge.results.storeys has the drift and the shear "
+      .. "force of each storey)",
     ["-s diaphragms"] = "'diaphragms': see model:rigid_link, model:diaphragm (...)",
     ["-s inter-storey-drift"] = "...",
-    ["-s storey-drift"] = "'storey-drift' is not available; see node:displacement, ...",
+    ["-s storey-drift"] = "'storey-drift': see results.storeys, node:displacement (...",
     ["-s earthquake"] = "'earthquake': see hinge.ground, model:move, hinge.record.read (...)",
     ["-s supports"] = "'supports': see model:fix, model:move (supports are fixed degrees of freedom of a node)\n\n...",
   } do
@@ -103,10 +103,35 @@ case("hinge reference finds a call by words that the reference does not use", fu
 end)
 
 case("hinge reference of several words finds their page", function()
-  local status_of, said, complaint = asks "drift"
+  local status_of, said, complaint = asks "membrane"
   expect(status_of == 2 and said == "" and support.says(complaint,
-    "hinge: nothing is called 'drift'; 'drift' is not available; see node:displacement, ..."),
+    "hinge: nothing is called 'membrane'; 'membrane' is not available; see hinge.pressure, ..."),
     "the name of what there is not: %d %s%s", status_of, said, complaint)
+end)
+
+case("what the reference has is not denied", function()
+  -- other words for what there is, and the call that they must lead to
+  local words = require "hinge.other_words"
+  for word, name in pairs { ["code check"] = "results.utilisation", ["design check"] = "results.utilisation",
+    utilisation = "results.utilisation", eurocode = "results.utilisation", drift = "results.storeys",
+    ["storey drift"] = "results.storeys", ["interstorey drift"] = "results.storeys", slab = "model:diaphragm",
+    floor = "model:diaphragm", ["base shear"] = "results.base", envelope = "results.envelope",
+    ["natural period"] = "run:modes", ["load combination"] = "model:combination", fire = "model:heat" } do
+    local known = words[word]
+    expect(known and not known.missing and known.see[1] == name, "'%s' leads to %s", word, name)
+    local status_of, said, complaint = asks("'" .. word .. "'")
+    expect(not complaint:find("is not available", 1, true), "'%s': %d %s%s", word, status_of, said, complaint)
+  end
+  -- a word that is said to be missing is in no first sentence and no name of the reference
+  for _, e in ipairs(reference.read()) do
+    local text = ((e.name or "") .. " " .. (e.doc or ""):match "^[^.]*"):lower():gsub("wall time", "time")
+    for word, known in pairs(words) do
+      if known.missing then
+        expect(not (" " .. text .. " "):find("[^%w]" .. word .. "s?[^%w]"), "'%s' is said to be missing; %s says: %s", word,
+          e.line, text)
+      end
+    end
+  end
 end)
 
 local help, count = require "hinge.help", 0
