@@ -256,6 +256,38 @@ load cases of the model in none of them: quake, push]], "the table")
   equal(quake[2].name, "seismic 1.0 dead - 1.0 quake", "a negative factor")
 end)
 
+case("an accident acts in full beside others, and bounds of options hold", function()
+  -- EN 1990 (6.11b): G + A + psi_1 Q_1 + psi_2 Q_i; the accident is in each of them
+  local cases = { dead = "G", office = european.office, blow = "A", wind = "W" }
+  local names = { "dead", "office", "wind", "blow" }
+  local list = combinations { model = model_with(table.unpack(names)), standard = "EN 1990", kind = "accidental",
+    cases = cases, omit = false }
+  are(list, names, { "1 0.5 0 1", "1 0.3 0.2 1" }, "accidental")
+  list = combinations { model = model_with(table.unpack(names)), standard = "EN 1990", kind = "accidental",
+    cases = cases, leading = "psi_2", omit = false }
+  are(list, names, { "1 0.3 0 1" }, "with psi_2 for all")
+  -- what is left out by `omit` is a part of another combination with the same factors, and no other
+  list = combinations { model = model_with "dead", standard = "EN 1990", kind = "SLS characteristic",
+    cases = { dead = "G" } }
+  are(list, { "dead" }, { "1" }, "one permanent action")
+  -- snow: psi by the altitude, up to 1000 m and above
+  local function snow(altitude)
+    return combinations { model = model_with("dead", "snow"), standard = "EN 1990", kind = "SLS frequent",
+      cases = { dead = "G", snow = { "S", altitude = altitude } }, omit = false }
+  end
+  are(snow(1000), { "dead", "snow" }, { "1 0.2" }, "1000 m")
+  are(snow(1001), { "dead", "snow" }, { "1 0.5" }, "1001 m")
+  for altitude, good in pairs { [-500] = true, [-501] = false, [5000] = true, [5001] = false } do
+    equal(pcall(snow, altitude), good, altitude .. " m")
+  end
+  -- cases of one type in the order of their names, and of types in that of the standard
+  list = combinations { model = model_with("zinc", "alu", "wind", "crane"), standard = "EN 1990", kind = "ULS",
+    cases = { zinc = "G", alu = "G", wind = "W" } }
+  local told = tostring(list)
+  expect(told:find("alu.*zinc.*wind"), "order: %s", told)
+  expect(told:find("load cases of the model in none of them: crane", 1, true), "what is left out: %s", told)
+end)
+
 case("wrong input is refused", function()
   local model = model_with("dead", "office", "snow", "wind")
   local function with(more)
@@ -278,7 +310,7 @@ case("wrong input is refused", function()
     ["case 'snow': field 'altitude' is missing"] = with { cases = { snow = "S" } },
     ["field 'psi' is {2, 1, 1}; must be 3 numbers in braces, each of at least 0 and of at most 1"] = with {
       cases = { office = { "Q", psi = { 2, 1, 1 } } } },
-    ["has the value 'G' without a name"] = with { cases = { "G" } },
+    ["has the value 'G' without a name; write { dead = \"G\" }"] = with { cases = { "G" } },
     ["field 'gamma_Q' is not a number (nan)"] = with { gamma_Q = 0 / 0 },
     ["unknown field 'gamma_G'"] = with { kind = "SLS frequent", gamma_G = 1.35 },
     ["no case has the type \"E\""] = with { kind = "seismic" },

@@ -127,7 +127,7 @@ case("what the reference has is not denied", function()
     local text = ((e.name or "") .. " " .. (e.doc or ""):match "^[^.]*"):lower():gsub("wall time", "time")
     for word, known in pairs(words) do
       if known.missing then
-        expect(not (" " .. text .. " "):find("[^%w]" .. word .. "s?[^%w]"), "'%s' is said to be missing; %s says: %s", word,
+        expect(not (" " .. text .. " "):find("[^%w]" .. word .. "s?[^%w]"), "'%s' is said to be missing; %s: %s", word,
           e.line, text)
       end
     end

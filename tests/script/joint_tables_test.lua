@@ -240,6 +240,44 @@ case("the flange of a column on concrete: bearing, and what limits it", function
     "column flange in compression", "strong concrete, and bolts")
 end)
 
+case("a base plate's anchor bolts without a length, its flange's class, and its T-stub", function()
+  local function plain(more)
+    local o = { column = { section = hinge.section.named "HEB 200", yield_stress = 235e6 },
+      plate = { length = 0.4, width = 0.34, thickness = 0.018, yield_stress = 235e6 },
+      bolts = { diameter = 0.02, grade = "4.6", outside = 0.035, gauge = 0.2 },
+      concrete = { strength = 20e6, grout = 0.03 }, weld = 0.0035, axial = 0, capacity = 0.05, gamma_c = 1.5 }
+    for key, value in pairs(more or {}) do o[key] = value end
+    return select(2, hinge.joint.base_plate(o))
+  end
+  local row = plain().tension_row
+  near(row.bolt_length, (8 * 20 + 30 + 18 + 3 + 9) * 1e-3, 1e-12, "L_b: 8 d, grout, plate, washer, half a nut")
+  local m = 35 - 0.8 * root_2 * 3.5
+  near(row.m, m * 1e-3, 1e-12, "m_x")
+  near(row.n, 1.25 * m * 1e-3, 1e-12, "n: at most 1.25 m; e_x is 65 mm")
+  local near_end = plain { plate = { length = 0.324, width = 0.34, thickness = 0.018, yield_stress = 235e6 } }
+  near(near_end.tension_row.n, 27e-3, 1e-12, "n: e_x where that is less")
+  near(near_end.tension_row.lengths.other * 1e3, support.smallest_of(4 * m + 1.25 * 27, 70 + 2 * m + 0.625 * 27, 170,
+    100 + 2 * m + 0.625 * 27), 1e-9, "table 6.6, others")
+  near(near_end.tension_row.lengths.circular * 1e3, support.smallest_of(2 * pi * m, pi * m + 200, pi * m + 140), 1e-9,
+    "circular")
+  -- class 2 of the column's flange: c / tf = (200 - 9) / 2 / tf, less the fillet; HEA 200 in S460 has 7.88, and 7.15
+  for _, r in ipairs { { "HEA 200", 235e6, true }, { "HEA 200", 460e6, false }, { "HEB 200", 460e6, true } } do
+    equal(pcall(plain, { column = { section = hinge.section.named(r[1]), yield_stress = r[2] } }), r[3],
+      ("%s, %g MPa"):format(r[1], r[2] / 1e6))
+  end
+end)
+
+case("table 6.6: a row below the one at the flange has the pattern of a plain row", function()
+  local n = end_plate(hinge.section.named "HEB 300", { rows = { 0.32, 0.1 } })
+  local m, e = (100 - 8.6) / 2 - 0.8 * root_2 * 4, 50
+  local second = n.rows[2].components.end_plate.lengths
+  same(second.circular * 1e3, 2 * pi * m, "circular")
+  same(second.other * 1e3, 2 * (2 * m + 0.625 * e), "others")
+  same(n.rows[1].components.end_plate.lengths.other * 1e3, n.alpha * m, "the row at the flange: alpha m")
+  -- shear: a row of two bolts in tension keeps 0.4 / 1.4, and further rows have all
+  same(n.shear, 4 * 0.4 / 1.4 * 0.6 * 800 * 245 / 1.25, "shear of two rows in tension")
+end)
+
 -- Bolts ---------------------------------------------------------------------------------------------------------------
 
 case("bolts: stress areas, holes, heads, nuts and washers, strengths of the grades", function()
