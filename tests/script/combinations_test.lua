@@ -110,6 +110,30 @@ case("ASCE 7, each kind by hand", function()
   for standard, kinds in pairs(by_hand) do
     for kind, wanted in pairs(kinds) do are(full(standard, kind, american), four, wanted, standard .. " " .. kind) end
   end
+  -- of roof live load, snow and rain one acts at a time, each with factors of its own
+  for standard, of in pairs { ["ASCE 7-16"] = { S = { 0.5, 1.6, 1, 0.75 }, Lr = { 0.5, 1.6, 1, 0.75 },
+    R = { 0.5, 1.6, 1, 0.75 } }, ["ASCE 7-22"] = { S = { 0.3, 1, 0.7, 0.525 }, Lr = { 0.5, 1.6, 1, 0.75 },
+    R = { 0.5, 1.6, 1, 0.75 } } } do
+    for kind, f in pairs(of) do
+      local cases = { dead = "D", office = "L", snow = kind, wind = "W" }
+      local function texts(...)
+        local list = { ... }
+        for i, text in ipairs(list) do
+          list[i] = text:gsub("%a", { a = ("%g"):format(f[1]), b = ("%g"):format(f[2]), c = ("%g"):format(f[3]),
+            d = ("%g"):format(f[4]) })
+        end
+        return list
+      end
+      are(full(standard, "LRFD", cases), four, texts("1.4 0 0 0", "1.2 1.6 a 0", "1.2 1 b 0", "1.2 0 b 0.5",
+        "1.2 1 a 1", "0.9 0 0 1"), standard .. ", LRFD, " .. kind)
+      are(full(standard, "ASD", cases), four, texts("1 0 0 0", "1 1 0 0", "1 0 c 0", "1 0.75 d 0", "1 0 0 0.6",
+        "1 0.75 d 0.45", "0.6 0 0 0.6"), standard .. ", ASD, " .. kind)
+      if standard == "ASCE 7-16" then
+        are(full(standard, "residual capacity", cases), four, { "0.9 0.5 0.2 0", "1.2 0.5 0.2 0" },
+          "residual, " .. kind)
+      end
+    end
+  end
   local model = model_with("dead", "live", "roof", "rain", "quake", "crash")
   local roofs = combinations { model = model, standard = "ASCE 7-16", kind = "LRFD", omit = false, live = 0.5,
     cases = { dead = "D", live = "L", roof = "Lr", rain = "R" } }

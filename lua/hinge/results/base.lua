@@ -47,12 +47,12 @@ local function of_use(rows, size)
 end
 
 -- A row for each node that a support holds, and their sum.
-local function reactions(run, model, about)
+local function reactions(run, model, about, declared)
   local rows, sum = {}, new_sum()
   for _, node in ipairs(model:nodes()) do
     if node.fixed then
       local r = { run:reaction(node) }
-      local place = { run:position(node) }
+      local place = declared and { node.x, node.y, node.z } or { run:position(node) }
       add(sum, about, place, { r[1], r[2], r[3] }, { r[4], r[5], r[6] })
       local row = row_of("node " .. node.index, r)
       row.node, row.x, row.y, row.z = node, node.x, node.y, node.z
@@ -77,6 +77,33 @@ local function spread(load, a, b, length, put)
     local q = {}
     for i = 1, 3 do q[i] = length / 2 * ((1 - t) * v[i] + t * v[3 + i]) end
     put(between(a, b, t), q)
+  end
+end
+
+-- Whether forces act where nodes are declared and not where they are now: small displacement.
+local function acts_as_declared(run)
+  for _, effect in ipairs(run.effects) do
+    if effect.name == "large displacement" then return not effect.active end
+  end
+  return false
+end
+
+-- Puts the nodes of pieces back to where they are declared.
+local function set_declared(pieces, model)
+  local list, count, index = model:members(), {}, {}
+  for _, bar in ipairs(pieces.bars) do count[bar.member] = (count[bar.member] or 0) + 1 end
+  for i, node in ipairs(model:nodes()) do
+    local own = pieces.nodes[i]
+    own.x, own.y, own.z = node.x, node.y, node.z
+  end
+  for _, bar in ipairs(pieces.bars) do
+    local member, k = list[bar.member], (index[bar.member] or 0) + 1
+    index[bar.member] = k
+    if k < count[bar.member] then
+      local place = between(place_of(member.a), place_of(member.b), k / count[bar.member])
+      local own = pieces.nodes[bar.b]
+      own.x, own.y, own.z = place[1], place[2], place[3]
+    end
   end
 end
 
@@ -143,8 +170,10 @@ function base.of_run(run, options, ...)
     gravity = { "numbers", unit = "m/s^2", count = 3, optional = true },
     about = { "numbers", unit = "m", count = 3, default = { 0, 0, 0 } }, units = source.rules.units }, { "model" })
   local model = source.model(where, run, o)
-  local rows, sum, idle = reactions(run, model, o.about)
+  local declared = acts_as_declared(run)
+  local rows, sum, idle = reactions(run, model, o.about, declared)
   local pieces = core.pieces(run)
+  if declared then set_declared(pieces, model) end
   local loads = applied(pieces, o.about, model)
   local own, mass = weight(pieces, o.about, o.gravity or { 0, 0, 0 })
   local rest = new_sum()
