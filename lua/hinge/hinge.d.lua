@@ -2927,7 +2927,8 @@ function model:fracture(rule) end
 ---can set, 0 at the start. They belong to the state of the run
 ---@field keep? string[]
 ---in place of `rule`: a function that is called once a step with all elements of the members. It returns a list with
----the positions of those that break
+---the positions of those that break. It has no memory: `keep` and `where` beside it are an error, since they belong to
+---single sections
 ---@field batch? fun(elements: hinge.element_list): integer[]?
 ---@field group? hinge.group_like only its members, default all
 

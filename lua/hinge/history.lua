@@ -193,6 +193,27 @@ local function by_unit(curves)
   return groups
 end
 
+-- Groups whose curves can be told apart: energies below a fiftieth of the largest one would lie on the axis, and get a
+-- panel of their own with its own unit. At most `most_panels` of a group.
+local flat, most_panels = 1 / 50, 3
+local function apart(groups)
+  local list = {}
+  for _, group in ipairs(groups) do
+    for panel = 1, most_panels do
+      local largest, seen, rest = 0, {}, {}
+      for _, curve in ipairs(group) do largest = math.max(largest, largest_of { curve.y }) end
+      for _, curve in ipairs(group) do
+        local low = panel < most_panels and curve.energy and largest_of { curve.y } < flat * largest
+        table.insert(low and rest or seen, curve)
+      end
+      seen.small = panel > 1
+      list[#list + 1], group = seen, rest
+      if #rest == 0 then break end
+    end
+  end
+  return list
+end
+
 local function lists_of(group, field)
   local lists = {}
   for i, curve in ipairs(group) do lists[i] = curve[field] end
@@ -201,9 +222,9 @@ end
 
 -- One name stands at the axis, several in the legend.
 local function label_of(group, unit)
-  local one = #group == 1
+  local one = #group == 1 and not group.small
   return with_unit(one and (group[1].energy and group[1].name .. " energy" or group[1].name)
-    or kinds[group[1].unit] or "", unit)
+    or (kinds[group[1].unit] or "") .. (group.small and ", small" or ""), unit)
 end
 
 -- The curves of a unit over time, or over the load factor.
@@ -212,7 +233,7 @@ local function over_time(source, group, time_factor, x_label)
   local series = {}
   for i, curve in ipairs(group) do
     local error = (curve.name == "energy_error" or curve.name == "remainder")
-    series[i] = { name = #group > 1 and curve.name or nil, y = scaled(curve.y, factor),
+    series[i] = { name = (#group > 1 or group.small) and curve.name or nil, y = scaled(curve.y, factor),
       x = source.static and curve.x or scaled(curve.x, time_factor), dashed = error, colour = error and "black" or nil }
   end
   return { x_label = x_label, y_label = label_of(group, unit), series = series }
@@ -223,7 +244,7 @@ local function load_over(group)
   local factor, unit = scale_of(group[1].unit, lists_of(group, "y"))
   local series = {}
   for i, curve in ipairs(group) do
-    series[i] = { name = #group > 1 and curve.name or nil, x = scaled(curve.y, factor), y = curve.x }
+    series[i] = { name = (#group > 1 or group.small) and curve.name or nil, x = scaled(curve.y, factor), y = curve.x }
   end
   return { x_label = label_of(group, unit), y_label = "load factor", series = series }
 end
@@ -256,6 +277,7 @@ function history.plot(where, run, what)
   end
   if what ~= nil then check.value(where, "choice", what, { "table" }) end
   local curves, options = asked(where, source, what or {})
+  local chosen = what ~= nil and #what > 0
   if source.steps == 0 then check.fail("%s: the run has taken no step yet; plot it after run:finish()", where) end
   if #curves == 0 or #curves[1].y == 0 then
     check.fail("%s: nothing was recorded%s", where, #curves > 0 and " of '" .. curves[1].name
@@ -264,7 +286,9 @@ function history.plot(where, run, what)
   local time_factor, time_unit = scale_of("s", lists_of(curves, "x"))
   local x_label = source.static and "load factor" or "time, " .. time_unit
   local panels, shared = {}, true
-  for i, group in ipairs(by_unit(curves)) do
+  local groups = by_unit(curves)
+  if not chosen and not options.over then groups = apart(groups) end -- what is asked for stays together
+  for i, group in ipairs(groups) do
     if options.over then panels[i] = over_curve(where, group, options.over)
     elseif source.static and not group[1].energy then
       panels[i], shared = load_over(group), false

@@ -188,6 +188,54 @@ hinge.plot("done", { "kinetic", "roof" }, "done_some.svg")
   holds(commands "done_some", "kinetic energy, kJ")
 end)
 
+case("curves that would lie on the axis have a panel of their own, with their own unit", function()
+  require "hinge"
+  local plotted = require "hinge.history".plot
+  local history_csv = "time,factor,kinetic,elastic,work,energy_error,a,b\n"
+  for i = 0, 10 do
+    history_csv = history_csv .. ("%g,1,%g,%g,%g,%g,%g,%g\n"):format(i, 5e6 * i, 1e6 * i, 4e4 * i, 3 * i, i, 2 * i)
+  end
+  os.execute("mkdir -p " .. support.quote(folder .. "/scales"))
+  support.write(folder .. "/scales/history.csv", history_csv)
+  local function panels(what)
+    local list = {}
+    for i, panel in ipairs(plotted("test", folder .. "/scales", what).panels) do
+      local names = {}
+      for k, series in ipairs(panel.series) do names[k] = series.name or "-" end
+      list[i] = panel.y_label .. ": " .. table.concat(names, " ")
+    end
+    return table.concat(list, "; ")
+  end
+  local energies = panels():match "^(.-); [^;]*; [^;]*$"
+  equal(energies, "energy, MJ: kinetic elastic; energy, small, kJ: work; energy, small, J: energy_error",
+    "three sizes in three panels: " .. panels())
+  equal(panels { "kinetic", "energy_error" }, "energy, MJ: kinetic energy_error", "what is asked for stays together")
+end)
+
+case("numbers of an axis leave room between them", function()
+  require "hinge"
+  local layout = require "hinge.plot.layout"
+  local em = 23
+  local function fits(ends, width, step)
+    local widest = 0
+    for k = math.ceil(ends[1] / step), math.floor(ends[2] / step) do
+      local text = ("%g"):format(k * step):gsub("e%+?(-?)0*(%d+)", "×10%1%2")
+      widest = support.largest_of(widest, layout.width_of(text, em))
+    end
+    return widest < width * step / (ends[2] - ends[1])
+  end
+  for _, r in ipairs { { { 2.2e8, 3.1e8 }, 1000, true }, { { 0, 1 }, 1000, false }, { { 0, 9.9e8 }, 500, true },
+    { { 1.2e-5, 5e-5 }, 500, true }, { { -3e7, 4e7 }, 700, true }, { { 0, 100 }, 900, false } } do
+    local step = layout.step_of(r[1], r[2], em)
+    equal(step ~= nil, r[3], ("a step of its own for %g to %g"):format(r[1][1], r[1][2]))
+    if step then
+      expect(fits(r[1], r[2], step), "%g to %g: a step of %g", r[1][1], r[1][2], step)
+      expect((r[1][2] - r[1][1]) / step >= 2, "two marks or more: %g", step)
+    end
+  end
+  equal(layout.step_of({ 1, 1 }, 500, em), nil, "no range")
+end)
+
 case("a plot has the units of probes as the run left them beside its history", function()
   local said, good
   -- Units of probes as the run left them beside its history; what is no list of probes is as good as none.

@@ -127,7 +127,11 @@ function Writer:axis(panel, axis, ends)
   elseif log then
     local plain = ends[1] > 0.9e-3 and ends[2] < 1.1e4 -- 0.001 to 10000 are read more easily than powers
     self:out("set format %s '%s'; set m%stics 10", axis, plain and "%h" or "10^{%L}", axis)
-  else self:out("set format %s '%%h'", axis) end
+  else
+    self:out("set format %s '%%h'", axis)
+    local step = axis == "x" and layout.step_of(ends, panel.ground.width, self.em)
+    if step then self:out("set xtics %.9g", step) end
+  end
   if axis == "x" and not panel.named_below then self:out "set format x ''" end
 end
 

@@ -33,6 +33,29 @@ local function spacing(panel)
   return least < inf and least or 1
 end
 
+-- The number of a mark as gnuplot writes it with %h: 2.2e+08 is 2.2 x 10^8.
+local function mark_text(v)
+  local mantissa, power = ("%g"):format(v):match "^(.-)e([+-]%d+)$"
+  return mantissa and ("%s×10%d"):format(mantissa, math.tointeger(tonumber(power))) or ("%g"):format(v)
+end
+
+--- The step of a linear axis at which the numbers of its marks, beside each other on `width`, leave room between them;
+--- nil where they do at the step of ten marks or so, which gnuplot takes by itself.
+function layout.step_of(ends, width, em)
+  local range, first = math.abs(ends[2] - ends[1]), nil
+  if not (range > 0 and range < math.huge) then return nil end
+  local power = 10.0 ^ math.floor(math.log(range / 10, 10))
+  for _, times in ipairs { 1, 2, 5, 10, 20, 50, 100 } do
+    local step, widest = times * power, 0
+    local low, high = math.ceil(math.min(ends[1], ends[2]) / step), math.floor(math.max(ends[1], ends[2]) / step)
+    if high - low <= 11 then
+      first = first or step
+      for k = low, high do widest = math.max(widest, layout.width_of(mark_text(k * step), em)) end
+      if widest + 0.8 * em <= width * step / range then return step > first and step or nil end
+    end
+  end
+end
+
 --- What the panel's series take of both axes: sets bars, dots, lies, spacing, extent.
 function layout.measure(panel)
   local x, y, all_y = { inf, -inf }, { inf, -inf }, { inf, -inf }
