@@ -26,7 +26,7 @@ std::string as_rotation(const char* name, double limit, const Lengths& of) {
 
 }  // namespace
 
-void name_curvature_limits(const Structure& structure, const State& state, std::vector<RunWarning>& list) {
+void name_curvature_limits(const Structure& structure, const State* state, std::vector<RunWarning>& list) {
     const auto& rules = fracture_rules(structure.model());
     if (std::none_of(rules.begin(), rules.end(), [](const FractureRule& r) {
             return std::isfinite(r.curvature_x) || std::isfinite(r.curvature_y);
@@ -42,7 +42,7 @@ void name_curvature_limits(const Structure& structure, const State& state, std::
         Lengths& of = lengths[std::size_t(rule)];
         of.least = of.most > 0 ? std::min(of.least, e.length) : e.length;
         of.most = std::max(of.most, e.length);
-        of.yielded = of.yielded || state.yielded[i] != 0;
+        of.yielded = of.yielded || !state || state->yielded[i] != 0;
     }
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const FractureRule& r = rules[i];

@@ -161,7 +161,7 @@ public:
     bool restored(std::span<const State* const>) override;
     void check_run(std::vector<RunWarning>& list) const override {
         name_idle_rules(w_.structure, called_, list);
-        name_curvature_limits(w_.structure, w_.state, list);
+        name_curvature_limits(w_.structure, &w_.state, list);
     }
 
 private:

@@ -259,6 +259,26 @@ end)
 
 local hanging = "local e, f = joint(%s, 0, 3), joint(8, 0, 3) member(e, f)"
 local joined = " model:connector { c, e, stiffness = { x = 1e6, y = 1e6, z = 1e6 } }"
+case("limits of curvature are told as hinge rotations over the lengths of the elements", function()
+  local function notes(changes)
+    local list = {}
+    for line in select(2, check(scene(changes))):gmatch "  note: ([^\n]*)" do list[#list + 1] = line end
+    return list
+  end
+  local rule = "model:fracture { curvature_x = 0.4, curvature_y = 0.2 }"
+  local list = notes { more = rule } -- columns of 3 m and a beam of 4 m, of two elements each
+  equal(#list, 1, "notes")
+  expect(list[1] and list[1]:find("curvature_x = 0.4 1/m is a hinge rotation of 0.6 to 0.8 rad over an element of "
+    .. "1.5 to 2 m, and curvature_y = 0.2 1/m is a hinge rotation of 0.3 to 0.4 rad", 1, true), "says: %s", list[1])
+  expect(list[1] and list[1]:find("hinge_rotation_x, hinge_rotation_y (rad)", 1, true), "and what to take: %s", list[1])
+  list = notes { more = rule, options = "{ elements_per_member = 8 }" }
+  expect(list[1] and list[1]:find("curvature_x = 0.4 1/m is a hinge rotation of 0.15 to 0.2 rad", 1, true),
+    "a quarter of it with four times as many elements: %s", list[1])
+  equal(#notes { more = "model:fracture { hinge_rotation_x = 0.07 }" }, 0, "limits of rotation are as they are")
+  equal(#notes { more = rule, make = "static()" }, 0, "statics breaks nothing")
+  equal(#notes { more = rule, yields = "nil" }, 0, "members that cannot yield have no hinge")
+end)
+
 case("settings that a run would not read are warned of", function()
   suspicious("nodes nearly in one place", { more = hanging:format "4.0005" },
     "nodes 3 and 5 are 0.0005 m apart at {4.0005, 0, 3} m, but not joined", "4.0005", { more = hanging:format "4.01" })

@@ -11,6 +11,7 @@
 #include "script/checks/load_warnings.h"
 #include "script/checks/plan.h"
 #include "effects/all_effects.h"
+#include "effects/curvature_limits.h"
 #include "effects/declared.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
@@ -270,6 +271,9 @@ std::string checked_model(const RunRecord& record) {
         text +=
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
     for (Warning& d : warnings_of_run(record, most_nodes, true, !of_units(list))) list.push_back(std::move(d));
+    std::vector<RunWarning> notes;
+    if (dynamic_cast<const Dynamics*>(record.run.get())) name_curvature_limits(s, nullptr, notes);
+    for (const RunWarning& n : notes) text += "  note: " + n.what + "; " + n.advice + "\n";
     for (const Warning& d : list) text += "  warning: " + warning_text(d) + "\n";
     return text + (list.empty() ? "  no warnings\n" : "");
 }
