@@ -4289,7 +4289,7 @@ function results.utilisation(runs, options) end
 ---@field gamma_M1? number
 ---buckling curves "a0", "a", "b", "c" or "d" about x and y, of EN 1993-1-1; default: table 6.2. A section with fillets
 ---counts as rolled, without as welded; CHS, SHS and RHS as hot finished; pipes and boxes with radii of another name as
----cold formed
+---cold formed. A welded box has curve b; with thick welds and b / tf below 30 the table has c, which is to be given
 ---@field curves? string|{ x?: string, y?: string }
 ---@field curve_LT? string of lateral torsional buckling; default: table 6.4
 ---factors of equivalent moments of annex B; default 1, which is on the safe side. "B.3": table B.3 where a moment is

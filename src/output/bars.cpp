@@ -121,6 +121,15 @@ void join(const Snapshot& snapshot, std::vector<DrawnBar>& bars) {
 
 }  // namespace
 
+std::vector<char> groups_of_view(const Snapshot& snapshot, const View& view) {
+    std::vector<char> groups(snapshot.groups.size(), 0);
+    const std::vector<char> asked = asked_for(snapshot, view);
+    for (const Bar& bar : snapshot.bars)
+        if (bar.group >= 0 && asked[static_cast<std::size_t>(bar.member)] && starts_in(snapshot, bar, view))
+            groups[static_cast<std::size_t>(bar.group)] = 1;
+    return groups;
+}
+
 Vec DrawnBar::at(double t) const {
     if (!curved) return a + t * (b - a);
     Vec p;

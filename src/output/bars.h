@@ -39,6 +39,9 @@ struct DrawnBars {
 /// the view selects something that the snapshot does not have.
 DrawnBars choose_bars(const Snapshot& snapshot, const View& view);
 
+/// Of each group of `snapshot` whether `view` may draw one of its bars, now or in another state of the run.
+std::vector<char> groups_of_view(const Snapshot& snapshot, const View& view);
+
 /// Drawn position of a point.
 Vec drawn_at(const Snapshot& snapshot, std::size_t point, double scale);
 

@@ -87,10 +87,11 @@ std::vector<Entry> legend(const CaptionInput& told, int dots) {
         }
     } else if (view.show == Show::group) {
         const std::size_t most = 8;
-        for (std::size_t i = 0; i < told.snapshot.groups.size() && i < most; ++i) {
+        for (std::size_t i = 0; i < told.snapshot.groups.size() && entries.size() < most; ++i) {
+            if (i >= told.groups.size() || !told.groups[i]) continue;
             std::string name = told.snapshot.groups[i];
             if (name.size() > 14) name = name.substr(0, 13) + "\xE2\x80\xA6";
-            entries.push_back({name, group_colours[i % std::size(group_colours)], 5.5, i > 0 ? 0.5 : 0});
+            entries.push_back({name, group_colours[i % std::size(group_colours)], 5.5, entries.empty() ? 0 : 0.5});
         }
     }
     if (told.broken && !view.leave_out_broken && view.show != Show::nothing)

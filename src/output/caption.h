@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "output/diagram.h"
 #include "output/framing.h"
@@ -14,10 +15,11 @@ namespace hinge::output {
 struct CaptionInput {
     const View& view;
     const Snapshot& snapshot;
-    double scale;            ///< of displacements
-    const Diagram* diagram;  ///< null: none
-    double dot_unit;         ///< pixels of the largest dot of a hinge; 0: none is drawn
-    bool broken, nothing;    ///< a broken element is drawn; no bar is
+    double scale;              ///< of displacements
+    const Diagram* diagram;    ///< null: none
+    double dot_unit;           ///< pixels of the largest dot of a hinge; 0: none is drawn
+    bool broken, nothing;      ///< a broken element is drawn; no bar is
+    std::vector<char> groups;  ///< of the snapshot's groups whether one of their bars is drawn
     int words_left_out = 0;
 };
 

@@ -185,8 +185,15 @@ private:
         const bool series = view_.box.has_value() && any([](const Bar& b) { return b.N0 > 0; });
         const bool hinges = series || any([](const Bar& b) { return b.hinges && b.state != BarState::broken; });
         const bool broken = series || any([](const Bar& b) { return b.state == BarState::broken; });
-        return {view_,  snapshot_,    chosen_.scale, diagram_ ? &*diagram_ : nullptr, hinges ? dot_unit_ : 0,
-                broken, bars_.empty()};
+        std::vector<char> groups;
+        if (view_.box) groups = groups_of_view(snapshot_, view_);
+        else {
+            groups.assign(snapshot_.groups.size(), 0);
+            for (const DrawnBar& b : bars_)
+                if (b.bar->group >= 0) groups[static_cast<std::size_t>(b.bar->group)] = 1;
+        }
+        return {view_,  snapshot_,     chosen_.scale, diagram_ ? &*diagram_ : nullptr, hinges ? dot_unit_ : 0,
+                broken, bars_.empty(), groups};
     }
     void fit(const std::vector<Vec>& shown) {
         margins_ = caption_margins(told());

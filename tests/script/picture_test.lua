@@ -38,6 +38,26 @@ local function draw(view)
   equal(#job.notes, 0, tostring(job.notes[1]))
   return support.read(folder .. "/a.png")
 end
+case("the legend has the groups that are drawn, and no others", function()
+  local function picture(posts, view)
+    local own = hinge.model()
+    local at = {}
+    for i, p in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } } do at[i] = own:node(p) end
+    own:fix { at[1], at[4] }
+    for i = 1, 3 do
+      own:member { at[i], at[i + 1], section = section, material = steel, group = i == 2 and "beams" or posts }
+    end
+    own:load { node = at[2], force = { 1e3, 0, 0 } }
+    view.show, view.width, view.height = "group", 480, 360
+    job:picture(own:static { steps = 1 }:finish(), view, "b.png")
+    return support.read(folder .. "/b.png")
+  end
+  local beams = picture("posts", { groups = { "beams" } })
+  expect(beams and #beams > 2000, "a picture")
+  equal(picture("pillars", { groups = { "beams" } }) == beams, true, "posts that are not drawn are not in it")
+  equal(picture("posts", {}) == picture("pillars", {}), false, "and that of those that are")
+end)
+
 case("every option of a picture changes it as it should", function()
   local plain = draw {}
   expect(plain and #plain > 2000, "a picture")
