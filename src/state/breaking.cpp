@@ -101,12 +101,20 @@ double leave_alone(const Structure& structure, State& state, int index, const Ve
         elastic_pair(structure, state, std::min(index, e.partner), heat_of(state.heat, index));
     const Vec6 &d1 = first ? before : of_partner, &d2 = first ? of_partner : before;
     Vec6 beyond = pair.forces_beyond(d1, d2).segment<6>(first ? 0 : 6);
-    for (int plane : {0, 1}) {
-        const double alone = pair.kind.b[plane] * (before[2 * plane + 1] - before[2 * plane]), most = std::abs(alone),
-                     more = std::clamp(alone + beyond[2 * plane + 1], -most, most) - alone;
-        beyond[2 * plane] = -more, beyond[2 * plane + 1] = more;
-    }
     const beam::Stiffness left = in_series(k, pair.springs[first ? 0 : 1]);
+    if (pair.has_springs()) {  // of both: what springs relieve is not of the bending alone, and shear is kept as it was
+        const Vec6 together = k.times(before) + beyond, alone = left.times(before);
+        for (int a : {0, 2}) {
+            const double most = std::abs(alone[a + 1] - alone[a]) / 2, shear = (together[a] + together[a + 1]) / 2,
+                         bending = std::clamp((together[a + 1] - together[a]) / 2, -most, most);
+            beyond[a] += shear - bending - together[a], beyond[a + 1] += shear + bending - together[a + 1];
+        }
+    } else
+        for (int plane : {0, 1}) {
+            const double alone = pair.kind.b[plane] * (before[2 * plane + 1] - before[2 * plane]),
+                         most = std::abs(alone), more = std::clamp(alone + beyond[2 * plane + 1], -most, most) - alone;
+            beyond[2 * plane] = -more, beyond[2 * plane + 1] = more;
+        }
     const Vec6 after = pair.has_springs() ? left.solve(k.times(before) + beyond) : Vec6(before + k.solve(beyond));
     state.plastic[index] += before - after;
     state.force[index] = left.times(after);
