@@ -4044,12 +4044,16 @@ function hinges:write(filename) end
 ---the level that its demand keeps to: "IO", "LS", "CP", or "beyond CP"; nil without levels
 ---@field level? string
 
+---Momentum and kinetic energy of all members or of a group: what a blow has given to one body and taken from the other.
+---Point masses and broken elements belong to the node that carries them. They count where no member outside the group
+---meets that node.
 ---```lua
 ---local momentum = run:momentum()
----print(momentum.mass, momentum.linear[1], momentum.angular[3])
+---print(momentum.mass, momentum.linear[1], momentum.angular[3], run:momentum("arm").kinetic)
 ---```
----@return { mass: number, linear: vec3, angular: vec3 } kg, kg m/s, kg m^2/s about the origin
-function run:momentum() end
+---@param group? hinge.group_like default: all members
+---@return { mass: number, linear: vec3, angular: vec3, kinetic: number } kg, kg m/s, kg m^2/s about the origin, J
+function run:momentum(group) end
 
 ---Returns how many members of a group are in a state. A member is broken if one of its elements is broken. Else it is
 ---yielded if one of them has ever been fully plastic, else elastic. It is touched, in addition to its other

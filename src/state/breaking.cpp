@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "beam/element_mass.h"
+#include "state/group_momentum.h"
 #include "state/hinges.h"
 #include "state/lone_elements.h"
 
@@ -121,6 +122,19 @@ double leave_alone(const Structure& structure, State& state, int index, const Ve
     return pair.energy_beyond(d1, d2) + 0.5 * (before.dot(k.times(before)) - after.dot(left.times(after)));
 }
 
+/// Of each node, whether all members that meet there are in the group; -1: all nodes.
+std::vector<char> nodes_of_group(const Structure& structure, int group) {
+    std::vector<char> in(structure.position().size(), group < 0), out(in.size(), 0);
+    for (std::size_t i = 0; group >= 0 && i < structure.elements().size(); ++i)
+        for (int node : structure.elements()[i].node) {
+            std::vector<char>& has = structure.in_group(int(i), group) ? in : out;
+            has[node] = 1;
+            if (const int at = structure.declared_node(node); at >= 0) has[at] = 1;  // of an end with a joint
+        }
+    for (std::size_t i = 0; i < in.size(); ++i) in[i] = in[i] && !out[i];
+    return in;
+}
+
 }  // namespace
 
 double kinetic_energy(const Structure& structure, const State& state, int index, const Mat3& axes) {
@@ -151,29 +165,34 @@ double kinetic_energy(const Structure& structure, const State& state) {
     return energy + kinetic_energy_of_offset_masses(state);
 }
 
-Momentum momentum(const Structure& structure, const State& state) {
-    Momentum total{0, Vec3::Zero(), Vec3::Zero()};
+GroupMomentum momentum_of_group(const Structure& structure, const State& state, int group) {
+    GroupMomentum total{{0, Vec3::Zero(), Vec3::Zero()}};
+    const std::vector<char> counts = nodes_of_group(structure, group);
     Vec6 h = Vec6::Zero();
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
-        if (state.broken[i]) continue;
+        if (state.broken[i] || (group >= 0 && !structure.in_group(int(i), group))) continue;
         const Element& e = structure.elements()[i];
         const Mat12 M = mass_matrix(structure, state, int(i));
         h +=
             momentum_of(M * element_velocity(e, state), structure.position()[e.node[0]] + state.displacement[e.node[0]],
                         structure.position()[e.node[1]] + state.displacement[e.node[1]], Vec3::Zero());
         total.mass += is_lone(structure, state, int(i)) ? e.lone.own[0] + e.lone.own[1] : e.mass();
+        total.kinetic += kinetic_energy(structure, state, int(i), frame(structure, state, int(i)));
     }
     for (std::size_t i = 0; i < state.offset_mass.size(); ++i) {
-        if (state.offset_mass[i].mass == 0) continue;
+        if (state.offset_mass[i].mass == 0 || !counts[i]) continue;
         const Vec6 p = offset_mass_in_space(state.offset_mass[i], state.rotation[i]) * state.velocity[i];
         h.head<3>() += p.head<3>();
         h.tail<3>() += p.tail<3>() + (structure.position()[i] + state.displacement[i]).cross(Vec3(p.head<3>()));
         total.mass += state.offset_mass[i].mass;
+        total.kinetic += 0.5 * state.velocity[i].dot(p);
     }
     total.linear = h.head<3>();
     total.angular = h.tail<3>();
     return total;
 }
+
+Momentum momentum(const Structure& structure, const State& state) { return momentum_of_group(structure, state, -1); }
 
 BreakReport break_off(const Structure& structure, State& state, int index, int end, std::vector<Vec6>& impulse) {
     const Element& e = structure.elements()[index];

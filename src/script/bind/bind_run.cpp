@@ -13,6 +13,7 @@
 #include "script/record/recording.h"
 #include "script/record/snapshot.h"
 #include "run/dynamics.h"
+#include "state/group_momentum.h"
 #include "run/statics.h"
 
 namespace hinge::script {
@@ -221,8 +222,11 @@ int count(lua_State* L) {
 
 int run_momentum(lua_State* L) {
     const auto& r = *self<RunBox>(L, "run:momentum").value;
-    const Momentum m = momentum(r.run->structure(), r.run->state());
-    lua_createtable(L, 0, 3);
+    const int group =
+        lua_isnoneornil(L, 2) ? -1 : group_argument(L, 2, "run:momentum: group", *r.model, &r.run->structure().model());
+    const GroupMomentum m = momentum_of_group(r.run->structure(), r.run->state(), group);
+    lua_createtable(L, 0, 4);
+    lua_pushnumber(L, m.kinetic), lua_setfield(L, -2, "kinetic");
     lua_pushnumber(L, m.mass), lua_setfield(L, -2, "mass");
     push_array(L, m.linear.data(), 3), lua_setfield(L, -2, "linear");
     push_array(L, m.angular.data(), 3), lua_setfield(L, -2, "angular");
@@ -280,7 +284,7 @@ void open_run(lua_State* L) {
                                        {"probe", guarded<takes<"run:probe", 2, probe>>},
                                        {"on_step", guarded<takes<"run:on_step", 2, on_step>>},
                                        {"count", guarded<takes<"run:count", 2, count>>},
-                                       {"momentum", guarded<takes<"run:momentum", 1, run_momentum>>},
+                                       {"momentum", guarded<takes<"run:momentum", 2, run_momentum>>},
                                        {"snapshot", guarded<takes<"run:snapshot", 1, run_snapshot>>},
                                        {nullptr, nullptr}};
     make_metatable(L, RunBox::lua_name, methods, guarded<run_fields>, collect<RunBox>, guarded<text>, nullptr);
