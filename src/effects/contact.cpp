@@ -161,7 +161,7 @@ public:
     }
     void release_step() override { now().release_step(); }
     void after_commit(const Step& step) override {
-        if (!now().idle()) struck_.add_step(w_.structure, now(), step.end(), step.dt);
+        if (!now().idle()) struck_.add_step(w_.structure, w_.state, now(), step.end(), step.dt);
     }
     void check_run(std::vector<RunWarning>& list) const override { struck_.check_run(w_.structure, list); }
 

@@ -10,6 +10,8 @@ namespace hinge {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
+constexpr double counts_from = 0.1;       ///< of the largest impulse: members that got less do not count
+constexpr double most_part_missed = 0.4;  ///< of a moment, that goes unsaid
 
 double quarter_wave(double speed, double tau) { return 0.5 * std::sqrt(pi * tau * speed); }
 
@@ -23,26 +25,37 @@ StruckMembers::StruckMembers(const Structure& structure)
     }
 }
 
-void StruckMembers::add_step(const Structure& structure, const contact::Contact& contact, double time, double dt) {
-    std::map<int, double> impulses;
-    const auto note = [&](const int element[2], double impulse) {
-        for (int side : {0, 1}) impulses[structure.elements()[element[side]].member] += impulse;
+void StruckMembers::add_step(const Structure& structure, const State& state, const contact::Contact& contact,
+                             double time, double dt) {
+    std::map<int, Blow> blows;
+    const auto note = [&](const int element[2], const double at[2], double impulse) {
+        for (int side : {0, 1}) {
+            const Element& e = structure.elements()[element[side]];
+            const Vec6& f = state.force[element[side]];
+            const double s = std::clamp(at[side], 0.0, 1.0);
+            Blow& blow = blows[e.member];
+            blow.impulse += impulse;
+            blow.missed += impulse * s * (1 - s) * e.length;
+            blow.moment = std::max(blow.moment, dt * std::max(std::hypot(f[0], f[2]), std::hypot(f[1], f[3])));
+        }
     };
     for (const contact::SurfaceContact& c : contact.surface_contacts())
-        if (c.depth_before > 0) note(c.element, c.stiffness * c.depth_before * dt);
-    for (const contact::Tie& tie : contact.ties()) note(tie.element, (tie.force[0] + tie.force[1]).norm() * dt);
-    for (const auto& [member, impulse] : impulses) add(member, impulse, time, dt);
+        if (c.depth_before > 0) note(c.element, c.at, c.stiffness * c.depth_before * dt);
+    for (const contact::Tie& tie : contact.ties()) note(tie.element, tie.at, (tie.force[0] + tie.force[1]).norm() * dt);
+    for (const auto& [member, blow] : blows) add(member, blow, time, dt);
 }
 
 // A blow ends where a step passes without contact of the member.
-void StruckMembers::add(int member, double impulse, double time, double dt) {
+void StruckMembers::add(int member, const Blow& blow, double time, double dt) {
     auto at = std::lower_bound(struck_.begin(), struck_.end(), member,
                                [](const Struck& s, int wanted) { return s.member < wanted; });
     if (at == struck_.end() || at->member != member) at = struck_.insert(at, Struck{member});
     if (at->since >= 0 && time - at->last > 1.5 * dt) end_blow(*at);
     if (at->since < 0) at->since = time - dt;
     at->last = time;
-    at->impulse_now += impulse;
+    at->impulse_now += blow.impulse;
+    at->missed += blow.missed;
+    at->moment += blow.moment;
 }
 
 void StruckMembers::end_blow(Struck& of) const {
@@ -62,26 +75,51 @@ void StruckMembers::check_run(const Structure& structure, std::vector<RunWarning
         if (s.since >= 0) end_blow(s);
         largest = std::max(largest, s.impulse);
     }
-    int worst = -1, count = 0;
-    double least = 0, worst_tau = 0;
+    const Struck* worst = nullptr;
+    int count = 0;
+    double least = 0;
     for (const Struck& s : ended) {
-        if (!(s.impulse > 0 && s.impulse >= 0.1 * largest && s.brief > 0.5 * s.impulse)) continue;
-        const double tau = s.brief_time / s.brief,
-                     ratio = element_[s.member] / quarter_wave(wave_speed_[s.member], tau);
+        if (!(s.impulse > 0 && s.impulse >= counts_from * largest && s.brief > 0.5 * s.impulse)) continue;
+        const double ratio = element_[s.member] / quarter_wave(wave_speed_[s.member], s.brief_time / s.brief);
         ++count;
-        if (ratio > least) least = ratio, worst = s.member, worst_tau = tau;
+        if (ratio > least) least = ratio, worst = &s;
     }
-    if (worst < 0) return;
-    const double quarter = quarter_wave(wave_speed_[worst], worst_tau);
-    const int now = structure.model().members()[worst].elements,
-              wanted = 2 * int(std::ceil(0.5 * now * element_[worst] / quarter));
-    list.push_back({member_text(structure.model(), worst) +
-                        (count > 1 ? " and " + std::to_string(count - 1) + " more were" : " was") + " struck for " +
-                        number_text(1e3 * worst_tau, 2) + " ms, and the bending wave of that is " +
-                        number_text(4 * quarter, 2) + " m long: elements of " + number_text(element_[worst], 2) +
-                        " m are longer than a quarter of it, so momentum and energy passed may be off by 10 % and "
-                        "more",
-                    "elements = " + std::to_string(wanted) + " of the members that are struck", worst});
+    if (worst) list.push_back(warning_of_waves(structure, *worst, count));
+    else if (const Struck* missing = most_missed(ended, largest)) list.push_back(warning_of_place(structure, *missing));
+}
+
+RunWarning StruckMembers::warning_of_waves(const Structure& structure, const Struck& worst, int count) const {
+    const double tau = worst.brief_time / worst.brief, quarter = quarter_wave(wave_speed_[worst.member], tau);
+    const int now = structure.model().members()[worst.member].elements,
+              wanted = 2 * int(std::ceil(0.5 * now * element_[worst.member] / quarter));
+    return {member_text(structure.model(), worst.member) +
+                (count > 1 ? " and " + std::to_string(count - 1) + " more were" : " was") + " struck for " +
+                number_text(1e3 * tau, 2) + " ms, and the bending wave of that is " + number_text(4 * quarter, 2) +
+                " m long: elements of " + number_text(element_[worst.member], 2) +
+                " m are longer than a quarter of it, so momentum and energy passed may be off by 10 % and more",
+            "elements = " + std::to_string(wanted) + " of the members that are struck", worst.member};
+}
+
+/// The one that misses the largest part; none where all miss less than 40 %.
+const StruckMembers::Struck* StruckMembers::most_missed(const std::vector<Struck>& ended, double largest) const {
+    const Struck* most = nullptr;
+    double part = most_part_missed;
+    for (const Struck& s : ended) {
+        if (!(s.impulse > 0 && s.impulse >= counts_from * largest && s.missed > 0)) continue;
+        if (const double of = s.missed / (s.missed + s.moment); of > part) part = of, most = &s;
+    }
+    return most;
+}
+
+RunWarning StruckMembers::warning_of_place(const Structure& structure, const Struck& worst) const {
+    const double part = worst.missed / (worst.missed + worst.moment);
+    return {member_text(structure.model(), worst.member) + " was struck between the nodes of its elements, which are " +
+                number_text(element_[worst.member], 2) + " m long: what the blow bends there itself is missing, " +
+                number_text(std::round(100 * part), 3) +
+                " % of the moment, so momentum and energy passed may be off by 5 % and more",
+            "a node where it is struck, or elements = " +
+                std::to_string(2 * structure.model().members()[worst.member].elements) + " of it",
+            worst.member};
 }
 
 }  // namespace hinge

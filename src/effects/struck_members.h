@@ -7,6 +7,7 @@
 #include "contact/member_contacts.h"
 #include "effects/reports.h"
 #include "model/structure.h"
+#include "state/state.h"
 
 namespace hinge {
 
@@ -22,9 +23,11 @@ class StruckMembers {
 public:
     explicit StruckMembers(const Structure& structure);
     /// After each step: adds what contacts have passed in it.
-    void add_step(const Structure& structure, const contact::Contact& contact, double time, double dt);
+    void add_step(const Structure& structure, const State& state, const contact::Contact& contact, double time,
+                  double dt);
     /// One warning, of the member whose elements are longest beside its wave. Members that got less than a tenth of the
-    /// largest impulse do not count, nor those that got more than half of theirs by blows that last long enough.
+    /// largest impulse do not count, nor those that got more than half of theirs by blows that last long enough. Where
+    /// none has: one warning of the member that misses most of the moment of blows inside its elements.
     void check_run(const Structure& structure, std::vector<RunWarning>& list) const;
 
     template <class Self, class A>
@@ -39,14 +42,21 @@ private:
         double since = -1, last = -1, impulse_now = 0;  ///< s, s, N s
         double impulse = 0, brief = 0;                  ///< N s, of all blows, of those too brief for its elements
         double brief_time = 0;                          ///< N s s, impulse times duration of the brief ones
+        double missed = 0, moment = 0;  ///< N m s, over time: moments F a b / l, and those at the ends of its element
 
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.member, s.since, s.last, s.impulse_now, s.impulse, s.brief, s.brief_time);
+            a(s.member, s.since, s.last, s.impulse_now, s.impulse, s.brief, s.brief_time, s.missed, s.moment);
         }
     };
-    void add(int member, double impulse, double time, double dt);
+    struct Blow {
+        double impulse = 0, missed = 0, moment = 0;  ///< N s, N m s, N m s, of one step
+    };
+    void add(int member, const Blow& blow, double time, double dt);
     void end_blow(Struck& of) const;
+    const Struck* most_missed(const std::vector<Struck>& ended, double largest) const;
+    RunWarning warning_of_waves(const Structure& structure, const Struck& worst, int count) const;
+    RunWarning warning_of_place(const Structure& structure, const Struck& worst) const;
 
     std::vector<double> wave_speed_;  ///< sqrt(EI / rho A) of each member, m^2/s
     std::vector<double> element_;     ///< m, its longest element

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "contact"
-local case, expect, equal = checks.case, checks.expect, checks.equal
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local pi, largest_of = math.pi, support.largest_of
 
 -- Equally deep pairs of elements share one spring with a private part of 4 % (contact/shared_spring.h): any number of
@@ -216,6 +216,121 @@ case("a blow passes energy and momentum of the modal series, or the run says tha
       expect(n < enough and off > 0.1 or n >= enough and off < 0.02, ("%s: off by %.1f %%"):format(what, 100 * off))
     end
   end
+end)
+
+-- What a blow gives to a member, with twice the elements ----------
+
+local yields = hinge.material { E = 206e9, density = 7850, yield_stress = 275e6 }
+
+--- Whether a run warns of elements that are too few, and why: "bending wave" or "between the nodes".
+local function too_few(run)
+  for _, warning in ipairs(run.warnings) do
+    local why = warning:match "bending wave" or warning:match "struck (between the nodes)"
+    if why then return why end
+  end
+end
+
+--- A beam falls at 15 m/s across one that is clamped; returns the parts of its momentum and energy that are gone.
+local function beams(n)
+  local section, model = hinge.section.named "HEB 200", hinge.model { elements_per_member = n }
+  local a, b = model:node { -2, 0, 0 }, model:node { 2, 0, 0 }
+  model:fix({ a, b }, "all")
+  model:member { a, b, section = section, material = yields, group = "below", up = { 0, 0, 1 } }
+  model:member { model:node { 0.1, -2, 0.201 }, model:node { 0.1, 2, 0.201 }, section = section, material = yields,
+    group = "above", up = { 0, 0, 1 } }
+  model:velocity("above", { 0, 0, -15 })
+  model:contact { between = { "below", "above" } }
+  local run = model:dynamic { dt = "auto", duration = 0.03, record = false }
+  local before = run:momentum "above"
+  run:finish()
+  expect(run.verdict == "completed" and math.abs(run.energy_error) < 1e-3, "%d elements: %s %s", n, run.verdict,
+    run.reason)
+  local after = run:momentum "above"
+  return 1 - after.linear[3] / before.linear[3], 1 - after.kinetic / before.kinetic, too_few(run)
+end
+
+case("two beams that collide and yield: 4 and 8 elements pass the same to 5 %, and 4 warn of their waves", function()
+  local momentum, energy, why = beams(4)
+  equal(why, "bending wave", "4 elements warn")
+  local momentum_8, energy_8, why_8 = beams(8)
+  equal(why_8, nil, "8 elements warn")
+  near(momentum / momentum_8, 1, 0.05, "momentum")
+  near(energy / energy_8, 1, 0.05, "energy")
+end)
+
+--- A mass on a stiff bar comes slowly against a column of 4 m, `height` above its foot, with a node there or not.
+local function rammed(o)
+  local model = hinge.model {}
+  local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 4 }
+  model:fix(foot, "all")
+  model:fix(head, "x,y,rz")
+  local ends = { foot, head }
+  if o.node then table.insert(ends, 2, model:node { 0, 0, o.height }) end
+  for i = 2, #ends do
+    model:member { ends[i - 1], ends[i], section = hinge.section.named "HEB 300", material = yields, up = { 1, 0, 0 },
+      elements = o.elements, group = "column" }
+  end
+  local p, q = model:node { -0.26, -0.3, o.height }, model:node { -0.26, 0.3, o.height }
+  model:member { p, q, section = hinge.section.solid { width = 0.2, depth = 0.2 }, group = "ram",
+    material = hinge.material { E = 2e12, density = 5000 / (0.6 * 0.2 ^ 2) } }
+  model:velocity("ram", { 2, 0, 0 })
+  model:contact { between = { "column", "ram" }, stiffness = 2e7 }
+  local run = model:dynamic { dt = "auto", duration = 0.02, record = false } -- not yet back
+  local before = run:momentum "ram"
+  run:finish()
+  return 1 - run:momentum "ram".linear[1] / before.linear[1], too_few(run), run
+end
+
+case("a slow blow inside a long element misses what it bends there, and the run says so", function()
+  local right = rammed { height = 1, elements = 8, node = true }
+  local off = rammed { height = 1, elements = 2 }
+  expect(math.abs(off / right - 1) > 0.05, "2 elements: momentum off by %.3f", off / right - 1)
+  for _, o in ipairs { { 2, 1, false, "between the nodes" }, { 2, 2.6, false, "between the nodes" },
+    { 2, 2, false }, { 4, 1, false }, { 2, 1, true }, { 2, 2.6, true } } do
+    local elements, height, node, why = table.unpack(o)
+    local what = ("%d elements, struck at %g m%s"):format(elements, height, node and ", where a node is" or "")
+    local passed, found = rammed { height = height, elements = elements, node = node }
+    equal(found, why, what .. ": warns")
+    if height == 1 and not why then near(passed / right, 1, 0.05, what .. ": momentum, of that with 8 elements") end
+  end
+end)
+
+case("momentum and energy of groups add up to those of the run, and a group's mass is by hand", function()
+  local _, _, run = rammed { height = 1, elements = 2 }
+  local all, column, ram = run:momentum(), run:momentum "column", run:momentum "ram"
+  near(ram.mass, 5000, 1e-9, "mass of the ram")
+  for _, of in ipairs { "mass", "kinetic" } do
+    near((column[of] + ram[of]) / all[of], 1, 1e-12, of)
+  end
+  near(all.kinetic / run.energy.kinetic, 1, 1e-12, "kinetic energy, of the energy balance's")
+  for d = 1, 3 do
+    for _, of in ipairs { "linear", "angular" } do
+      near(column[of][d] + ram[of][d], all[of][d], 1e-9 * 1e4, ("%s momentum, %d"):format(of, d))
+    end
+  end
+end)
+
+case("a point mass counts in the group of all members at its node, and in none where groups meet", function()
+  local model = hinge.model {}
+  local nodes = {}
+  for i = 0, 2 do nodes[i] = model:node { i, 0, 0 } end
+  for i = 1, 2 do
+    model:member { nodes[i - 1], nodes[i], section = square, material = steel, group = i == 1 and "left" or "right",
+      ends = i == 2 and { a = hinge.joint { Mx = { stiffness = 1e5 } } } or nil }
+  end
+  model:mass { node = nodes[0], mass = 10 }
+  model:mass { node = nodes[1], mass = 100 }
+  model:velocity("left", { 0, 1, 0 })
+  model:velocity("right", { 0, 1, 0 })
+  local run = model:dynamic { dt = 1e-4, duration = 1e-3, record = false }
+  local own = steel.density * side ^ 2
+  for group, mass in pairs { left = own + 10, right = own } do
+    local of = run:momentum(group)
+    near(of.mass, mass, 1e-9, group .. ": mass")
+    near(of.linear[2], mass, 1e-9, group .. ": momentum")
+    near(of.kinetic, mass / 2, 1e-9, group .. ": energy")
+  end
+  near(run:momentum().mass, 2 * own + 110, 1e-9, "mass of all")
 end)
 
 checks.done()
