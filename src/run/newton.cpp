@@ -81,8 +81,8 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
     const int most = hinge_stiffness > 0 ? many_iterations : problem_.settings.iterations;
     for (Iteration at; at.number <= most; ++at.number) {
         if (!(at.number == 1 && tangent_known) && !tangent_.renew(at.off_balance, hinge_stiffness)) return false;
-        if (at.number > 1 && w_.structure.large())
-            passed_unstable_ = passed_unstable_ || tangent_.more_negative_modes(modes_at_start_);
+        if (at.number > 1 && w_.structure.large() && !passed_unstable_)
+            passed_unstable_ = is_unstable(at.off_balance, hinge_stiffness);
         if (!find_correction()) return false;
         const auto change = control.factor_change({at.number, increment, total_, correction_, result_.response});
         if (!change || !find_step(*change, at)) return false;
@@ -96,6 +96,15 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
         if (is_hopeless(at)) return false;
     }
     return false;
+}
+
+/// Near equilibrium hinges keep next to no stiffness in the tangent, and a node between two hinges may turn freely by
+/// itself: that has rounding's sign. An equilibrium is judged with hinges that keep more; so is an iteration.
+bool Newton::is_unstable(double off_balance, double hinge_stiffness) {
+    if (!tangent_.more_negative_modes(modes_at_start_)) return false;
+    if (w_.yielding.empty()) return true;
+    const bool so = !tangent_.renew(1, hinge_stiffness) || tangent_.more_negative_modes(modes_at_start_);
+    return !tangent_.renew(off_balance, hinge_stiffness) || so;
 }
 
 bool Newton::find_response() { return find_rate(heat_counts_, result_.response); }

@@ -55,6 +55,7 @@ private:
     bool iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
                  const std::vector<Vec6>& start = {});
     bool find_correction();
+    bool is_unstable(double off_balance, double hinge_stiffness);
     bool find_rate(bool with_heat, std::vector<Vec6>& rate);
     bool find_step(double factor_change, Iteration& at);
     void move_by_step(double factor);

@@ -132,12 +132,14 @@ std::vector<Vec6> Statics::start_of(const PathControl& control, double increment
 /// Where one mechanism takes over from another, a new hinge lets many others unload at once. Newton's method then
 /// swings between two sets of hinges, however short the step. A tangent in which hinges keep more of the elastic
 /// stiffness comes to the new set, slowly; the step must reach beyond the exchange. Returns the increment that does.
-/// So do members that are slack in one iteration and taut in the next.
+/// So do members that are slack in one iteration and taut in the next. Steps of load alone are left out: where they
+/// find no equilibrium they mostly are at a limit load. Heat and moving supports drive a structure like a displacement.
 std::optional<double> Statics::exchange_mechanisms(double increment) {
     const auto& members = structure_->model().members();
     const bool may_be_slack =
         std::any_of(members.begin(), members.end(), [](const MemberData& m) { return m.carries != Carries::both; });
-    if (!may_be_slack && (path_->kind() == Control::load || newton_.hinges().empty())) return {};
+    const bool driven = forces_.are_heated() || !forces_.support_rates().empty();
+    if (!may_be_slack && ((path_->kind() == Control::load && !driven) || newton_.hinges().empty())) return {};
     for (double part = increment; part >= increment / 100 && part >= StepHalving::smallest; part /= 4)
         for (const double hinge_stiffness : {1e-3, 1e-2, 1e-1})
             if (try_step(*path_, part, hinge_stiffness) != Found::nothing && !stability_.has_left_path(*path_))

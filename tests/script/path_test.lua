@@ -67,7 +67,6 @@ case("a bowed strut beside a strong spring has no limit load, with any steps, al
   end
 end)
 
--- Where they yield beside the heat, a sixth of all numbers of steps ends with "no equilibrium found" still.
 case("held bars that are heated bend out and have no limit", function()
   for _, of in ipairs { { section = "IPE 300" }, { section = "SHS 100x100x5", along = "x" } } do
     for _, steps in ipairs { 3, 20, 25 } do
@@ -76,6 +75,30 @@ case("held bars that are heated bend out and have no limit", function()
       o.model:heat { member = o.bar, temperature = 900 }
       completes(o, { steps = steps, to_limit = true }, ("%s, %d steps"):format(of.section, steps))
     end
+  end
+end)
+
+-- In the middle hinges flow on both sides of a node. Which of them takes the rotation is open, and the node's own turn
+-- has the sign of rounding in the tangent: Newton's method swung between the sets, and counted the node as unstable.
+case("held bars that yield while they are heated arrive at one answer, with any number of steps", function()
+  for _, of in ipairs { { counts = { 3, 7, 23, 25, 30, 36, 40 } }, { counts = { 3, 9, 24, 30 }, clamped = true },
+    { counts = { 4, 25 }, section = "IPE 300" } } do
+    local first, begun = nil, os.clock()
+    for _, steps in ipairs(of.counts) do
+      local o = bowed { section = of.section or "SHS 100x100x5", material = yielding }
+      o.model:fix({ o.a, o.b }, of.clamped and "all" or o.axis)
+      o.model:heat { member = o.bar, temperature = 900 }
+      local what = ("%s%s, %d steps"):format(of.section or "SHS", of.clamped and ", clamped" or "", steps)
+      local run = completes(o, { steps = steps }, what)
+      local middle = run:along(o.bar, 2)[2]
+      local moment = math.sqrt(middle.Mx ^ 2 + middle.My ^ 2)
+      first = first or { N = middle.N, M = moment }
+      -- the flow of a step is that of its end: a part of 1e-5 follows the steps, issue 57 asks for 1 %
+      near(middle.N, first.N, 1e-3 * math.abs(first.N), what .. ": N in the middle")
+      near(moment, first.M, 1e-3 * first.M, what .. ": M in the middle")
+    end
+    -- of 14 s for one clamped bar that crept; a run takes 0.2 to 1.5 s
+    expect(os.clock() - begun < 5 * #of.counts, "%.1f s", os.clock() - begun)
   end
 end)
 
