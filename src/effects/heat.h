@@ -50,8 +50,8 @@ struct Heating {
     static int choose(std::vector<Heating>& list, const std::vector<Heating>* before, const ChosenLoads& chosen);
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.member, s.group, s.temperature, bool(s.history), s.across, bool(s.across_history[0]),
-          bool(s.across_history[1]), *s.properties, s.load_case);
+        a(s.member, s.group, s.temperature, s.history, s.across, s.across_history[0], s.across_history[1],
+          *s.properties, s.load_case);
     }
 };
 

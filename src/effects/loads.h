@@ -25,7 +25,7 @@ struct NodalLoad {
     void forget_history() { history = {}; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.node, s.force, s.moment, bool(s.history), bool(s.force_rule), bool(s.moment_rule));
+        a(s.node, s.force, s.moment, s.history, bool(s.force_rule), bool(s.moment_rule));
     }
 };
 

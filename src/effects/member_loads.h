@@ -32,7 +32,7 @@ struct MemberLoad {
     void forget_history() { has_history = false, history = {}; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.member, s.axes, s.at, s.force[0], s.force[1], s.moment[0], s.moment[1], s.has_history);
+        a(s.member, s.axes, s.at, s.force[0], s.force[1], s.moment[0], s.moment[1], s.history);
     }
 };
 

@@ -15,7 +15,7 @@ struct SupportMotion {
     History displacement;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.node, s.component);
+        a(s.node, s.component, s.displacement);
     }
 };
 

@@ -39,6 +39,12 @@ public:
     /// True if a jump or a kink lies after `begin` and not after `end`.
     bool bends_within(double begin, double end) const;
 
+    /// For the fingerprint of a checkpoint: all points; of a function, that there is one.
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(bool(s.function_), s.points_ ? *s.points_ : Points());
+    }
+
 private:
     double mean(double begin, double end) const;
     std::function<double(double)> function_;

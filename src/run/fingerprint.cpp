@@ -29,6 +29,11 @@ private:
     std::uint32_t sum_ = 0;
 };
 
+void add_outline(Sum& a, const beam::Outline& outline) {
+    for (const beam::Outline::Polygon& p : outline.polygons) a(p.corners, p.hole);
+    for (const beam::Outline::Circle& c : outline.circles) a(c.centre, c.radius, c.hole);
+}
+
 /// A part: `add` puts each of `list` into the sum.
 template <class List, class Add>
 FingerprintPart part(const char* name, const List& list, Add add) {
@@ -64,7 +69,10 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         const Section& section = *m.section;
         a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
           section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.N0, section.Mx0,
-          section.My0, section.Mz0, section.width, section.depth, section.interaction);
+          section.My0, section.Mz0, section.width, section.depth, section.interaction, section.shape);
+        for (const auto& walls : section.walls)
+            for (const Section::Wall& w : walls) a(w.x0, w.x1, w.y0, w.y1);
+        if (section.outline) add_outline(a, section.outline->outline());
         if (!section.outline || !section.outline->concrete()) return;
         a(section.outline->concrete()->concrete);
         if (const auto& strains = section.outline->concrete()->strains)
