@@ -5,6 +5,9 @@
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
+#include <map>
+#include <mutex>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
@@ -81,10 +84,63 @@ void make_folder(const std::string& path) {
     fail("cannot make folder", path, error.value(), no_such_place ? another : writing_advice(error.value(), path));
 }
 
+namespace {
+
+/// PATH.PROCESS.part as PATH; "" for another name.
+std::string whole_name(const std::string& part) {
+    const std::string_view end = ".part";
+    if (!std::string_view(part).ends_with(end)) return "";
+    std::size_t at = part.size() - end.size();
+    const std::size_t last = at;
+    while (at > 0 && part[at - 1] >= '0' && part[at - 1] <= '9') --at;
+    return at == last || at < 2 || part[at - 1] != '.' ? "" : part.substr(0, at - 1);
+}
+
+/// Removes an unfinished file, unless its writer is at work: that one has it locked.
+void remove_unfinished(const std::string& part) {
+    const int fd = ::open(part.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (fd < 0) return;
+    if (::flock(fd, LOCK_EX | LOCK_NB) == 0) ::unlink(part.c_str());
+    ::close(fd);
+}
+
+/// Removes what writers of this file have left that were killed. A folder is looked through once.
+void remove_unfinished_of(const std::string& path) {
+    static std::mutex mutex;
+    static std::map<std::string, std::multimap<std::string, std::string>> known;  // by folder: whole name, part
+    const std::string folder = folder_of(path), name = std::filesystem::path(path).filename();
+    const std::lock_guard guard(mutex);
+    const auto [place, is_new] = known.try_emplace(folder);
+    std::error_code none;
+    if (is_new)
+        for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+            const std::string part = entry.path().filename();
+            if (std::string whole = whole_name(part); !whole.empty()) place->second.emplace(std::move(whole), part);
+        }
+    const auto [first, last] = place->second.equal_range(name);
+    for (auto at = first; at != last; ++at) remove_unfinished(folder + "/" + at->second);
+    place->second.erase(first, last);
+}
+
+/// A new file that is locked, so that no other writer removes it as unfinished; -1, with errno.
+int open_aside(const std::string& aside) {
+    for (;;) {
+        const int fd = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+        if (fd < 0) return -1;
+        struct stat what = {};
+        // without locks on this file system nobody removes it
+        if (::flock(fd, LOCK_EX) != 0 || ::fstat(fd, &what) != 0 || what.st_nlink > 0) return fd;
+        ::close(fd);  // somebody removed it before it was locked
+    }
+}
+
+}  // namespace
+
 void write_whole(const std::string& path, std::string_view content) {
+    remove_unfinished_of(path);
     // two runs may share a folder: the process id keeps their unfinished files apart
     const std::string aside = path + "." + std::to_string(::getpid()) + ".part";
-    const int fd = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0666);
+    const int fd = open_aside(aside);
     if (fd < 0) fail_to_write(path, errno);
     int error = write_all(fd, content);  // a network folder may report a full disk only when it is flushed or closed
     if (!error && ::fsync(fd) != 0 && errno != EINVAL && errno != ENOTSUP) error = errno;
@@ -100,8 +156,12 @@ void write_whole(const std::string& path, std::string_view content) {
         ::fsync(entry), ::close(entry);
 }
 
-void append(const std::string& path, std::string_view content) {
-    const int fd = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+namespace {
+
+void append(const std::string& path, std::string_view content, int create) {
+    const int fd = ::open(path.c_str(), O_WRONLY | create | O_APPEND | O_CLOEXEC, 0666);
+    if (fd < 0 && errno == ENOENT && !create)
+        fail("cannot write", path, ENOENT, "it was removed while this program wrote to it; start the program anew");
     if (fd < 0) fail_to_write(path, errno);
     const off_t before = ::lseek(fd, 0, SEEK_END);
     int error = write_all(fd, content);
@@ -110,13 +170,21 @@ void append(const std::string& path, std::string_view content) {
     if (error) fail_to_write(path, error);
 }
 
+}  // namespace
+
+void append(const std::string& path, std::string_view content) { append(path, content, O_CREAT); }
+void append_to(const std::string& path, std::string_view content) { append(path, content, 0); }
+
 std::string read_whole(const std::string& path) {
     // what waits for a writer must not hold us up: a pipe is opened without waiting, and refused
-    const int fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-    if (fd < 0) fail_to_read(path, errno);
+    // nor is a writer to see a reader that goes away at once
     struct stat what = {};
-    if (::fstat(fd, &what) == 0 && !S_ISREG(what.st_mode) && !S_ISDIR(what.st_mode)) {
-        ::close(fd);
+    const auto is_file = [&] { return S_ISREG(what.st_mode) || S_ISDIR(what.st_mode); };
+    const bool other = ::stat(path.c_str(), &what) == 0 && !is_file();
+    const int fd = other ? -1 : ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (fd < 0 && !other) fail_to_read(path, errno);
+    if (other || (::fstat(fd, &what) == 0 && !is_file())) {
+        if (fd >= 0) ::close(fd);
         throw OutsideError("cannot read " + path + ": it is a pipe, a socket or a device; name a file");
     }
     std::string content;

@@ -10,11 +10,15 @@ namespace hinge {
 /// Makes a folder and its parent folders.
 void make_folder(const std::string& path);
 
-/// Replaces the content of a file. If that fails, the old file remains unchanged.
+/// Replaces the content of a file. If that fails, the old file remains unchanged. Removes what killed processes have
+/// left of the same file.
 void write_whole(const std::string& path, std::string_view content);
 
 /// Appends to a file: all of `content` or, with an error, nothing.
 void append(const std::string& path, std::string_view content);
+
+/// Likewise, to a file that this process began: an error where somebody has removed it since.
+void append_to(const std::string& path, std::string_view content);
 
 /// Reads all bytes of a regular file.
 std::string read_whole(const std::string& path);

@@ -124,7 +124,8 @@ void Dynamics::read(std::string_view saved) {
     w_.trial = configuration_of(state_);
     std::vector<const State*> states{&state_};
     if (const State* good = energy_monitor_.good_state()) states.push_back(good);
-    for (const auto& e : effects_->all) reader.must(e->restored(states));
+    // a run that has failed may have gone back to a state from before what its effects keep, and takes no step any more
+    for (const auto& e : effects_->all) reader.must(e->restored(states) || verdict_ == Verdict::failed);
     if (constraints_) constraints_->rebuild();
     assembly_.update_active(state_);
     reader(assembly_);

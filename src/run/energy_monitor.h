@@ -45,6 +45,10 @@ struct LostBalance {
     Energy energy;
     double share = 0;        ///< its error as a part of the largest energy
     bool went_back = false;  ///< a good state was kept, and is the run's again
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.step, s.time, s.factor, s.energy, s.share, s.went_back);
+    }
 };
 
 /// The largest energy error of a run so far, among the steps whose energy balance was computed.
@@ -90,7 +94,7 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         bool good = s.good_.has_value();  // where it is read: make_room has been called
-        a(s.looked_at_, s.error_, s.largest_error_, good);
+        a(s.looked_at_, s.error_, s.largest_error_, s.lost_, good);
         if (good) a(s.good_->state, s.good_->share);
         else if constexpr (A::reading) s.good_.reset();
     }

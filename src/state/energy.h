@@ -60,6 +60,10 @@ struct Energy {
     double rounding = 0;  ///< J, that the accounts may be off by for the digits of a number alone
     /// An account, or "initial"; "energy_error": the error ("remainder" up to 0.2).
     double operator[](std::string_view name) const;
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.initial, s.accounts, s.error, s.rounding);
+    }
 };
 
 /// Accounts, rising by place.

@@ -112,8 +112,10 @@ void read_checkpoint(lua_State* L, Context& c, RunRecord& r, const std::string& 
     r.files.past = std::move(beside.history);
     c.output.frames = std::move(beside.frames);
     r.progress.activations_seen = r.run->activations().size();
-    r.resumed_at = r.run->steps_done();
-    if (c.messages.progress) std::fprintf(stderr, "goes on from %s: %s\n", path.c_str(), place_text(*r.run).c_str());
+    if (!r.closed) r.resumed_at = r.run->steps_done();
+    if (c.messages.progress)
+        std::fprintf(stderr, r.closed ? "%s is of a run that has ended: %s\n" : "goes on from %s: %s\n", path.c_str(),
+                     place_text(*r.run).c_str());
 }
 
 // ---- methods --------------------------------------------------------------------------------------------------------
@@ -211,6 +213,10 @@ void begin_checkpoints(lua_State* L, Context& c, RunRecord& r) {
     }
     const std::string& file = r.checkpoint->file;
     const bool there = std::filesystem::exists(file);
+    if (there && !std::filesystem::is_regular_file(file))
+        throw OutsideError("cannot write the checkpoint " + file +
+                           ": something that is no file has this name, such as a folder; move it, or give the "
+                           "checkpoint another name");
     if (c.mode.resume && there) return read_checkpoint(L, c, r, file);
     if (c.mode.resume)
         std::fprintf(stderr, "--resume: there is no %s; the run starts from its beginning\n", file.c_str());

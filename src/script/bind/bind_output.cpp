@@ -33,6 +33,7 @@ void prepare_folder(const Context& c, const std::string& file) {
             throw InputError("'" + file + "' is outside the output folder " + c.output.folder +
                              "; a script in the sandbox writes nowhere else");
     }
+    refuse_removed(file);
     if (folder.empty()) return;
     make_folder(folder.string());
     const fs::path within = fs::path(c.output.folder).lexically_normal(), here = folder.lexically_normal();

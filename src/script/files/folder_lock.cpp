@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <map>
 #include <optional>
@@ -29,6 +30,19 @@ using FileNumber = std::pair<dev_t, ino_t>;
 std::map<FileNumber, int>& locks() {
     static std::map<FileNumber, int> all;
     return all;
+}
+
+/// The folders of these locks, by their whole path.
+std::map<std::string, FileNumber>& folders() {
+    static std::map<std::string, FileNumber> all;
+    return all;
+}
+
+std::string whole_path(const std::string& folder) {
+    std::error_code none;
+    std::string path = std::filesystem::absolute(folder, none).lexically_normal();
+    while (path.size() > 1 && path.back() == '/') path.pop_back();
+    return path;
 }
 
 std::optional<FileNumber> place_of(const std::string& folder) {
@@ -129,6 +143,19 @@ void take_lock(const std::string& folder, Share share) {
     }
     if (held < 0) tell_no_lock(folder, error);
     locks()[*place] = held;
+    folders().insert_or_assign(whole_path(folder), *place);
+}
+
+void refuse_removed(const std::string& path) {
+    if (folders().empty()) return;
+    const std::string whole = whole_path(path);
+    for (const auto& [folder, place] : folders()) {
+        if (!whole.starts_with(folder) || (whole.size() > folder.size() && whole[folder.size()] != '/')) continue;
+        if (place_of(folder) != place)
+            throw OutsideError("cannot write " + path + ": the folder " + folder +
+                               " was removed or moved while this program wrote to it; what was written is there, if "
+                               "it was moved; start the program anew for the rest");
+    }
 }
 
 void refuse_locked(const std::string& folder) {
@@ -143,6 +170,7 @@ void leave_lock(const std::string& folder) {
     const auto at = place ? locks().find(*place) : locks().end();
     if (at == locks().end()) return;
     if (at->second >= 0) ::close(at->second);
+    std::erase_if(folders(), [&](const auto& one) { return one.second == *place; });
     locks().erase(at);
 }
 

@@ -14,6 +14,10 @@ enum class Share { alone, with_tasks };
 /// in the folder, .lock, which other machines see. Without any lock, a line to stderr says so, once.
 void take_lock(const std::string& folder, Share share = Share::alone);
 
+/// Throws OutsideError where a folder on the way to that path, which this process has locked, is not there any more: it
+/// was removed or moved, and another one may have its name.
+void refuse_removed(const std::string& path);
+
 /// Throws like take_lock, and locks nothing. A folder that does not exist is free.
 void refuse_locked(const std::string& folder);
 

@@ -126,6 +126,7 @@ std::string free_folder(const std::string& wanted, const std::string& owner) {
 
 void take_folder(Context& c) {
     if (c.output.folder.empty()) return;
+    refuse_removed(c.output.folder);
     make_folder(c.output.folder);
     take_lock(c.output.folder);
     if (c.output.owner.empty() || c.output.owner_written) return;

@@ -111,8 +111,8 @@ struct ScriptModel : Model {
     using Model::Model;
     std::string closed_at;  ///< the script's line that closed it, "" while it is open
     std::vector<std::weak_ptr<struct RunRecord>> runs;
-    std::optional<int> gravity_case;  ///< that gravity belongs to, -1 for none
-    std::vector<Vec3> crooked;        ///< by what imperfections have moved the first nodes, m
+    std::optional<int> gravity_case;               ///< that gravity belongs to, -1 for none
+    std::vector<Vec3> crooked;                     ///< by what imperfections have moved the first nodes, m
 };
 struct ModelBox {
     static constexpr const char* lua_name = "hinge.model";
@@ -204,10 +204,15 @@ struct Recorded {
     std::vector<ElementEvent> happenings;                  ///< in order
     std::vector<std::uint8_t> yielded_seen, touched_seen;  ///< of each element, as in the state
     KeptRows kept_rows;
+    long resumed_at = 0;            ///< steps, when it last went on from a checkpoint
+    double largest_energy = 0;      ///< J, of the rows so far (LargestEnergy::most)
+    double last_energy_share = 0;   ///< the energy error as a part of it, also of a balance that no longer closed
+    double state_energy_share = 0;  ///< likewise of the last state, to which such a run went back
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
-          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.kept_rows);
+          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.kept_rows,
+          s.resumed_at, s.largest_energy, s.last_energy_share, s.state_energy_share);
     }
 };
 
@@ -243,7 +248,6 @@ struct RunRecord : Recorded {
     bool stepping = false;                 ///< inside a step: the script's functions may not start another
     bool mid_step = false;                 ///< inside a step that was not completed
     std::optional<CheckpointPlan> checkpoint;
-    long resumed_at = 0;               ///< steps
     std::vector<LuaFunction> on_step;  ///< called after each step
     int number = 0;                    ///< of the program's runs that have begun, from 1
     /// Changes of state of an effect.
@@ -258,9 +262,6 @@ struct RunRecord : Recorded {
         std::map<std::string, Changes> changes;  ///< by effect: the first of each kind is printed, the others counted
         bool instability_shown = false;
     } progress;
-    std::optional<LargestEnergy> largest_energy;  ///< of the rows so far
-    double last_energy_share = 0;   ///< the energy error as a part of it, also of a balance that no longer closed
-    double state_energy_share = 0;  ///< likewise of the last state, to which such a run went back
 };
 struct RunBox {
     static constexpr const char* lua_name = "hinge.run";

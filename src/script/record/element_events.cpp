@@ -147,7 +147,9 @@ void begin_happenings(RunRecord& r, const std::string& path) {
 
 void write_happenings(RunRecord& r) {
     if (r.files.events_path.empty() || r.files.events_written == r.happenings.size()) return;
-    append(r.files.events_path, lines_from(r, r.files.events_written));
+    const std::string lines = lines_from(r, r.files.events_written);
+    if (r.files.events_written == 0) write_whole(r.files.events_path, lines);
+    else append_to(r.files.events_path, lines);
     r.files.events_written = r.happenings.size();
 }
 

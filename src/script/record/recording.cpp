@@ -13,6 +13,7 @@
 #include "script/checks/check.h"
 #include "script/files/run_checkpoint.h"
 #include "script/record/events.h"
+#include "script/files/folder_lock.h"
 #include "script/files/folders.h"
 #include "script/record/progress.h"
 #include "script/record/element_events.h"
@@ -79,10 +80,12 @@ const LostBalance* lost_by(const RunRecord& r) {
 }
 
 void weigh_error(RunRecord& r, const Energy& e) {
-    if (!r.largest_energy) r.largest_energy.emplace(r.run->structure());
+    LargestEnergy largest(r.run->structure());
+    largest.set_most(r.largest_energy);
     if (const auto* d = dynamic_cast<const Dynamics*>(r.run.get()))  // it looks between the rows too
-        r.largest_energy->set_most(std::max(r.largest_energy->most(), d->largest_energy()));
-    r.last_energy_share = r.state_energy_share = r.largest_energy->share(e, r.run->accounts());
+        largest.set_most(std::max(largest.most(), d->largest_energy()));
+    r.last_energy_share = r.state_energy_share = largest.share(e, r.run->accounts());
+    r.largest_energy = largest.most();
     if (const LostBalance* lost = lost_by(r)) r.last_energy_share = lost->share;
 }
 
@@ -205,9 +208,10 @@ void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
 }  // namespace
 
 void write_rows(RunRecord& r) {
+    if (!r.files.history_path.empty()) refuse_removed(r.files.history_path);
     write_happenings(r);  // first: a kill in between loses none that happened before the last row
     if (r.files.rows.empty() || r.files.history_path.empty()) return;
-    append(r.files.history_path, r.files.rows);
+    append_to(r.files.history_path, r.files.rows);
     r.files.rows.clear();
 }
 
@@ -229,6 +233,15 @@ void refuse_outdated(const RunRecord& r) {
                          "one (from = run)");
 }
 
+/// Says how a run ended, and keeps its failure for the summary.
+void tell_end(Context& c, RunRecord& r) {
+    if (verdict_of(r) == Verdict::failed)
+        c.runs.failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
+                                                 (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
+                                                 ", failed: " + reason_of(r));
+    tell_step(c, r, true);
+}
+
 /// Before the first step: opens the files and records the start.
 void begin(lua_State* L, const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
@@ -239,6 +252,7 @@ void begin(lua_State* L, const std::shared_ptr<Context>& c, const std::shared_pt
     if (!r.started) add_row(*c, r);
     r.started = true;
     tell_of_beginning(c, r);
+    if (r.closed) tell_end(*c, r);  // it went on from the checkpoint of a run that had ended
 }
 
 /// A step of the engine; an error leaves the rows so far in the file. Returns whether there was one to take.
@@ -268,13 +282,9 @@ void record_step(lua_State* L, const Context& c, const std::shared_ptr<RunRecord
     if (!r.on_step.empty()) call_on_step(L, record);
 }
 
-/// Closes a run that is over, and records how it ended.
-void close_run(Context& c, RunRecord& r) {
+/// Closes a run that is over: its last row.
+void close_run(const Context& c, RunRecord& r) {
     run_is_under_way(false);
-    if (verdict_of(r) == Verdict::failed)
-        c.runs.failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
-                                                 (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
-                                                 ", failed: " + reason_of(r));
     if (r.every == 0 || r.run->steps_done() % r.every != 0 || lost_by(r)) add_row(c, r);
 }
 
@@ -304,8 +314,10 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
         write_rows(r);
         r.progress.last_write = now;
     }
-    tell_step(*c, r, over);
+    if (over) tell_end(*c, r);
+    else tell_step(*c, r, false);
     if (c->messages.observer) c->messages.observer->stepped(*c, r, over, now);
+    if (!more) keep_if_due(L, *c, r);  // it has failed, and nobody need ask for another step
     return more;
 }
 
