@@ -80,6 +80,7 @@ local function plan_script(options)
   local ok, failure = xpcall(function()
     local this = job.new("", options.case)
     job.use(this)
+    if options.sandbox then core.raise_walls(options.script) end
     local loaded, _, _, must_be_read = runner.load(options.script, options.overrides, options.sandbox)
     if not loaded then all_read = must_be_read return end
     loaded.run(loaded:values(options.case, options.overrides), this)
@@ -137,6 +138,9 @@ function runner.run(options)
   local this = job.new(own_output(options, settings, settings), options.case)
   job.use(this)
 
+  -- The kernel must know the folder before anything of the script runs, so that in the sandbox the settings name it as
+  -- they were given.
+  if options.sandbox then core.raise_walls(options.script, core.out_dir()) end
   local before = core.script_runs(true)
   local used
   local loaded, results, plain, must_be_read = options.scenario, nil, nil, nil
@@ -145,7 +149,7 @@ function runner.run(options)
   end
   if loaded then
     used = loaded:values(options.case, options.overrides)
-    this.out = own_output(options, used, loaded:changed(options.case, used))
+    if not options.sandbox then this.out = own_output(options, used, loaded:changed(options.case, used)) end
     results = loaded.run(used, this)
   else
     if options.case then

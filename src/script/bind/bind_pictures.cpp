@@ -4,6 +4,8 @@
 
 #include "output/film.h"
 #include "output/hinge_marks.h"
+#include "script/files/drawing.h"
+#include "script/files/folders.h"
 #include "script/lua/picture_module.h"
 #include "script/record/view.h"
 
@@ -21,18 +23,11 @@ int write_frame(lua_State* L) {
     const std::string folder = c->output.folder.empty() ? "." : c->output.folder;
     prepare_folder(*c, folder + "/frames/");
     auto& frames = c->output.frames;
-    char file[48], error[512] = "";
+    char file[48];
     std::snprintf(file, sizeof file, "frames/frame_%05zu.vtp", frames.size() + 1);
-    must_work(picture_function<hinge_write_snapshot>(*c, "hinge_write_snapshot")((folder + "/" + file).c_str(),
-                                                                                 snapshot, error, sizeof error),
-              error);
+    draw(L, {.what = DrawingOrder::What::frame, .path = folder + "/" + file, .snapshots = {snapshot}});
     frames.push_back({snapshot.time, file});
-    std::vector<double> times;
-    std::vector<const char*> files;
-    for (const auto& [t, f] : frames) times.push_back(t), files.push_back(f.c_str());
-    must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")(
-                  (folder + "/frames.pvd").c_str(), int(times.size()), times.data(), files.data(), error, sizeof error),
-              error);
+    draw(L, {.what = DrawingOrder::What::collection, .path = folder + "/frames.pvd", .frames = frames});
     return 0;
 }
 
@@ -67,11 +62,7 @@ int write_picture(lua_State* L) {
     const output::View view = read_view(L, 2, box.value, &box);
     const std::string path = lua_tostring(L, 3);
     prepare_folder(*context(L), path);
-    const output::Snapshot marked = with_marks(L, 4, box.value);
-    char error[512] = "";
-    must_work(
-        picture_function<hinge_render>(*context(L), "hinge_render")(path.c_str(), marked, view, error, sizeof error),
-        error);
+    draw(L, {.path = path, .snapshots = {with_marks(L, 4, box.value)}, .views = {view}});
     return 0;
 }
 
@@ -94,12 +85,11 @@ int write_strip(lua_State* L) {
         lua_pop(L, 2);
     }
     prepare_folder(*context(L), path);
-    std::vector<const output::Snapshot*> list;
-    for (const output::Snapshot& snapshot : marked) list.push_back(&snapshot);
-    char error[512] = "";
-    must_work(picture_function<hinge_render_strip>(*context(L), "hinge_render_strip")(
-                  path.c_str(), int(list.size()), list.data(), views.data(), columns, error, sizeof error),
-              error);
+    draw(L, {.what = DrawingOrder::What::strip,
+             .path = path,
+             .snapshots = std::move(marked),
+             .views = std::move(views),
+             .columns = columns});
     return 0;
 }
 

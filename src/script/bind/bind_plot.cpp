@@ -1,4 +1,4 @@
-// Plots: writes commands and data for gnuplot beside the picture, and runs gnuplot.
+// Plots: writes commands and data for gnuplot beside the picture, and runs gnuplot behind walls of its own.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
@@ -7,9 +7,12 @@
 
 #include <csignal>
 #include <filesystem>
+#include <system_error>
+#include <thread>
 
 #include "core/files.h"
 #include "script/files/folders.h"
+#include "script/files/walls.h"
 #include "script/lua/objects.h"
 #include "script/record/recording.h"
 
@@ -55,25 +58,55 @@ std::string text_of(int file) {
     return all;
 }
 
+/// Whether a program is a script for another one, as `#!/bin/sh`.
+bool is_wrapper(const std::string& program) {
+    char first[2] = {};
+    std::FILE* file = std::fopen(program.c_str(), "rb");
+    const bool read = file && std::fread(first, 1, 2, file) == 2;
+    if (file) std::fclose(file);
+    return read && first[0] == '#' && first[1] == '!';
+}
+
+/// What gnuplot may open: it writes beside the picture alone, and starts nothing. It has no option for that: `system`,
+/// `!` and names that begin with < or | are part of its language.
+Reach reach_of_gnuplot(const std::string& folder, const std::string& program) {
+    Reach reach = {{"/"}, {folder, "/dev/null"}, {program, program_loader()}};
+    if (is_wrapper(program)) reach.execute = {"/"};
+    return reach;
+}
+
+/// Starts a program under these rules, which hold for the thread that starts it and whatever it starts. 0, or errno.
+int start_under(int rules, const std::string& program, const Surroundings& around, char* const* words, pid_t& pid) {
+    int problem = 0;
+    std::thread([&] {
+        if (rules >= 0 && !restrict_files(rules)) problem = EPERM;
+        else problem = ::posix_spawn(&pid, program.c_str(), &around.files, &around.attributes, words, environ);
+    }).join();
+    return problem;
+}
+
 /// Runs `gnuplot FILE` in the folder, without the user's own settings; throws what it complains of.
 void run_gnuplot(const std::string& folder, const std::string& file) {
+    const std::string program = find_program("gnuplot"), here = folder.empty() ? "." : folder;
+    if (program.empty())
+        throw OutsideError("plots need the program gnuplot, which is not installed: apt-get install gnuplot-nox; " +
+                           file + " is there for it");
     const int messages = ::memfd_create("gnuplot-messages", MFD_CLOEXEC);
     if (messages < 0) throw OutsideError("gnuplot was not started: no memory for its messages");
     std::string words[] = {"gnuplot", "-d", "./" + file};  // a name that begins with - is no option
     char* const argv[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+    const int rules = make_rules(reach_of_gnuplot(here, program));
     pid_t pid = 0;
     int status = 0, problem = 0;
-    {
-        const Surroundings around(folder.empty() ? "." : folder, messages);
-        problem = ::posix_spawnp(&pid, "gnuplot", &around.files, &around.attributes, argv, environ);
-    }
+    try {
+        const Surroundings around(here, messages);
+        problem = start_under(rules, program, around, argv, pid);
+    } catch (const std::system_error& e) { problem = e.code().value(); }  // no thread
     if (problem == 0)
         while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
     const std::string said = problem == 0 ? text_of(messages) : "";
     ::close(messages);
-    if (problem == ENOENT)
-        throw OutsideError("plots need the program gnuplot, which is not installed: apt-get install gnuplot-nox; " +
-                           file + " is there for it");
+    if (rules >= 0) ::close(rules);
     if (problem != 0) throw OutsideError(std::string("gnuplot was not started: ") + std::strerror(problem));
     if (status != 0) throw OutsideError("gnuplot failed on " + file + (said.empty() ? "" : ": " + said));
 }

@@ -6,6 +6,7 @@
 #include "script/lua/interrupts.h"
 #include "script/lua/lua_module.h"
 #include "script/files/installed_files.h"
+#include "script/files/drawing.h"
 #include "script/files/processes.h"
 
 namespace hinge::script {
@@ -65,6 +66,7 @@ int open_core(lua_State* L) {
     open_processes(L, module);
     open_interrupts(L, module);
     open_film(L, module);
+    open_walls(L, module);
     static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
                                          {"error_kind", guarded<error_kind>},
                                          {"did_you_mean", guarded<suggest>},

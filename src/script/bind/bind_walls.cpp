@@ -1,0 +1,89 @@
+// Walls of the kernel around the script that runs in the sandbox.
+#include <cstdio>
+#include <filesystem>
+
+#include "core/files.h"
+#include "script/files/drawing.h"
+#include "script/files/folder_lock.h"
+#include "script/files/folders.h"
+#include "script/files/walls.h"
+#include "script/lua/objects.h"
+#include "script/record/events.h"
+
+namespace hinge::script {
+namespace {
+
+/// What a script's process still reads: hinge's own library, the script, and what the C library and the look at free
+/// memory (script/checks/size_notice.cpp) open.
+std::vector<std::string> files_to_read(const Context& c, const std::string& script) {
+    return {c.library,
+            script,
+            "/usr/lib",
+            "/usr/local/lib",
+            "/lib",
+            "/lib64",
+            "/etc/ld.so.cache",
+            "/etc/localtime",
+            "/usr/share/zoneinfo",
+            "/proc/meminfo",
+            "/proc/self/status",
+            "/proc/self/statm",
+            "/proc/self/exe",
+            "/sys/fs/cgroup/memory.max",
+            "/sys/fs/cgroup/memory.current",
+            "/sys/devices/system/cpu",
+            "/dev/null",
+            "/dev/zero",
+            "/dev/urandom"};
+}
+
+/// core.raise_walls(script, folder): from now on this process reads the script and hinge's own files alone, writes
+/// into that folder (nil: nowhere), and starts no program; another process draws. To be called before anything of the
+/// script has run. Where the kernel lacks a wall a line on stderr says so.
+int raise_walls(lua_State* L) {
+    const auto c = context(L);
+    const char *script = lua_tostring(L, 1), *folder = lua_tostring(L, 2);
+    Reach reach = {files_to_read(*c, script ? script : ""), {"/dev/null"}, {}};
+    if (folder) {
+        make_folder(folder);
+        take_lock(folder);  // before the other process starts, which would find it taken
+        reach.write.emplace_back(folder);
+        start_drawer(L);
+    }
+    KernelWalls stand = kernel_walls();
+    if (stand.landlock > 0 && !restrict_files(make_rules(reach))) stand.landlock = 0;
+    if (stand.seccomp && !refuse_calls()) stand.seccomp = false;
+    const std::string missing = missing_walls(stand);
+    if (missing.empty()) return 0;
+    std::fprintf(stderr, "%s\n", missing.c_str());
+    write_event(*c, "warning", {{"text", missing}});
+    return 0;
+}
+
+/// core.draw_packed(path, plot): has the process that draws make the plot, which hinge.plot.data has packed.
+int draw_packed(lua_State* L) {
+    std::size_t n = 0;
+    const char *path = luaL_checkstring(L, 1), *plot = luaL_checklstring(L, 2, &n);  // these raise: nothing is pending
+    DrawingOrder order;
+    order.what = DrawingOrder::What::plot;
+    order.path = path;
+    order.plot.assign(plot, n);
+    draw(L, order);
+    return 0;
+}
+
+int is_drawn_elsewhere(lua_State* L) { return lua_pushboolean(L, drawn_elsewhere()), 1; }
+
+}  // namespace
+
+void open_walls(lua_State* L, int module) {
+    static const luaL_Reg functions[] = {{"raise_walls", guarded<raise_walls>},
+                                         {"draw_packed", guarded<draw_packed>},
+                                         {"drawn_elsewhere", guarded<is_drawn_elsewhere>},
+                                         {nullptr, nullptr}};
+    lua_pushvalue(L, module);
+    luaL_setfuncs(L, functions, 0);
+    lua_pop(L, 1);
+}
+
+}  // namespace hinge::script
