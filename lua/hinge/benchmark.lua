@@ -19,8 +19,7 @@ local row_form = {
 }
 
 local Benchmark = {}
-Benchmark.__index = Benchmark
-Benchmark.__name = "hinge.benchmark"
+local class = check.class(Benchmark, "hinge.benchmark")
 
 --- Adds a row: what was computed beside its reference.
 function Benchmark:row(options, ...)
@@ -79,7 +78,7 @@ function benchmark.new(options, ...)
   local o = check.options("hinge.benchmark", options, form)
   local made = scenario.new {
     run = function(_, job)
-      local self = setmetatable({ rows = {}, began = os.clock() }, Benchmark)
+      local self = setmetatable({ rows = {}, began = os.clock() }, class)
       print(("%s (%s)\nreference%s: %s"):format(o.title, o.kind, o.unconfirmed and ", not confirmed" or "", o.source))
       print(("  %-38s %12s %12s %-8s %11s %5s %6s %9s"):format("", "computed", "reference", "unit", "error", "elem.",
         "steps", "time"))

@@ -75,6 +75,12 @@ function check.lazy(map, later, where)
   })
 end
 
+--- The metatable of objects with these methods. It is not the table of the methods, which an object would then hand
+--- out as its field __index to scripts that are not trusted.
+function check.class(methods, name)
+  return { __index = methods, __name = name }
+end
+
 local bounds = {
   { "above", "above", function(v, limit) return v > limit end },
   { "at_least", "of at least", function(v, limit) return v >= limit end },
@@ -174,6 +180,14 @@ function check.model(where, model)
   end
 end
 
+--- A value of the library for a script, which may change it: tables are copied, with those inside.
+function check.copy(value)
+  if type(value) ~= "table" then return value end
+  local copy = {}
+  for key, item in pairs(value) do copy[key] = check.copy(item) end
+  return copy
+end
+
 --- Checks a table of named options and returns a copy with the defaults filled in.
 -- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=,
 -- count=, one_of=, also= (other values that it may be) }; kinds: number, numbers (a list of `count`, or of any two or
@@ -193,7 +207,7 @@ function check.options(where, options, rules)
   local result = {}
   for _, field in ipairs(check.keys(rules)) do
     local rule, value = rules[field], options[field]
-    if value == nil then value = rule.default end
+    if value == nil then value = check.copy(rule.default) end
     if value ~= nil or not rule.optional then result[field] = check.value(where, field, value, rule) end
   end
   return result
@@ -205,7 +219,7 @@ function check.design(where, options, designs)
   local design = designs[options.design]
   if not design then check.unknown(where .. ": field 'design'", "design", options.design, check.keys(designs)) end
   for name, value in pairs(design) do
-    if options[name] == nil then options[name] = value end
+    if options[name] == nil then options[name] = check.copy(value) end
   end
   return options
 end

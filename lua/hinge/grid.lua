@@ -3,8 +3,7 @@
 local check = require "hinge.check"
 
 local Grid = {}
-Grid.__index = Grid
-Grid.__name = "hinge.grid"
+local class = check.class(Grid, "hinge.grid")
 
 -- What model:member takes beside its nodes.
 local member_options = { "section", "material", "up", "group", "elements", "backbone", "law", "carries",
@@ -329,7 +328,7 @@ return function(options, ...)
   check.model(where, options.model)
   local self = setmetatable({ model = options.model, x = positions(where, "x", options.x, 1),
     y = positions(where, "y", options.y or { 0 }, 1), z = positions(where, "z", options.z, 2), names = {},
-    columns_of = {}, name_of = {}, node_of = {}, kept = {} }, Grid)
+    columns_of = {}, name_of = {}, node_of = {}, kept = {} }, class)
   self.storeys = #self.z - 1
   for _, node in ipairs(self.model:nodes()) do self.node_of[key(node.x, node.y, node.z)] = node end
   for i, x in ipairs(self.x) do

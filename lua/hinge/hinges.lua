@@ -7,8 +7,8 @@ local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collaps
 local is_level = { IO = true, LS = true, CP = true }
 local listed = 20 -- hinges that print shows
 
-local List = { __name = "hinge.hinge_list" }
-List.__index = List
+local List = {}
+local class = check.class(List, "hinge.hinge_list")
 
 -- Limits --------------------------------------------------------------------------------------------------------------
 
@@ -120,7 +120,7 @@ local function of_run(run, options, ...)
   list.beyond = has_limits and over or nil
   list.without_limit = has_limits and without or nil
   list.statics = run.kind == "static"
-  return setmetatable(list, List)
+  return setmetatable(list, class)
 end
 
 -- As text -------------------------------------------------------------------------------------------------------------
@@ -155,7 +155,7 @@ local function summary(list)
   return worst.level and text .. " (" .. worst.level .. ")" or text
 end
 
-function List:__tostring()
+function class.__tostring(self)
   local lines = { summary(self) }
   if #self == 0 then return lines[1] end
   local chosen = table.move(self, 1, #self, 1, {})
@@ -251,7 +251,7 @@ end
 
 --- Whether a value is what run:hinges gives, with limits to draw.
 function hinges.can_be_drawn(value)
-  return type(value) == "table" and getmetatable(value) == List and value.beyond ~= nil
+  return type(value) == "table" and getmetatable(value) == class and value.beyond ~= nil
 end
 
 --- What a picture takes of a list: { { element =, end =, ratio = }, ... }.

@@ -5,14 +5,13 @@ local hinges = require "hinge.hinges"
 local view_rules = require "hinge.view".rules
 
 local Job = {}
-Job.__index = Job
-Job.__name = "hinge.job"
+local class = check.class(Job, "hinge.job")
 
 -- What a call is named in messages: job:picture, or hinge.picture where a script has no job.
 local function named(job, what) return (job.prefix or "job:") .. what end
 
 local function new(out, case)
-  return setmetatable({ out = out, case = case, notes = {} }, Job)
+  return setmetatable({ out = out, case = case, notes = {} }, class)
 end
 
 -- A view as the picture module takes it, and what it shows of hinges: a list of run:hinges, or false.

@@ -6,8 +6,7 @@ local values = require "hinge.values"
 
 local scenario = {}
 local Scenario = {}
-Scenario.__index = Scenario
-Scenario.__name = "hinge.scenario"
+local class = check.class(Scenario, "hinge.scenario")
 
 local where = "hinge.scenario"
 local kinds = { number = true, string = true, boolean = true, table = true }
@@ -82,10 +81,10 @@ function scenario.new(options, ...)
     if parameters[name] == nil then check.unknown(where .. ": vary", "parameter", name, check.keys(parameters)) end
   end
   return setmetatable({ parameters = parameters, cases = o.cases, accuracy = o.accuracy, proposals = o.proposals,
-    vary = o.vary, run = o.run }, Scenario)
+    vary = o.vary, run = o.run }, class)
 end
 
-function scenario.is(value) return getmetatable(value) == Scenario end
+function scenario.is(value) return getmetatable(value) == class end
 
 --- The parameters of one run: defaults, changed by a case, changed by overrides.
 -- `overrides` is a list of { name, text }; later ones win. Reading a parameter that does not exist is an error.

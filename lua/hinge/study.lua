@@ -16,7 +16,7 @@ local main_journal = "cases.jsonl"
 -- A study as it runs. Of it users see cases (those that have ended, in order), varied, folder and interrupted; `ended`
 -- has the same cases by number.
 local Study = {}
-Study.__index = Study
+local class = check.class(Study)
 
 local function new(options)
   local plan, proposed = options.plan, options.propose ~= nil
@@ -25,7 +25,7 @@ local function new(options)
   for _, name in ipairs(varied) do tables.check_parameter(name) end
   local self = setmetatable({ options = options, all = all, varied = varied, said = plan.said, script = options.script,
     has_cases = plan.cases ~= nil, proposed = proposed, planned = not proposed and #all or nil, cases = {}, ended = {},
-    queue = {}, at = 0, seen = {}, digits = math.max(5, #tostring(#all)) }, Study)
+    queue = {}, at = 0, seen = {}, digits = math.max(5, #tostring(#all)) }, class)
   for number, one in ipairs(all) do self:prepare(one, number) end
   return self
 end

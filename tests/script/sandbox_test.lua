@@ -151,6 +151,12 @@ case("every way out of the sandbox is closed", function()
     { "for _, f in pairs(require 'hinge.models.ten_storey'.designs) do f.storey_height = 'x' end "
       .. "require 'hinge.models.ten_storey'.add(require 'hinge'.model {}, { bays = { 1, 1 }, storeys = 1 })", 0, "" },
     { "local h = require 'hinge' getmetatable(h).__index = nil", 2, "s.lua:1: attempt to index a boolean value" },
+    { "return require 'hinge'.scenario { run = function(_, job) job.__index.plot = print end }", 2,
+      "s.lua:1: attempt to index a nil value (field '__index')" },
+    { frame .. "cantilever():static { steps = 1 }:finish():hinges { limit = 0.1 }.__index.write = print", 2,
+      "s.lua:13: attempt to index a nil value (field '__index')" },
+    { "local h = require 'hinge' local s = h.scenario { run = function() end } s.cases.slow = 'x' "
+      .. "assert(not next(h.scenario { run = function() end }.cases))", 0, "" },
     -- names of files are texts without line breaks, whatever stands for them
     { "return require 'hinge'.scenario { run = function(_, job) job.out = setmetatable({}, { __concat = function(a) "
       .. "return setmetatable({ match = function() return 'png' end }, getmetatable(a)) end }) "

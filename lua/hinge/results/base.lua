@@ -190,8 +190,8 @@ function base.of_run(run, options, ...)
   local notes = { text, about }
   if idle > 0 then notes[3] = ("%s without a reaction"):format(check.count(idle, "supported node")) end
   notes[#notes + 1] = source.failed(run)
-  return Table.new(Base, { columns = columns, rows = rows, units = o.units, notes = notes, balanced = closed,
-    mass = mass })
+  return Table.new(Base, { columns = check.copy(columns), rows = rows, units = o.units, notes = notes,
+    balanced = closed, mass = mass })
 end
 
 return base

@@ -133,7 +133,7 @@ function envelope.new(options, ...)
   end
   local o = source.options(where, plain, rules, free)
   local self = Table.new(Envelope, { where = where, o = o, parts = o.parts, of = {}, states = 0, units = o.units,
-    sort_keys = members.sort_keys })
+    sort_keys = members.sort_keys() })
   return source.collect(where, self, runs, o.names, o.every)
 end
 

@@ -47,8 +47,12 @@ local function sizes(rows)
   return size
 end
 
-local sort_keys = {}
-for _, name in ipairs(source.names) do sort_keys[name] = true end
+-- A table of its own each time: scripts get it.
+local function sort_keys()
+  local keys = {}
+  for _, name in ipairs(source.names) do keys[name] = true end
+  return keys
+end
 
 --- The columns of rows: member, group, and two for each resultant. Those that are zero throughout are minor.
 function members.columns(rows, with_time)
@@ -88,7 +92,7 @@ function members.of_run(run, options, ...)
     if run:state(member) == "broken" then row.remark = #along > 0 and "broken in part" or "broken" end
     rows[i] = row
   end
-  return Table.new(Members, { rows = rows, units = o.units, sort_keys = sort_keys, notes = { source.failed(run) } })
+  return Table.new(Members, { rows = rows, units = o.units, sort_keys = sort_keys(), notes = { source.failed(run) } })
 end
 
 return members

@@ -9,8 +9,7 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local units = require "hinge.results.units"
 
-local Table = { __name = "hinge.results_table" }
-Table.__index = Table
+local Table = {}
 
 local shown_as = {
   top = { "number", whole = true, above = 0, optional = true }, units = { "string", optional = true },
@@ -312,8 +311,6 @@ end
 
 function Table:all_columns() return self.columns end
 
-Table.__tostring = function(self) return self:text() end
-
 --- Draws a plot of hinge.plot into the output folder: by a job, or by the script's own output.
 function Table.draw(where, plot, job, filename)
   if filename == nil and type(job) == "string" then job, filename = nil, job end
@@ -335,17 +332,22 @@ function Table.plot_arguments(where, job, ...)
   return job, ...
 end
 
---- A class of tables with more methods.
+local classes = {} -- metatables by the table of methods
+
+--- The methods of a class of tables, to which more can be added.
 function Table.class(name)
-  local class = { __name = name, __tostring = Table.__tostring }
-  class.__index = class
-  return setmetatable(class, { __index = Table })
+  local methods = setmetatable({}, { __index = Table })
+  classes[methods] = check.class(methods, name)
+  classes[methods].__tostring = function(self) return self:text() end
+  return methods
 end
+
+function Table.is(value, class) return getmetatable(value) == classes[class] end
 
 --- A table of a class: { columns =, rows =, title =, notes =, units =, order = the field by which rows are sorted }.
 function Table.new(class, fields)
   fields.rows, fields.notes = fields.rows or {}, fields.notes or {}
-  return setmetatable(fields, class)
+  return setmetatable(fields, classes[class])
 end
 
 return Table

@@ -322,7 +322,7 @@ function utilisation.new(runs, options, ...)
   local o = read_options(where, options)
   local self = Table.new(Utilisation, { where = where, o = o, of = {}, states = 0, units = o.units,
     order = "utilisation", notes = remarks(o) })
-  if getmetatable(runs) == Envelope then
+  if Table.is(runs, Envelope) then
     from_envelope(self, runs)
     return self
   end

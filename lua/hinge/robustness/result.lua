@@ -4,8 +4,8 @@ local check = require "hinge.check"
 local factors = require "hinge.robustness.factors"
 local job = require "hinge.job"
 
-local Result = { __name = "hinge.robustness_result" }
-Result.__index = Result
+local Result = {}
+local class = check.class(Result, "hinge.robustness_result")
 
 -- Words -----------------------------------------------------------------------------------------------------------
 
@@ -81,7 +81,7 @@ function Result:table(...)
   return table.concat(table.move(said, 1, #said, #list + 1, list), "\n")
 end
 
-Result.__tostring = Result.table
+class.__tostring = Result.table
 
 local function markdown_row(list)
   local safe = {}
@@ -346,4 +346,4 @@ function Result:report(...)
   return self
 end
 
-return Result
+return class
