@@ -48,7 +48,7 @@ local function try(job, what, f, ...)
   if ok then return true end
   if core.error_kind(failure) ~= "outside" then error(failure, 0) end
   local text = tostring(failure)
-  if text:find "^cannot write" or text:find "^cannot make folder" then core.lose(("%s: %s"):format(what, text)) end
+  if core.unwritten(failure) then core.lose(("%s: %s"):format(what, text)) end
   job:note(("%s not drawn: %s"):format(what, text))
   return false
 end

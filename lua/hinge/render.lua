@@ -41,7 +41,7 @@ local function read_frames(frames, what)
   for i, frame in ipairs(results and frames or {}) do
     frame.problem = results[i].problem
     found[#found + 1] = results[i].result
-    empty = empty or (frame.problem or ""):match "field 'plane' is (.*)$"
+    if results[i].field == "plane" then empty = empty or results[i].why end
   end
   if empty and #found == 0 then check.fail("--plane: %s", empty) end
   return found
@@ -86,7 +86,9 @@ local function draw(frames, list, what)
       for _, frame in ipairs(chosen) do os.remove(("%s.%d.part"):format(frame.picture, process)) end
     end }
   if not results then return false end
-  for i, frame in ipairs(chosen) do frame.problem = results[i].problem end
+  for i, frame in ipairs(chosen) do
+    frame.problem, frame.unwritten, frame.why = results[i].problem, results[i].unwritten, results[i].why
+  end
   return true
 end
 
@@ -170,8 +172,7 @@ local function write_film(list, what, folder)
     work = function() film.write(what.format, aside, list, what.fps, folder, steps) end }
   if not results then return false end
   if not results[1].ok then
-    local own = results[1].problem:gsub("^cannot write %S*: ", "")
-    return false, film.complaint(folder) or own
+    return false, film.complaint(folder) or results[1].why or results[1].problem
   end
   core.rename(aside, what.file)
   return true
@@ -194,8 +195,7 @@ local function make_film(frames, what, folder)
   for i, entry in ipairs(schedule) do list[i] = entry.frame end
   if not draw(frames, list, what) then return nil end
   for _, frame in ipairs(frames) do -- a full disk: the film would not find room either
-    local _, stop = (frame.problem or ""):find("cannot write " .. frame.picture .. ": ", 1, true)
-    if stop then return cannot_write(what, frame.problem:sub(stop + 1)) end
+    if frame.unwritten then return cannot_write(what, frame.why) end
   end
   local pictures, failed = seen(schedule, frames), tell_problems(frames)
   if #pictures == 0 then

@@ -64,14 +64,11 @@ std::string reading_advice(int error) {
     }
 }
 
-[[noreturn]] void fail(const std::string& doing, const std::string& path, int error, const std::string& advice) {
-    throw OutsideError(doing + " " + path + ": " + std::strerror(error) + "; " + advice);
-}
 [[noreturn]] void fail_to_write(const std::string& path, int error) {
-    fail("cannot write", path, error, writing_advice(error, path));
+    throw WriteError(path, std::strerror(error) + ("; " + writing_advice(error, path)));
 }
 [[noreturn]] void fail_to_read(const std::string& path, int error) {
-    fail("cannot read", path, error, reading_advice(error));
+    throw OutsideError("cannot read " + path + ": " + std::strerror(error) + "; " + reading_advice(error));
 }
 
 }  // namespace
@@ -81,7 +78,8 @@ void make_folder(const std::string& path) {
     std::filesystem::create_directories(path, error);
     if (!error) return;
     const bool no_such_place = error.value() == ENOENT;  // those above it are made too
-    fail("cannot make folder", path, error.value(), no_such_place ? another : writing_advice(error.value(), path));
+    const std::string advice = no_such_place ? another : writing_advice(error.value(), path);
+    throw WriteError(path, std::strerror(error.value()) + ("; " + advice), "cannot make folder");
 }
 
 namespace {

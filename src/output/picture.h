@@ -13,6 +13,9 @@
 
 namespace hinge::output {
 
+/// What functions of the module return where a file could not be written; the message is then why alone.
+inline constexpr int not_written = 2;
+
 enum class BarState : std::uint8_t { elastic = 0, yielded = 1, broken = 2 };
 
 /// The shape of a cross-section, for drawing; y along the member's `up`, x across.

@@ -52,6 +52,9 @@ int guarded(char* error, int room, Work work) noexcept {
         return 0;
     } catch (const std::bad_alloc&) {
         tell("out of memory while writing a picture or frame; make it smaller", error, room);
+    } catch (const WriteError& e) {
+        tell(e.why, error, room);
+        return not_written;
     } catch (const std::exception& e) { tell(e.what(), error, room); } catch (...) {
         tell("unknown failure while writing a picture or frame", error, room);
     }

@@ -29,8 +29,14 @@ local function work_on(number, task)
     local i = number:next()
     if i > task.count then return 0 end
     local ok, result = pcall(task.work, i, task.steps)
-    io.stdout:write(core.to_json { item = i, ok = ok, result = ok and result or nil,
-      problem = not ok and tostring(result) or nil }, "\n")
+    local told = { item = i, ok = ok }
+    if ok then told.result = result
+    else
+      told.problem = tostring(result)
+      told.unwritten, told.why = core.unwritten(result)
+      if not told.unwritten then told.field, told.why = core.wrong_field(result) end
+    end
+    io.stdout:write(core.to_json(told), "\n")
     io.stdout:flush()
   end
 end
@@ -49,8 +55,10 @@ end
 
 --- Calls task.work(i, task.steps) for i from 1 to task.count in at most task.jobs processes. task: also what (what the
 -- items are called) and steps (a shared number on which work counts how far it is, of task.total; without it the items
--- are counted). Returns { [i] = { ok = true, result = what work returned } or { ok = false, problem = text } }; or nil
--- where a signal came, after the processes have been ended. task.killed(process) hears of those that did not end well.
+-- are counted). Returns { [i] = { ok = true, result = what work returned } or { ok = false, problem = text,
+-- unwritten =, field =, why = } }: the file that could not be written or the field that is wrong, where that was the
+-- problem, and why; or nil where a signal came, after the processes have been ended. task.killed(process) hears of
+-- those that did not end well.
 function workers.run(task)
   local number, running, count, files = core.shared_number(), {}, 0, {}
   local show = progress(task.what, task.total or task.count)

@@ -1,5 +1,6 @@
 -- Pictures of a study: each quantity against one or two parameters, fragility curves of truths against parameters that
 -- were drawn, and the rank correlation of each quantity with each parameter.
+local core = require "hinge.core"
 local case = require "hinge.study.case"
 local check = require "hinge.check"
 local draw_plot = require "hinge.plot.draw"
@@ -187,7 +188,7 @@ function pictures.draw(of)
     if good then names[#names + 1] = name
     else
       of.notes[#of.notes + 1] = ("%s not drawn: %s"):format(name, tostring(problem))
-      if tostring(problem):find "^cannot write" then of.lost = of.lost or of.notes[#of.notes] end
+      if core.unwritten(problem) then of.lost = of.lost or of.notes[#of.notes] end
     end
   end
   for _, quantity in ipairs(tables.columns_of(known)) do

@@ -108,7 +108,7 @@ int write_gif(lua_State* L) {
     must_work(
         picture_function<hinge_write_gif>(*context(L), "hinge_write_gif")(
             path, int(pictures.size()), pictures.data(), hundredths.data(), tick, number->value, error, sizeof error),
-        error);
+        error, path);
     return 0;
 }
 
@@ -129,7 +129,7 @@ int rename(lua_State* L) {
     const char *from = luaL_checkstring(L, 1), *to = luaL_checkstring(L, 2);
     std::error_code error;
     std::filesystem::rename(from, to, error);
-    if (error) throw OutsideError(std::string("cannot write ") + to + ": " + error.message());
+    if (error) throw WriteError(to, error.message());
     return 0;
 }
 

@@ -169,7 +169,7 @@ int render_file(lua_State* L) {
     char error[512] = "";
     const auto [snapshot, view] = read_frame(L, from, 3);
     must_work(picture_function<hinge_render>(*context(L), "hinge_render")(to, snapshot, view, error, sizeof error),
-              error);
+              error, to);
     return 0;
 }
 

@@ -138,7 +138,7 @@ int draw_plot(lua_State* L) {
     run_gnuplot(picture.parent_path(), gp.filename());
     if (is_whole(picture)) return 0;
     fs::remove(picture, none);
-    throw OutsideError("cannot write " + picture.string() + ": gnuplot did not finish it; is the disk full?");
+    throw WriteError(picture.string(), "gnuplot did not finish it; is the disk full?");
 }
 
 /// core.sandboxed(): whether the script is not trusted.

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "core/archive.h"
+#include "core/files.h"
 #include "script/files/folders.h"
 #include "script/files/walls.h"
 #include "script/lua/picture_module.h"
@@ -27,7 +28,10 @@ void draw_plot(lua_State* L, const DrawingOrder& order) {
         const std::string text = lua_tostring(L, -1) ? lua_tostring(L, -1) : "the plot could not be drawn";
         lua_settop(L, top);
         const auto& last = context(L)->errors;
-        if (last.last == text && last.kind == std::string_view("outside")) throw OutsideError(text);
+        if (last.last == text && last.kind == std::string_view("outside")) {
+            if (!last.about.empty()) throw WriteError(last.about, last.why);
+            throw OutsideError(text);
+        }
         throw InputError(text);
     };
     lua_getglobal(L, "require"), lua_pushstring(L, "hinge.plot.files"), call(1);
@@ -49,7 +53,7 @@ void draw_here(lua_State* L, const DrawingOrder& order) {
             need(order.snapshots.size() == 1 && order.views.size() == 1);
             return must_work(picture_function<hinge_render>(*c, "hinge_render")(path, order.snapshots[0],
                                                                                 order.views[0], error, sizeof error),
-                             error);
+                             error, path);
         case DrawingOrder::What::strip: {
             need(!order.snapshots.empty() && order.views.size() == order.snapshots.size() && order.columns > 0);
             std::vector<const output::Snapshot*> list;
@@ -57,20 +61,20 @@ void draw_here(lua_State* L, const DrawingOrder& order) {
             return must_work(
                 picture_function<hinge_render_strip>(*c, "hinge_render_strip")(
                     path, int(list.size()), list.data(), order.views.data(), order.columns, error, sizeof error),
-                error);
+                error, path);
         }
         case DrawingOrder::What::frame:
             need(order.snapshots.size() == 1);
             return must_work(picture_function<hinge_write_snapshot>(*c, "hinge_write_snapshot")(
                                  path, order.snapshots[0], error, sizeof error),
-                             error);
+                             error, path);
         case DrawingOrder::What::collection: {
             std::vector<double> times;
             std::vector<const char*> files;
             for (const auto& [t, f] : order.frames) times.push_back(t), files.push_back(f.c_str());
             return must_work(picture_function<hinge_write_collection>(*c, "hinge_write_collection")(
                                  path, int(times.size()), times.data(), files.data(), error, sizeof error),
-                             error);
+                             error, path);
         }
         case DrawingOrder::What::plot: return draw_plot(L, order);
     }
@@ -111,16 +115,19 @@ bool receive_text(int from, std::string& text) {
     return receive_all(from, text.data(), n);
 }
 
-constexpr char done = 'd', wrong_input = 'i', failed = 'f';
+constexpr char done = 'd', wrong_input = 'i', failed = 'f', unwritten = 'w';
 
-/// What came of an order: one of these letters, and what went wrong.
+/// What came of an order: one of these letters, and what went wrong; for a file that could not be written its path, a
+/// byte 0, and why.
 std::string answer(lua_State* L, const std::string& bytes) {
     try {
         draw_here(L, order_from_bytes(bytes));
         return {done};
     } catch (const InputError& e) { return wrong_input + std::string(e.what()); } catch (const std::bad_alloc&) {
         return failed + std::string("not enough memory to draw it");
-    } catch (const std::exception& e) { return failed + std::string(e.what()); }
+    } catch (const WriteError& e) { return unwritten + e.path + '\0' + e.why; } catch (const std::exception& e) {
+        return failed + std::string(e.what());
+    }
 }
 
 /// The life of the process that draws.
@@ -149,6 +156,8 @@ void draw(lua_State* L, const DrawingOrder& order) {
     if (!send_text(drawer, to_bytes(order)) || !receive_text(drawer, said) || said.empty())
         throw OutsideError("the process that draws for the sandbox has ended; is there enough memory?");
     if (said[0] == wrong_input) throw InputError(said.substr(1));
+    if (const std::size_t end = said.find('\0'); said[0] == unwritten && end != std::string::npos)
+        throw WriteError(said.substr(1, end - 1), said.substr(end + 1));
     if (said[0] != done) throw OutsideError(said.substr(1));
 }
 

@@ -61,8 +61,9 @@ void tell_collector(lua_State* L, std::size_t bytes) {
     lua_gc(L, LUA_GCCOLLECT);
 }
 
-void note_error(lua_State* L, const std::string& message, const char* kind) {
-    if (const auto c = find_context(L)) c->errors.last = message, c->errors.kind = kind;
+void note_error(lua_State* L, const std::string& message, const char* kind, const std::string& about,
+                const std::string& why) {
+    if (const auto c = find_context(L)) c->errors = {message, kind, about, why};
 }
 
 }  // namespace hinge::script

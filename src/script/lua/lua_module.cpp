@@ -30,6 +30,22 @@ int error_kind(lua_State* L) {
     return 2;
 }
 
+/// What the error of that kind is about, and why; nil where the message is of another one.
+int push_about(lua_State* L, std::string_view kind) {
+    const auto& last = context(L)->errors;
+    const char* text = lua_type(L, 1) == LUA_TSTRING ? lua_tostring(L, 1) : nullptr;
+    if (!text || last.about.empty() || last.kind != kind || last.last != text) return lua_pushnil(L), 1;
+    lua_pushlstring(L, last.about.data(), last.about.size());
+    lua_pushlstring(L, last.why.data(), last.why.size());
+    return 2;
+}
+
+/// core.unwritten(failure): the path of a file or a folder that could not be written, and why; nil for other failures.
+int unwritten(lua_State* L) { return push_about(L, "outside"); }
+
+/// core.wrong_field(failure): the field whose value is wrong, and "VALUE; what is allowed"; nil for other failures.
+int wrong_field(lua_State* L) { return push_about(L, "input"); }
+
 /// core.did_you_mean(word, names): " (did you mean 'x'?)", or "".
 int suggest(lua_State* L) {
     const char* word = lua_tostring(L, 1);
@@ -67,10 +83,9 @@ int open_core(lua_State* L) {
     open_interrupts(L, module);
     open_film(L, module);
     open_walls(L, module);
-    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
-                                         {"error_kind", guarded<error_kind>},
-                                         {"did_you_mean", guarded<suggest>},
-                                         {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>},
+                                         {"unwritten", guarded<unwritten>},     {"wrong_field", guarded<wrong_field>},
+                                         {"did_you_mean", guarded<suggest>},    {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
     lua_pushstring(L, HINGE_VERSION);
     lua_setfield(L, module, "version");

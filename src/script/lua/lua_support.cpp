@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cstring>
 
+#include "core/files.h"
 #include "script/lua/interrupts.h"
 
 namespace hinge::script {
@@ -56,6 +57,9 @@ void explain_caught(lua_State* L) {
     } catch (const Interrupted& e) {
         message = *e.what() ? e.what() : ended_halfway(L);
         note_error(L, message, "interrupted");
+    } catch (const WriteError& e) {
+        message = e.what();
+        note_error(L, message, "outside", e.path, e.why);
     } catch (const OutsideError& e) {
         message = e.what();
         note_error(L, message, "outside");
@@ -63,7 +67,8 @@ void explain_caught(lua_State* L) {
         message = e.what();
         const std::string place = where(L);
         if (!place.empty()) message = place + ": " + message;
-        note_error(L, message, "input");
+        const auto* field = dynamic_cast<const FieldError*>(&e);
+        note_error(L, message, "input", field ? field->field : "", field ? field->why : "");
     }
     lua_pushlstring(L, message.data(), message.size());
 }
@@ -267,7 +272,7 @@ Options::Options(lua_State* L, int index, std::string function, bool may_be_abse
 }
 
 void Options::complain(const std::string& field, const std::string& value, const std::string& allowed) const {
-    throw InputError(function_ + ": field '" + field + "' is " + value + "; " + allowed);
+    throw FieldError(function_ + ": field '" + field + "' is ", field, value + "; " + allowed);
 }
 
 int Options::push_field(const char* field) {

@@ -71,7 +71,8 @@ struct Context {
     /// The error that the engine raised last, to tell its kind from its text.
     struct Errors {
         std::string last;
-        const char* kind = "";  ///< "input", "outside", "interrupted", "hook"
+        const char* kind = "";   ///< "input", "outside", "interrupted", "hook"
+        std::string about, why;  ///< the file that could not be written, or the field of wrong input; why; else ""
     };
     lua_State* running = nullptr;  ///< the thread that entered the engine last; hooks are called on it
     std::string library;           ///< folder of the Lua library

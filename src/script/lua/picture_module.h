@@ -3,6 +3,8 @@
 
 #include <dlfcn.h>
 
+#include "core/files.h"
+#include "output/picture.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
@@ -20,8 +22,9 @@ F picture_function(const Context& c, const char* name) {
     return f;
 }
 
-/// Throws the message of a function of the module if it has failed.
-inline void must_work(int status, const char* error) {
+/// Throws the message of a function of the module if it has failed. `path`: of the file that it writes.
+inline void must_work(int status, const char* error, const std::string& path = "") {
+    if (status == output::not_written) throw WriteError(path, error);
     if (status != 0) throw OutsideError(error);
 }
 
