@@ -30,6 +30,9 @@ function check.show(value)
   return #parts > 0 and "{" .. table.concat(parts, ", ") .. "}" or "a table"
 end
 
+--- A text for one line of a terminal or a table: its line breaks become blanks.
+function check.one_line(text) return (tostring(text):gsub("%s*[\r\n]+%s*", " ")) end
+
 --- The keys of a table as text, sorted.
 function check.keys(map)
   local names = {}

@@ -39,7 +39,8 @@ local function explain(failure)
   end
   local has_text = type(failure) == "string" or getmetatable(failure) and getmetatable(failure).__tostring
   local text = has_text and tostring(failure) or ("the script raised a %s"):format(type(failure))
-  return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") .. about_settings }
+  return { status = wrong_input, text = table.concat({ text, table.unpack(places(3)) }, "\n") .. about_settings,
+    message = text }
 end
 
 --- The exit status that a verdict means; why a run failed goes to stderr.
@@ -96,7 +97,8 @@ local function plan_script(options)
     io.stderr:write("hinge: " .. failure.text .. "\n")
     return failure.status
   end
-  say(("the rest of the script needs results, so it was not followed (%s)"):format(failure.text:match("^[^\n]*")))
+  say(("the rest of the script needs results, so it was not followed (%s)"):format(
+    check.one_line(failure.message or failure.text)))
   return done
 end
 
@@ -171,17 +173,19 @@ function runner.run(options)
 end
 
 --- Calls f, prints what goes wrong, and returns the program's exit status: f's own, or the one its error means.
--- `memory`: the sandbox's limit as text, or nil.
-function runner.guard(f, memory)
+-- `memory`: the sandbox's limit as text, or nil. see({ status =, kind =, text =, message = }) hears of an error, whose
+-- kind is that of core.error_kind or "memory"; message: without the places that led to it, nil where there are none.
+function runner.guard(f, memory, see)
   local ok, result = xpcall(f, explain)
   if ok then return result end
   if result == out_of_memory then
     local more = memory and ("; the sandbox's limit is %s, --memory gives more"):format(memory) or ""
-    result = { status = run_failed, text = out_of_memory .. more }
+    result = { status = run_failed, text = out_of_memory .. more, kind = "memory" }
   elseif type(result) ~= "table" then -- an error in the error message
     result = { status = wrong_input, text = tostring(result) }
   end
   core.event("error", { status = result.status, message = result.text })
+  if see then see(result) end
   io.stderr:write("hinge: " .. result.text .. "\n") -- one write: what a terminal echoes meanwhile does not come between
   return result.status
 end

@@ -107,7 +107,7 @@ function effects.compare(bench, inputs, o)
     if not s.record then left_out[#left_out + 1] = s.is_law and s.label or s.without
     else
       settings[#settings + 1] = s
-      s.failed = s.record.failed and s.record.failed:match "^[^\n]*"
+      s.failed = s.record.failed and check.one_line(s.record.failed)
       if not s.failed then measured[#measured + 1] = s end
     end
   end

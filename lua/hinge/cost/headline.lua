@@ -1,4 +1,5 @@
 -- The result of hinge cost in words: its first lines, the settings that failed, and what the budget left out.
+local check = require "hinge.check"
 local compare = require "hinge.cost.compare"
 local text = require "hinge.cost.text"
 local words = require "hinge.cost.words"
@@ -167,7 +168,7 @@ end
 function headline.failures(result)
   local lines, of = {}, {}
   for _, s in ipairs(result.failed) do
-    local reason = s.failed:match "^[^\n]*"
+    local reason = check.one_line(s.failed)
     if not of[reason] then
       of[reason] = { s }
       lines[#lines + 1] = reason

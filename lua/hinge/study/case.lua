@@ -7,6 +7,9 @@ local tables = require "hinge.study.table"
 
 local case = {}
 
+-- Exit status of a case that ran out of memory: core.start has the same. hinge itself ends with none like it.
+local out_of_memory = 5
+
 -- Results as a flat table: { ["damage.columns"] = 3 }; numbers, strings and booleans, tables of names four deep; items
 -- of lists are left out.
 local function flat(results)
@@ -56,9 +59,10 @@ function case.prepare(folder)
 end
 
 --- Runs one case into `folder`, as hinge run does, and writes case.json, the files that it has read. what: scenario, or
--- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }), varied (names).
--- Returns the exit status of the process.
+-- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }), varied (names). An
+-- error is there as `error`, { kind =, text = }. Returns the exit status of the process.
 function case.run(what, folder)
+  local raised
   local status = runner.guard(function()
     local result = runner.run { scenario = what.scenario, script = what.script, case = what.case,
       overrides = what.overrides, out = folder, out_given = true, see = function(results, parameters, scenario)
@@ -66,31 +70,35 @@ function case.run(what, folder)
       end }
     if result == 0 then core.drop_checkpoints() end
     return result
-  end)
-  core.write_json(folder .. "/case.json", { files = files.read(core.whole_path(folder)) })
+  end, nil, function(failure) raised = { kind = failure.kind, text = failure.message or failure.text } end)
+  if raised and raised.kind == "memory" then return out_of_memory end
+  core.write_json(folder .. "/case.json", { files = files.read(core.whole_path(folder)), error = raised })
   return status
 end
 
+-- Of a process that could not say more.
+local function last_line(path) return (files.text(path) or ""):match "([^\n]*)\n*$" end
+
 --- What a case has left in its folder, as { verdict =, reason =, results =, ... }, given how its process ended.
 function case.outcome(folder, ended)
-  local summary, said = json(folder .. "/summary.json") or {}, files.text(folder .. "/output.txt") or ""
-  local kept = { verdict = summary.verdict, reason = summary.reason, results = flat(summary.results),
-    energy_error = summary.energy_error, steps = summary.steps, files = (json(folder .. "/case.json") or {}).files }
+  local summary, left = json(folder .. "/summary.json") or {}, json(folder .. "/case.json") or {}
+  local kept = { verdict = summary.verdict, reason = summary.reason, cause = summary.cause,
+    results = flat(summary.results), energy_error = summary.energy_error, steps = summary.steps, files = left.files }
   if ended.late then
     kept.verdict, kept.reason = "timed out", ("stopped after %g s"):format(ended.late)
   elseif ended.kind == "signal" and ended.stopped then
     kept.verdict, kept.reason = "interrupted", nil
   elseif ended.kind == "signal" then
     kept.verdict, kept.reason = "crashed", ("ended by signal %d"):format(ended.code)
-  elseif said:find("not enough memory", 1, true) then
-    kept.verdict, kept.reason = "out of memory", said:match "[^\n]*not enough memory[^\n]*"
+  elseif ended.code == out_of_memory then
+    kept.verdict, kept.reason = "out of memory", "not enough memory"
   elseif ended.code == 3 or ended.code == 130 or ended.code == 143 then
     kept.verdict, kept.reason = "interrupted", nil
   elseif ended.code == 2 or not kept.verdict then
-    kept.verdict, kept.reason = "wrong", said:match "([^\n]*)\n*$"
-    for line in said:gmatch "hinge: ([^\n]*)" do kept.reason = line end
+    kept.verdict, kept.reason = "wrong", left.error and left.error.text or last_line(folder .. "/output.txt")
   end
   if kept.reason == "" then kept.reason = nil end
+  if kept.verdict ~= "failed" then kept.cause = nil end
   if kept.verdict == "completed" or kept.verdict == "stopped" then -- runs whose failure the script knows of
     kept.reason = kept.reason or (summary.failed_runs or {})[1]
   end

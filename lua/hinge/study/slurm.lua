@@ -85,7 +85,7 @@ function slurm.submit(options, total)
   local pipe = io.popen(submit .. " 2>&1")
   local said = pipe:read "a"
   if not pipe:close() then
-    check.fail("--slurm: %s: %s", submit, said:match "^[^\n]*")
+    check.fail("--slurm: %s: %s", submit, check.one_line(said))
   end
   io.stdout:write(said)
   print(("%s in %s; hinge study ... --collect gathers what has ended"):format(check.count(total, "case"), options.out))

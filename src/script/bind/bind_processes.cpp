@@ -77,6 +77,8 @@ void forget_runs(Context& c) {
     if (c.messages.observer) c.messages.observer->forked(), c.messages.observer = nullptr;
 }
 
+constexpr int status_of_memory = 5;  ///< of a process that ran out of it (lua/hinge/study/case.lua)
+
 /// core.start(f, output, memory, resume): calls f() in a process of its own, which ends with what f returns as its
 /// status. `output`: a file that what is printed there is added to; memory: bytes, 0 for no limit; resume: runs go on
 /// from their checkpoints. Returns the process's number.
@@ -95,8 +97,10 @@ int start(lua_State* L) {
     context(L)->mode.resume = resume;
     lua_settop(L, 1);
     int status = 2;
-    if (lua_pcall(L, 0, 1, 0) == LUA_OK) status = int(lua_tointeger(L, -1));
+    const int how = lua_pcall(L, 0, 1, 0);
+    if (how == LUA_OK) status = int(lua_tointeger(L, -1));
     else std::fprintf(stderr, "hinge: %s\n", lua_tostring(L, -1) ? lua_tostring(L, -1) : "the case failed");
+    if (how == LUA_ERRMEM) status = status_of_memory;
     std::fflush(nullptr);
     _exit(status & 0xff);
 }
