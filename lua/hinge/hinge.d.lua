@@ -3570,11 +3570,13 @@ function model:dynamic(options) end
 ---a run is as good as the run that it goes on from: it is "failed" at its end if that one failed, or ended at a limit
 ---load or before the load factor of its arc length, unless allow_failed = true
 ---@field verdict "running"|"completed"|"stopped"|"failed"
----why the run failed, with the node or element that caused it, or with the run before it that failed. For statics with
----the verdict "completed": a limit load or branching point on the way, with unstable = "continue" whether the state at
----the end is stable, and whether arc length stopped short of its load factor. Under plain Lua, a failed run is reported
----on stderr when the script has ended, unless the script has read verdict or reason
+---why the run failed, with the node or element that caused it, or with the run before it that failed. For statics
+---with the verdict "completed": a limit load or branching point on the way, with unstable = "continue" whether the
+---state at the end is stable, and whether arc length stopped short of its load factor. Under plain Lua, a failed run
+---is reported on stderr when the script has ended, unless the script has read verdict, reason or failure. The text is
+---for people and may change from version to version; a script decides by failure
 ---@field reason string
+---@field failure? hinge.run_failure why the run failed, as values; nil where it has not
 ---what the model cannot show, or what the run may have missed, each once. That the run goes on from one that failed. A
 ---member of two elements that is compressed beyond Euler's load between clamped ends (dynamics; in statics that is an
 ---instability). Moments of loads along such a member that are more than 5 % too small for its compression (p_delta =
@@ -3621,6 +3623,38 @@ local run = {}
 ---@field because string why it is active, or why not
 ---@field seconds number wall time of the effect
 ---@field asked_at string line of the script that declares the effect; "" if none does
+
+---A word of the list at hinge.run_failure
+---@alias hinge.failure_cause string
+
+---Why a run failed. A field that says nothing of the cause is nil. summary.json has the cause of the verdict as
+---"cause", also "not_written" where a file could not be written. The causes: "load_not_finite": a load on `node` is
+---not a finite number; "force_not_finite": nor are the forces of `element`, or at `node`; "forces_unbounded": the
+---forces at `node` grow without bound. "element_folded": an end of `element` has folded back against the element.
+---"flow_not_found": its plastic flow has no solution within a step. "not_factorised", "not_positive_definite",
+---"solution_not_finite", "solver_not_converged", "mass_not_solved": the linear equations of a step have no solution.
+---"not_positive_definite" has the `node` and, where one is known, the `element`; `value`: the compression in it, N.
+---"solver_not_converged": after `count` iterations. "newton_not_converged": after `count` iterations; `value`: the
+---last correction as a part of the first. "rotation_too_large": step control; `node` would rotate by `value` in a
+---step, `limit` is allowed, rad. "energy_lost_in_step", "energy_not_finite": step control; `value` would be lost,
+---`limit` is allowed, as parts of the largest energy. "energy_error": the energy balance does not close; its error is
+---`value`, `limit` the energy_tolerance. "energy_error_grown": it has grown by `value` since the check at step
+---`count`, `limit` is allowed; all as parts of the largest energy. "no_equilibrium": statics; none is found beyond
+---load factor `value`; `limit`: the part of the step that was tried last. "unstable": statics under load control,
+---between load factors `value` and `limit`; `node` and `component` give way, see run.instability. "from_failed_run":
+---the run that this one goes on from did not reach its end
+---@class hinge.run_failure
+---@field cause hinge.failure_cause
+---@field text string run.reason without advice and without what was seen beside the failure
+---@field step? integer step that was tried, or at which the energy balance was checked
+---@field time? number s, at its end
+---@field node? string its name, as in run.instability
+---@field element? string its name, with that of its member and group
+---@field member? hinge.member the member of the element
+---@field component? hinge.component direction in which the node gives way
+---@field value? number see the cause; nil for 0
+---@field limit? number what is allowed, see there; nil for 0
+---@field count? integer see there
 
 ---A limit point or a branching point that a static run has passed. Beyond it the tangent stiffness has more negative
 ---eigenvalues than at the start of the run. Under constant load the structure would not stay there.
@@ -4708,6 +4742,8 @@ function hinge.study(scenario, options) end
 ---"timed out", "out of memory"
 ---@field verdict string
 ---@field reason? string
+---of a case with the verdict "failed": run.failure.cause of the run that failed
+---@field cause? hinge.failure_cause|"not_written"
 ---what the scenario returned, names in tables joined by dots. The names of columns that results.csv has of its own are
 ---errors: number, case, verdict, reason, steps, energy_error. So is that of a parameter that varies, if the value is
 ---another

@@ -525,7 +525,8 @@ function paper.percent(error) end
 ---@param converged { x: number[], y: number[] }
 function paper.figure(job, number, method, labels, curves, converged) end
 
----@alias paper.ended { run: string, time: number, reason: string } time in s (the load factor in statics)
+---time in s; text: the reason without advice
+---@alias paper.ended { run: string, time: number, reason: string, text: string }
 
 ---Returns the name, time and reason of a run that failed; nil for any other run.
 ---```lua

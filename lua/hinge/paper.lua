@@ -88,10 +88,11 @@ function paper.table(title, head, rows)
   print(table.concat(lines, "\n"))
 end
 
---- Name, time and reason of a run that failed, { run = name, time =, reason = }; nil for any other run.
+--- Name, time and reason of a run that failed, { run = name, time =, reason =, text = }; text: the reason without
+-- advice. nil for any other run.
 function paper.ended(run, name)
   if run.verdict ~= "failed" then return nil end
-  return { run = name, time = run.time, reason = run.reason }
+  return { run = name, time = run.time, reason = run.reason, text = run.failure.text }
 end
 
 --- Prints how many of `of` runs failed, and the name and reason of each. If there are any, the job notes it.
@@ -99,7 +100,7 @@ function paper.show_ended(job, ended, of)
   if #ended == 0 then return print(("\nNone of %d runs failed"):format(of)) end
   print ""
   job:note(("%d of %d runs failed, marked * in the tables"):format(#ended, of))
-  for _, e in ipairs(ended) do print(("  %s: %s"):format(e.run, e.reason:match "^[^;]*")) end
+  for _, e in ipairs(ended) do print(("  %s: %s"):format(e.run, e.text)) end
 end
 
 --- The structure as pictures show it: fractured elements as rigid bars that end in virtual nodes (figure 4), and the

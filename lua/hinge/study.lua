@@ -162,7 +162,8 @@ function Study:done(task, outcome)
   local one = task.one
   local entry = {
     id = one.id, number = one.number, case = one.case, parameters = one.parameters, verdict = outcome.verdict,
-    reason = outcome.reason, results = outcome.results, energy_error = outcome.energy_error, steps = outcome.steps,
+    reason = outcome.reason, cause = outcome.cause, results = outcome.results,
+    energy_error = outcome.energy_error, steps = outcome.steps,
     seconds = outcome.seconds, memory = outcome.memory, files = outcome.files, engine = core.engine(),
     folder = self:place(one.number),
   }

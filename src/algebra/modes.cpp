@@ -101,13 +101,15 @@ std::string triple(const Vec3& v) {
 std::string ways_to_move(const Structure& structure, const std::vector<int>& supports,
                          const std::vector<RigidMotion>& motions) {
     std::string text;
+    bool rotates = false;
     for (int c = 0; c < 6; ++c) {
         RigidMotion m{structure.position()[supports[0]], Vec3::Zero(), Vec3::Zero()};
         (c < 3 ? m.v : m.w)[c % 3] = 1;
-        if (!moves_a_support(structure, supports, m))
-            text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "rotate about ") + "xyz"[c % 3];
+        if (moves_a_support(structure, supports, m)) continue;
+        text += (text.empty() ? "" : ", ") + std::string(c < 3 ? "move along " : "rotate about ") + "xyz"[c % 3];
+        rotates = rotates || c >= 3;
     }
-    if (!text.empty()) return text + (text.find("rotate") == std::string::npos ? "" : " through that node");
+    if (!text.empty()) return text + (rotates ? " through that node" : "");
     const RigidMotion& m = motions[0];
     if (m.w.norm() < 1e-9 * m.v.norm()) return "move along " + triple(m.v.normalized());
     return "rotate about the line through " + triple(m.centre + m.w.cross(m.v) / m.w.squaredNorm()) + " m along " +

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "beam/fracture_limits.h"
+#include "core/failure.h"
 #include "core/thread_pool.h"
 #include "state/breaking.h"
 #include "state/element_assembly.h"
@@ -69,7 +70,7 @@ struct Step {
     bool longer = false;        ///< than the script's own dt: not for impacts
     int iteration = 0;          ///< Newton iterations done; 0: stresses are recovered for the first time
     std::vector<Break> breaks;  ///< what breaks at its end, rising
-    std::string failure;        ///< why it cannot go on, "" while it can
+    Failure failure = {};       ///< why it cannot go on
     double end() const { return begin + dt; }
 };
 

@@ -16,8 +16,9 @@ struct Warning {
     std::string advice;
     std::string asked_at;  ///< the script's line, "" where it is not known
     int more = 0;
-    int tells_of = 1;       ///< number of equal objects that it describes
-    bool of_units = false;  ///< a number that looks as if it were in another unit
+    int tells_of = 1;          ///< number of equal objects that it describes
+    bool of_units = false;     ///< a number that looks as if it were in another unit
+    bool of_buckling = false;  ///< members near Euler's load in a linear solution
 };
 
 /// Finds all likely mistakes of a model: E, density, yield stress, sections, positions and gravity in other units than

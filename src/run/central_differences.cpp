@@ -75,7 +75,7 @@ void CentralDifferences::accelerate(Step& step) {
         return ((sum[0] + sum[1]) + (sum[2] + sum[3])) + (sum[4] + sum[5]);
     });
     if (!std::isfinite(check)) {
-        step.failure = name_the_culprit();
+        step.failure = find_culprit();
         return;
     }
     take_reactions([&](int n, int c) { return w_.resisting[n][c] - w_.external[n][c]; });

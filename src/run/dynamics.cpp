@@ -26,13 +26,9 @@ constexpr double most_phase = 0.9;     ///< rad: of what effects join nodes by, 
 
 constexpr double crushed_part = 0.05;  ///< of its length, to which an element is pressed flat
 
-const std::string no_mass_solution = "conjugate gradients found no solution with the mass matrix alone";
-
 RunKind kind_of(const DynamicSettings& s) {
     return {true, s.explicit_steps(), s.geometric, s.rest && !s.conserving, s.conserving, s.dt};
 }
-
-bool is_of_load(const std::string& failure) { return failure.find("the load on") != std::string::npos; }
 
 }  // namespace
 
@@ -82,7 +78,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     std::vector<Vec6> out_of_balance;
     return_to_yield_surface();
     find_acceleration(out_of_balance);
-    if (!step_.failure.empty()) fail(step_.failure);
+    if (step_.failure) fail({step_.failure});
     integrator_->begin(*effects_);
     if (any_of(effects_->forces, &Force::has_blocks)) blocks_changed(state_);
     for (const auto& e : effects_->all) e->started(out_of_balance);
@@ -130,22 +126,21 @@ double Dynamics::energy_may_miss() const {
 /// Does a stage of the step, unless one before it has failed, and counts its time.
 template <class F>
 void Dynamics::stage(int stage, F f) {
-    if (step_.failure.empty()) stages_.timed(stage, f);
+    if (!step_.failure) stages_.timed(stage, f);
 }
 
 /// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
     choose_length();
     step_ = {state_.time, size_.dt(), size_.longer(), 0, {}, {}};
-    integrator_->remedy = nullptr;
     stage(at_.loads, [&] { begin_step(); });            // F at the end of the step
     if (meets_) stage(at_.contact, [&] { meet(); });    // [which elements come into contact: eqs 17 to 19]
     if (anew_) stage(at_.restart, [&] { restart(); });  // [the acceleration anew: a force has vanished]
     stage(at_.predict, [&] { predict(); });             // the motion that is known
     bool more = true;
-    while (more && step_.failure.empty()) {                    // Newton's loop; the paper goes through it once
-        stage(at_.recover, [&] { recover(step_.end()); });     // R: eqs 3, 10, 13, and the return to eq 14
-        if (step_.failure.empty()) integrator_->solve(step_);  // [yield: eq 10a], effective stiffness, eq 15
+    while (more && !step_.failure) {                        // Newton's loop; the paper goes through it once
+        stage(at_.recover, [&] { recover(step_.end()); });  // R: eqs 3, 10, 13, and the return to eq 14
+        if (!step_.failure) integrator_->solve(step_);      // [yield: eq 10a], effective stiffness, eq 15
         stage(at_.correct, [&] { more = correct(); });
     }
     stage(at_.recover, [&] { settle(); });                 // stresses where a long step has led
@@ -190,7 +185,7 @@ void Dynamics::restart() {
     begin_step();
 }
 
-std::string Dynamics::failure_of_elements() const {
+Failure Dynamics::failure_of_elements() const {
     return assembly_.failure(!any_of(effects_->breakers, &Breaker::by_strain));
 }
 
@@ -290,7 +285,7 @@ void Dynamics::break_elements() {
     if (constraints_) rebuild_constraints();
     Mass& mass = mass_.renewed(configuration_of(state_));
     const double before = work_of_supports(state_.velocity, state_.velocity);
-    if (std::isnan(pass_on(state_, mass, impulse))) fail(no_mass_solution + ", after elements broke");
+    if (std::isnan(pass_on(state_, mass, impulse))) fail({{.cause = Cause::mass_not_solved, .after_breaks = true}});
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
     for (const auto& listener : effects_->break_listeners) listener->all_broke();
     if (watched) control_.leave_behind(energy().error - error);
@@ -359,7 +354,7 @@ void Dynamics::return_to_yield_surface() {
     w_.at_state = true;
     recover(state_.time);
     w_.at_state = false;
-    if (!w_.yielding.empty() && step_.failure.empty() && assembly_.unreturned() < 0) {
+    if (!w_.yielding.empty() && !step_.failure && assembly_.unreturned() < 0) {
         const double before = state_.accumulated["plastic"];
         const int first = w_.yielding.front().element;
         const std::size_t count = w_.yielding.size();
@@ -403,7 +398,7 @@ void Dynamics::add_inertia_to_reactions() {
 /// A solution with M without an answer: the step fails. A right side that is not finite is named where it comes from.
 void Dynamics::must_be_solved(const SolveReport& report) {
     const bool not_finite = !report.indefinite && report.iterations == 0;
-    if (!report.converged && !not_finite && step_.failure.empty()) step_.failure = no_mass_solution;
+    if (!report.converged && !not_finite && !step_.failure) step_.failure = {.cause = Cause::mass_not_solved};
 }
 
 ImpulseResponse Dynamics::respond(const std::vector<Vec6>& impulse) {
@@ -467,13 +462,12 @@ bool Dynamics::advance() {
         do {
             rejected_ = false;
             take_step();
-            if (step_.failure.empty()) break;
-            char at[64];
-            std::snprintf(at, sizeof at, "step %ld, t = %.6g s: ", state_.step + 1, state_.time + step_.dt);
-            step_.failure = at + step_.failure;
+            if (!step_.failure) break;
+            step_.failure.step = state_.step + 1, step_.failure.time = state_.time + step_.dt;
             // no shorter step helps against a load that is not finite
-            rejected_ = settings_.controlled() && !(control_.by_default() && is_of_load(step_.failure));
-            if (!rejected_) roll_back(), fail(step_.failure);
+            rejected_ =
+                settings_.controlled() && !(control_.by_default() && step_.failure.cause == Cause::load_not_finite);
+            if (!rejected_) roll_back(), fail({step_.failure});
         } while (rejected_ && again_shorter());
         for (const auto& e : effects_->all) e->release_step();
     } catch (const HookError& e) {
@@ -553,34 +547,32 @@ void Dynamics::roll_back() {
 
 /// The step is taken back and halved; false when it is the finest already: the run ends.
 bool Dynamics::again_shorter() {
-    const std::string why = std::move(step_.failure);
+    const Failure why = step_.failure;
     const long tried = size_.length();
     roll_back();
     if (tried > 1) {
         const long next = size_.halved(tried);
-        if (tried == size_.own_length()) note_activation("short steps", true, why);
+        if (tried == size_.own_length()) note_activation("short steps", true, text_of(RunFailure{why}, *structure_));
         set_length(next);
         save_step();
         return true;
     }
-    char finest[80];
-    std::snprintf(finest, sizeof finest, "; dt was halved down to %.3g s, and no shorter step is tried", size_.dt());
-    fail(why + finest + crushed());
+    RunFailure failure{why, {{Remark::Kind::halved, {.value = size_.dt()}}}};
+    if (const Failure flat = crushed(); flat.element >= 0)
+        failure.remarks.push_back({Remark::Kind::pressed_flat, flat});
+    fail(std::move(failure));
     return false;
 }
 
-/// Names an element that is pressed flat: it has no length left that steps could be short against.
-std::string Dynamics::crushed() const {
-    if (!structure_->large()) return {};
-    double least = crushed_part;
-    int flat = -1;
-    for (int i = 0; i < int(structure_->elements().size()); ++i) {
+/// An element that is pressed flat: it has no length left that steps could be short against.
+Failure Dynamics::crushed() const {
+    Failure flat{.value = crushed_part};
+    for (int i = 0; structure_->large() && i < int(structure_->elements().size()); ++i) {
         const Element& e = structure_->elements()[i];
         const double part = chord_of(e, state_.displacement).norm() / e.length;
-        if (!state_.broken[i] && part < least) least = part, flat = i;
+        if (!state_.broken[i] && part < flat.value) flat.value = part, flat.element = i;
     }
-    if (flat < 0) return {};
-    return "; " + structure_->element_name(flat) + " is pressed to " + number_text(100 * least, 2) + " % of its length";
+    return flat;
 }
 
 /// The energy balance of what is tried; the state is as before afterwards.
@@ -639,20 +631,17 @@ void Dynamics::control_step() {
     if (structure_->large())
         for (std::size_t i = 0; i < w_.rotation_step.size(); ++i)
             if (const double angle = w_.rotation_step[i].norm(); !(angle <= most_rotation)) {
-                char what[120];
-                std::snprintf(what, sizeof what, " would rotate by %.3g rad in a step, more than %.2g", angle,
-                              most_rotation);
-                step_.failure = structure_->node_name(int(i)) + what;
+                step_.failure = {
+                    .cause = Cause::rotation_too_large, .node = int(i), .value = angle, .limit = most_rotation};
                 return;
             }
     unseen_ = !control_.due(control_.by_default() && is_abrupt(), size_);
     if (unseen_) return;
-    auto why = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] {
+    step_.failure = control_.refuse(energy_of_trial(), accounts_, largest_energy_, size_, [this] {
         const double error = energy().error;  // of a state that is kept, seen only now
         if (largest_energy_.most() > 0) energy_monitor_.take(error / largest_energy_.most(), state_.time);
         return error;
     });
-    if (why) step_.failure = std::move(*why);
 }
 
 /// Now and then, and at the end: whether a pair is pressed beyond what two elements can show.
@@ -734,20 +723,25 @@ void Dynamics::check_energy() {
     const bool running = verdict_ == Verdict::running, failed = verdict_ == Verdict::failed;
     const bool due = energy_monitor_.due(state_, running);
     if (!due && !failed) return look_between();
-    char what[160] = "";
-    if (const Fastest& fast = fastest(); fast.node >= 0)
-        std::snprintf(what, sizeof what, "; fastest was %s with %.3g m/s at t = %.6g s",
-                      structure_->node_name(fast.node).c_str(), fast.speed, fast.time);
-    std::optional<std::string> lost;
+    Failure lost;
     if (due)
         lost = energy_monitor_.look(state_, energy(), accounts_, largest_energy_, running,
-                                    EnergyMonitor::may_grow(tolerance()), what);
+                                    EnergyMonitor::may_grow(tolerance()));
     if (!lost && !failed) return;
     // a fold has advice of its own; no step helps against a load that is not finite
-    if (!lost && (assembly_.folded() >= 0 || is_of_load(reason_))) return;
-    const std::string why = !failed ? *lost : lost ? reason_ + "; before it, " + *lost : reason_;
-    fail(why);
-    if (!settings_.trial) fail(why + advice());
+    if (!lost && (assembly_.folded() >= 0 || failure_.what.cause == Cause::load_not_finite)) return;
+    RunFailure failure = failed ? failure_ : RunFailure{lost};
+    if (lost && failed) failure.remarks.push_back({Remark::Kind::before, lost});
+    if (const Fastest& fast = fastest(); lost && fast.node >= 0)
+        failure.remarks.push_back({Remark::Kind::fastest, {.node = fast.node, .value = fast.speed, .time = fast.time}});
+    if (lost && energy_monitor_.lost()->went_back)
+        failure.remarks.push_back(
+            {Remark::Kind::went_back,
+             {.value = energy_monitor_.lost()->good_share, .count = state_.step, .time = state_.time}});
+    fail(failure);
+    if (settings_.trial) return;
+    failure.advice = advice();
+    fail(std::move(failure));
 }
 
 }  // namespace hinge

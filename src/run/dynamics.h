@@ -74,7 +74,7 @@ private:
     void recover(double time);
     bool correct();
     void settle();
-    std::string failure_of_elements() const;
+    Failure failure_of_elements() const;
     void end_contacts();
     void decide();
     void control_step();
@@ -93,14 +93,14 @@ private:
     void save_step();
     void roll_back();
     bool again_shorter();
-    std::string crushed() const;
-    struct Remedy {
-        std::string words;
+    Failure crushed() const;
+    struct Trial {
+        Remedy remedy;
         std::optional<DynamicSettings> settings;  ///< to be tried; none where the model would be another one
     };
-    std::vector<Remedy> remedies() const;
-    std::string advice() const;
-    std::optional<bool> holds(const Remedy& remedy, double from, double beyond, long& budget) const;
+    std::vector<Trial> trials() const;
+    Advice advice() const;
+    std::optional<bool> holds(const Trial& trial, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
     void check_energy();
     void look_between();

@@ -99,7 +99,7 @@ void Dynamics::go_on_as(const Dynamics& before) {
     if (auto* records = state_.data.find<HingeRecords>(hinge_records))
         for (HingeRecord& hinge : records->list) ++hinge.runs_ago;
     stages_ = stages, warnings_ = warnings, activations_ = activations, pairs_ = pairs;
-    verdict_ = Verdict::running, reason_.clear();
+    verdict_ = Verdict::running, failure_ = {};
     state_.step = first_step_ = breaks_ = 0;
     at_start_ = state_.accumulated;
     Accounts counted;  // the potential energy of gravity counts from where `before` began

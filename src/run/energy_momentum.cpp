@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text.h"
 #include "effects/all_effects.h"
 #include "run/yield_tangents.h"
 #include "state/node_mass.h"
@@ -283,12 +282,12 @@ void EnergyMomentum::recovered(const Step&) {
 
 void EnergyMomentum::solve(Step& step) {
     stages_.timed(forces_stage_, [&] { find_elements_forces(), find_out_of_balance(step); });
-    if (!step.failure.empty()) return;
+    if (step.failure) return;
     stages_.timed(stiffness_stage_, [&] { mark_changed(step.iteration), renew_effective_stiffness(); });
     stages_.timed(solve_stage_, [&] {
         SolverSettings solver = settings_.solver;
         const SolveReport report = effective_->solve(right_, change_, solver);
-        if (!report.converged) fail_to_solve(step, solver, report);
+        if (!report.converged) step.failure = failure_of(solver, report);
     });
     size_ = 0;
     for (std::size_t i = 0; i < right_.size(); ++i) size_ += right_[i].dot(change_[i]);
@@ -404,9 +403,8 @@ bool EnergyMomentum::correct(Step& step) {
         return false;
     }
     if (last || !(size <= lost * first)) {
-        step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
-                       " iterations (last correction " + number_text(std::sqrt(size / first), 2) + " of the first)";
-        remedy = "more iterations";
+        step.failure = {
+            .cause = Cause::newton_not_converged, .value = std::sqrt(size / first), .count = step.iteration};
         return false;
     }
     return true;

@@ -60,9 +60,8 @@ bool EnergyMonitor::due(const State& state, bool running) const {
     return !running || state.step - looked_at_ >= std::clamp((steps_ - 1) / 20, 1L, most_between);
 }
 
-std::optional<std::string> EnergyMonitor::look(State& state, const Energy& energy, const AccountList& accounts,
-                                               LargestEnergy& largest, bool running, double may_grow,
-                                               const std::string& fastest) {
+Failure EnergyMonitor::look(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
+                            bool running, double may_grow) {
     const double before = largest.most(), share = beyond_rounding(largest.share(energy, accounts), energy);
     if (!(tolerance_ > 0)) {
         if (largest.most() <= 2 * before || !running) largest_error_.take(share, state.time);
@@ -82,27 +81,19 @@ std::optional<std::string> EnergyMonitor::look(State& state, const Energy& energ
         if (running && state.broken.size() <= most_kept) good_ = {state, share};
         return {};
     }
-    lost_ = {state.step, state.time, state.factor, energy, share, false};
+    lost_ = {state.step, state.time, state.factor, energy, share};
     largest.set_most(before);
-    char what[400];
-    if (closes)
-        std::snprintf(
-            what, sizeof what,
-            "step %ld, t = %.6g s: the error of the energy balance has grown by %.3g %% of the largest energy "
-            "since step %ld, more than %.3g %% (energy_tolerance %.3g %%)",
-            state.step, state.time, 100 * std::abs(grown), since, 100 * may_grow, 100 * tolerance_);
-    else
-        std::snprintf(what, sizeof what,
-                      "step %ld, t = %.6g s: the energy balance no longer closes, its error is %.3g %% of the largest "
-                      "energy (energy_tolerance %.3g %%)",
-                      state.step, state.time, 100 * share, 100 * tolerance_);
-    std::string why = what + fastest;
+    Failure why{.tolerance = tolerance_, .step = state.step, .time = state.time};
+    if (closes) {
+        why.cause = Cause::energy_error_grown;
+        why.value = std::abs(grown), why.limit = may_grow, why.count = since;
+    } else {
+        why.cause = Cause::energy_error;
+        why.value = share;
+    }
     if (good_) {
-        lost_->went_back = true;
+        lost_->went_back = true, lost_->good_share = good_->share;
         state = std::move(good_->state);
-        std::snprintf(what, sizeof what, ". The state is that of step %ld, t = %.6g s, where it was %.3g %%",
-                      state.step, state.time, 100 * good_->share);
-        why += what;
         good_.reset();
     }
     return why;
@@ -158,8 +149,8 @@ void StepControl::start_from_known(double error) {
     between_ = 1;
 }
 
-std::optional<std::string> StepControl::compare(const Energy& energy, const AccountList& accounts,
-                                                LargestEnergy& largest, StepSize& size) {
+Failure StepControl::compare(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
+                             StepSize& size) {
     const double before = largest.most(), share = beyond_rounding(largest.share(energy, accounts), energy),
                  so_far = size.so_far();
     const double of_run = size.part_of_run(since_units_ + size.length());
@@ -191,14 +182,11 @@ std::optional<std::string> StepControl::compare(const Energy& energy, const Acco
         return {};
     }
     if (first_refused_ == 0) first_refused_ = lost;
-    char what[160];
-    if (!finite) std::snprintf(what, sizeof what, "its energy would no longer be finite");
-    else
-        std::snprintf(what, sizeof what,
-                      "the step would lose %.3g %% of the largest energy, its share of step_control is %.3g %%",
-                      100 * lost / largest.most(), 100 * tolerance(size) * of_run);
+    Failure why{.cause = finite ? Cause::energy_lost_in_step : Cause::energy_not_finite,
+                .value = lost / largest.most(),
+                .limit = tolerance(size) * of_run};
     largest.set_most(before);
-    return what;
+    return why;
 }
 
 }  // namespace hinge

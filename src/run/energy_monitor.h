@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
+#include "core/failure.h"
 #include "run/step_size.h"
 #include "state/state.h"
 
@@ -45,9 +45,10 @@ struct LostBalance {
     Energy energy;
     double share = 0;        ///< its error as a part of the largest energy
     bool went_back = false;  ///< a good state was kept, and is the run's again
+    double good_share = 0;   ///< the error of that state, likewise
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.step, s.time, s.factor, s.energy, s.share, s.went_back);
+        a(s.step, s.time, s.factor, s.energy, s.share, s.went_back, s.good_share);
     }
 };
 
@@ -73,10 +74,11 @@ public:
     /// The state that the run begins with is good.
     void begin(const State& state);
     bool due(const State& state, bool running) const;
-    /// Null while the balance closes: the state is kept as good. Else what happened; `state` becomes the last good one,
-    /// if there is one, and `largest` what it was before. `may_grow`: by which the error may, since the last look.
-    std::optional<std::string> look(State& state, const Energy& energy, const AccountList& accounts,
-                                    LargestEnergy& largest, bool running, double may_grow, const std::string& fastest);
+    /// None while the balance closes: the state is kept as good. Else what happened; `state` becomes the last good one,
+    /// if there is one (lost()), and `largest` what it was before. `may_grow`: by which the error may, since the last
+    /// look.
+    Failure look(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest, bool running,
+                 double may_grow);
     const std::optional<LostBalance>& lost() const { return lost_; }
     double error() const { return error_; }  ///< J, of the balance at the last look at which it closed
     const LargestError& largest_error() const { return largest_error_; }
@@ -131,12 +133,12 @@ public:
     bool due(bool abrupt, const StepSize& size) const;
     /// A change of the motion, as a part of the largest energy, that is abrupt.
     double abrupt() const;
-    /// Why the step that was tried is not kept, or null. `energy`: of its end; `before`: called for the error of the
+    /// Why the step that was tried is not kept, or none. `energy`: of its end; `before`: called for the error of the
     /// balance where it begins, J.
     template <class Before>
-    std::optional<std::string> refuse(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
-                                      StepSize& size, Before before) {
-        auto why = compare(energy, accounts, largest, size);
+    Failure refuse(const Energy& energy, const AccountList& accounts, LargestEnergy& largest, StepSize& size,
+                   Before before) {
+        const Failure why = compare(energy, accounts, largest, size);
         if (!why || since_ == 0) return why;
         start_from_known(before());  // the steps that nobody looked at are kept, and each one is looked at now
         return compare(energy, accounts, largest, size);
@@ -153,8 +155,7 @@ public:
     }
 
 private:
-    std::optional<std::string> compare(const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
-                                       StepSize& size);
+    Failure compare(const Energy& energy, const AccountList& accounts, LargestEnergy& largest, StepSize& size);
     void start_from_known(double error);
     double tolerance(const StepSize& size) const;
     double known_loss(double left, const StepSize& size) const;

@@ -100,7 +100,6 @@ public:
     virtual void restore(Reader& from) = 0;
 
     Fastest fastest;
-    const char* remedy = nullptr;  ///< what may help where the last step could not be solved
 
 protected:
     /// The supports' reactions: what they must add to hold their degrees of freedom.
@@ -116,7 +115,7 @@ protected:
     /// What is out of balance becomes what is solved for: reactions are taken out of it. False, and the step says which
     /// node, where it is no number; `sum`: of its squares.
     bool balance_supports(double sum, std::vector<Vec6>& right, Step& step) {
-        if (!std::isfinite(sum)) return step.failure = name_the_culprit(), false;
+        if (!std::isfinite(sum)) return step.failure = find_culprit(), false;
         take_reactions([&](int n, int c) {
             const double r = -right[n][c];
             right[n][c] = 0;
@@ -130,9 +129,9 @@ protected:
         for (const Fastest& f : fastest_of_)
             if (f.speed > fastest.speed * fastest.speed) fastest = {std::sqrt(f.speed), f.node, time};
     }
-    std::string name_the_culprit() const;
-    void fail_to_solve(Step& step, const SolverSettings& solver, const SolveReport& report);
-    std::string weakest_part();
+    Failure find_culprit() const;
+    Failure failure_of(const SolverSettings& solver, const SolveReport& report);
+    Failure weakest_part();
     void move_to_rotated(int first, int end);
 
     Workspace& w_;

@@ -6,7 +6,6 @@
 
 #include "algebra/stable_step.h"
 #include "core/rotation.h"
-#include "core/text.h"
 #include "effects/all_effects.h"
 #include "run/effect_forces.h"
 #include "run/step_size.h"
@@ -239,7 +238,7 @@ void Newmark::solve_for_change(Step& step) {
     SolverSettings solver = settings_.solver;
     solver.floor = motion_ * std::pow(velocity_rounding / step.dt, 2);
     const SolveReport report = effective_->solve(right_, change_, solver);
-    if (!report.converged) fail_to_solve(step, solver, report);
+    if (!report.converged) step.failure = failure_of(solver, report);
 }
 
 /// K du of the supports' ways over the step, out of the right side of eq 15.
@@ -307,10 +306,8 @@ bool Newmark::correct(Step& step) {
     const bool may_be_halved = settings_.controlled() && step.dt > settings_.dt / StepSize::fine_part;
     const double enough = may_be_halved ? 1e-10 : 1e-6;
     if (iterations_ > 1 && step.iteration == iterations_ && size > enough * first_change_ && first_change_ > 1e-12) {
-        step.failure = "Newton did not converge in " + std::to_string(step.iteration) +
-                       " iterations (last correction " + number_text(std::sqrt(size / first_change_), 2) +
-                       " of the first)";
-        remedy = "more iterations";
+        step.failure = {
+            .cause = Cause::newton_not_converged, .value = std::sqrt(size / first_change_), .count = step.iteration};
     }
     return step.iteration < iterations_ && size > tolerance_ * tolerance_ * first_change_;
 }

@@ -88,7 +88,7 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
         if (!change || !find_step(*change, at)) return false;
         if (!search_line(*change, hinge_stiffness > 0, at)) return false;
         if (has_converged(at)) {
-            if (!w_.assembly.failure().empty()) return false;
+            if (w_.assembly.failure()) return false;
             result_.iterations = at.number;
             result_.displacements = total_;
             return true;

@@ -136,12 +136,26 @@ void Run::note_activation(const std::string& effect, bool awake, const std::stri
 }
 
 void Run::stop() {
-    if (verdict_ == Verdict::running) verdict_ = Verdict::stopped, reason_ = "stopped by the script";
+    if (verdict_ == Verdict::running) verdict_ = Verdict::stopped;
 }
 
-void Run::fail(std::string why) {
+void Run::fail(RunFailure why) {
     verdict_ = Verdict::failed;
-    reason_ = std::move(why);
+    failure_ = std::move(why);
+}
+
+std::string Run::reason() const {
+    switch (verdict_) {
+        case Verdict::failed: return text_of_cause(failure_.what) + text_of_rest(failure_, *structure_, false);
+        case Verdict::stopped: return "stopped by the script";
+        case Verdict::completed: return reason_at_end();
+        default: return {};
+    }
+}
+
+std::string Run::brief_reason() const {
+    if (verdict_ != Verdict::failed) return reason();
+    return text_of_cause(failure_.what) + text_of_rest(failure_, *structure_, true);
 }
 
 void Run::warn(std::optional<RunWarning> warning) {

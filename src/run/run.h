@@ -12,6 +12,7 @@
 #include "effects/reports.h"
 #include "effects/workspace.h"
 #include "run/constraints.h"
+#include "run/failure_text.h"
 #include "run/pressed_pairs.h"
 
 namespace hinge {
@@ -41,7 +42,12 @@ public:
 
     void stop();  ///< the script has seen enough
     Verdict verdict() const { return verdict_; }
-    const std::string& reason() const { return reason_; }
+    /// In words: why it failed, or what is to be said of its end; "" for nothing. Nothing reads that back.
+    std::string reason() const;
+    /// The same of a run that failed or reached a limit load, without advice.
+    std::string brief_reason() const;
+    /// Null for a run that has not failed.
+    const RunFailure* failure() const { return verdict_ == Verdict::failed ? &failure_ : nullptr; }
     const State& state() const { return state_; }
     const Structure& structure() const { return *structure_; }
     std::shared_ptr<const Structure> share_structure() const { return structure_; }
@@ -101,7 +107,11 @@ public:
     Counts count_members(int group) const;
 
 protected:
-    void fail(std::string why);
+    void fail(RunFailure why);
+    /// The sentence of a cause.
+    virtual std::string text_of_cause(const Failure& failure) const { return text_of(failure, *structure_); }
+    /// What is to be said of a run that has completed; "" for nothing.
+    virtual std::string reason_at_end() const { return {}; }
     void warn(std::optional<RunWarning> warning);
     void begin_constraints();
     Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
@@ -127,7 +137,7 @@ protected:
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.reason_, s.activations_, s.first_step_,
+        a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.failure_, s.activations_, s.first_step_,
           s.breaks_, s.warnings_, s.pairs_);
     }
 
@@ -146,7 +156,7 @@ protected:
     std::vector<Activation> activations_;
     std::vector<RunWarning> warnings_;
     PressedPairs pairs_;
-    std::string reason_;
+    RunFailure failure_;  ///< of statics also what ended it at a limit load
     long first_step_, breaks_ = 0;
 };
 

@@ -52,7 +52,6 @@ bool Statics::advance() {
     ++state_.step;
     if (verdict_ == Verdict::running && is_over()) {
         verdict_ = Verdict::completed;
-        reason_ = reason_at_end();
         warn_if_nothing_acts();
     }
     if (verdict_ != Verdict::failed) warn_of_missed_moments();
@@ -86,9 +85,8 @@ std::optional<Statics::Substep> Statics::find_equilibrium() {
             halving_.go_on_with(*exchanged);
             return Substep{path_.get(), *exchanged};
         }
-        char step[80];
-        std::snprintf(step, sizeof step, " (step %ld halved down to %.1g of the way)", steps_done() + 1, increment);
-        end_at_limit("no equilibrium found beyond load factor " + number_text(state_.factor) + step);
+        end_at_limit(
+            {.cause = Cause::no_equilibrium, .value = state_.factor, .limit = increment, .step = steps_done() + 1});
         return {};
     }
     return Substep{path_.get(), increment};
@@ -182,7 +180,12 @@ bool Statics::pass_instability(const Substep& substep) {
     stability_.accept_modes(modes);
     if (path_->kind() == Control::load && !settings().past_unstable) {
         if (stable > 0 && try_part(stable) == Found::stable) commit_state();
-        end_at_limit(instability_text());
+        const Instability& at = *instability();
+        end_at_limit({.cause = Cause::unstable,
+                      .node = at.node,
+                      .component = at.component,
+                      .value = at.factor,
+                      .limit = at.beyond});
         return false;
     }
     stability_.count_ways(modes);

@@ -74,14 +74,15 @@ private:
     RunWarning warning_of_lean(const Instability& upright, int member) const;
 
     // statics_ends.cpp: the end of a run
-    void end_at_limit(const std::string& why);
-    std::string reason_at_end() const;
+    void end_at_limit(const Failure& why);
+    std::string text_of_cause(const Failure& failure) const override;
+    std::string reason_at_end() const override;
     bool is_soft() const;
-    std::string limit_point() const;
-    std::string advice_at_limit();
-    std::string advice_under_load();
-    std::string control_that_goes_on(bool unstable);
-    std::string advice_when_driven();
+    std::optional<Remark> limit_point() const;
+    std::vector<Remark> remarks_at_limit();
+    std::vector<Remark> remarks_under_load();
+    Remark control_that_goes_on(bool unstable);
+    std::vector<Remark> remarks_when_driven();
     void warn_of_missed_moments();
     void warn_if_nothing_acts();
 

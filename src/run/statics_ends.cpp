@@ -12,7 +12,6 @@ namespace {
 
 /// A structure that answers the load so many times as softly as it did at first is at a limit point.
 constexpr double soft = 10;
-constexpr std::size_t most_named = 3;
 
 /// Displacement control that is tried beyond a limit load moves a node by these parts of the structure's size.
 constexpr double tried_parts[] = {1e-3, 1e-4, 1e-5};
@@ -46,18 +45,25 @@ Translation first_translation(const std::vector<Vec6>& displacements, int nodes)
 }  // namespace
 
 /// Completed where the script asked for that and there was a way to it, else failed.
-void Statics::end_at_limit(const std::string& why) {
-    const std::string advice = advice_at_limit();
-    if (const std::string of_element = assembly_.failure(); !of_element.empty())
-        return fail(why + advice + "; " + of_element);
-    if (!settings().to_limit || substeps_ == 0) return fail(why + advice);
+void Statics::end_at_limit(const Failure& why) {
+    RunFailure failure{why, remarks_at_limit()};
+    if (const Failure of_element = assembly_.failure()) {
+        failure.remarks.push_back({Remark::Kind::of_element, of_element});
+        return fail(std::move(failure));
+    }
+    if (!settings().to_limit || substeps_ == 0) return fail(std::move(failure));
     verdict_ = Verdict::completed;
-    reason_ = "limit load: " + why;
+    failure_ = {why};
     limit_ = true;
+}
+
+std::string Statics::text_of_cause(const Failure& failure) const {
+    return failure.cause == Cause::unstable ? instability_text() : Run::text_of_cause(failure);
 }
 
 /// What is to be said of a run that has completed; "" for nothing.
 std::string Statics::reason_at_end() const {
+    if (limit_) return "limit load: " + text_of_cause(failure_.what);
     if (stability_.branching())
         return "beyond a branching point at load factor " + number_text(*stability_.branching()) +
                ": these equilibria cannot be held, not even where they are driven";
@@ -98,48 +104,42 @@ void Statics::warn_if_nothing_acts() {
 /// True where the last try was given up if the loads move the structure far more than they did at first.
 bool Statics::is_soft() const { return newton_.softness() > soft * newton_.first_softness(); }
 
-/// Where the last try was given up: the node that the loads move most, and the members with plastic hinges there. ""
+/// Where the last try was given up: the node that the loads move most, and the members with plastic hinges there. None
 /// where the structure is as stiff as ever.
-std::string Statics::limit_point() const {
-    if (!is_soft() || !std::isfinite(newton_.softness())) return "";
+std::optional<Remark> Statics::limit_point() const {
+    if (!is_soft() || !std::isfinite(newton_.softness())) return {};
     const Translation most = largest_translation(newton_.result().response);
-    std::vector<int> members;
+    Remark point{Remark::Kind::limit_point, {.node = most.node, .component = most.component}};
+    std::vector<int>& members = point.members;
     for (const PlasticIncrement& y : w_.yielding) members.push_back(structure_->elements()[y.element].member);
     std::sort(members.begin(), members.end());
     members.erase(std::unique(members.begin(), members.end()), members.end());
-    std::string text =
-        ": a limit load, where " + structure_->node_name(most.node) + " gives way, " + component_name(most.component);
-    for (std::size_t i = 0; i < std::min(members.size(), most_named); ++i)
-        text += (i > 0                 ? ", "
-                 : members.size() == 1 ? ", with plastic hinges in member "
-                                       : ", with plastic hinges in members ") +
-                std::to_string(members[i] + 1);
-    if (members.size() > most_named) text += " and " + std::to_string(members.size() - most_named) + " more";
-    return text;
+    return point;
 }
 
 /// No equilibrium is found from where the state is, or only one that cannot be held: why that may be, and what can be
 /// done about it.
-std::string Statics::advice_at_limit() {
+std::vector<Remark> Statics::remarks_at_limit() {
     switch (path_->kind()) {
-        case Control::load: return advice_under_load();
-        case Control::arc: return ": the path turns too sharply or ends there; more steps make a shorter arc";
-        default: return advice_when_driven();
+        case Control::load: return remarks_under_load();
+        case Control::arc: return {{Remark::Kind::path_turns}, {Remark::Kind::shorter_arc}};
+        default: return remarks_when_driven();
     }
 }
 
-std::string Statics::advice_under_load() {
+std::vector<Remark> Statics::remarks_under_load() {
     if (settings().to_limit && substeps_ > 0) return {};  // it has what it asked for
     const bool unstable = instability() && !settings().past_unstable;
-    std::string where = unstable ? ". Beyond it load control finds equilibria that cannot be held" : limit_point();
-    if (unstable && instability()->node < 0) return where;  // instability_text says what shows it
-    return (where.empty() ? ": a limit load, a mechanism or a snap" : where) + "; " + control_that_goes_on(unstable);
+    const Remark where = unstable ? Remark{Remark::Kind::load_control_ends}
+                                  : limit_point().value_or(Remark{Remark::Kind::limit_or_snap});
+    if (unstable && instability()->node < 0) return {where};  // instability_text says what shows it
+    return {where, control_that_goes_on(unstable)};
 }
 
 /// The first of other kinds of control that goes on from the state: by the displacement that gives way, or by arc
 /// length. Where the structure is unstable and as stiff as ever no other path leads on from the loads': a branching
 /// point.
-std::string Statics::control_that_goes_on(bool unstable) {
+Remark Statics::control_that_goes_on(bool unstable) {
     const bool branches = unstable && !is_soft();
     const int steps = settings().steps, nodes = int(structure_->model().nodes().size());
     const double begun = state_.factor;
@@ -154,20 +154,18 @@ std::string Statics::control_that_goes_on(bool unstable) {
         const double along = newton_.result().response[std::size_t(driven.node)][driven.component] < 0 ? -1 : 1;
         for (const double part : tried_parts)
             if (arrives(DisplacementControl(steps, driven.node, driven.component, along * part * problem_.reach)))
-                return std::string("control by ") + component_name(driven.component) + " of " +
-                       structure_->node_name(driven.node) + " goes on past it: tried over " +
-                       number_text(1e3 * part * problem_.reach, 2) + " mm";
+                return {Remark::Kind::drive_displacement,
+                        {.node = driven.node, .component = driven.component, .value = part * problem_.reach}};
     }
-    if (branches) return "a small load that moves it that way, as an imperfection, shows how it gives way";
+    if (branches) return {Remark::Kind::imperfection};
     if (arrives(ArcLengthControl(steps, settings().target, halving_.size(), newton_.result().displacements)))
-        return "control by arc length goes on past it: tried";
-    return "model:dynamic with from = and allow_failed = true follows what comes after it in time";
+        return {Remark::Kind::arc_length};
+    return {Remark::Kind::follow_in_time};
 }
 
 /// Displacement control: the loads do not move what is driven, or it would have to turn back.
-std::string Statics::advice_when_driven() {
+std::vector<Remark> Statics::remarks_when_driven() {
     const int n = settings().node, c = settings().component;
-    const std::string driven = std::string(component_name(c)) + " of " + structure_->node_name(n);
     w_.trial = configuration_of(state_);
     forces_.recover();
     w_.yielding = newton_.hinges();
@@ -182,11 +180,10 @@ std::string Statics::advice_when_driven() {
         for (std::size_t i = 0; solved && i < response.size(); ++i)
             for (int k = 0; k < 6; ++k) most = std::max(most, size(i, k));
         if (solved && size(std::size_t(n), c) <= 1e-9 * most)
-            return ": the loads do not move " + driven + ", which is to be driven; drive what they move";
+            return {{Remark::Kind::not_moved, {.node = n, .component = c}}, {Remark::Kind::drive_what_moves}};
     }
-    return ", where " + driven + " is " + number_text(displacement(n)[c]) + (c < 3 ? " m" : " rad") +
-           ": it would have to turn back there, or the structure comes apart in another way; drive what goes on moving "
-           "one way, or control by arc length";
+    return {{Remark::Kind::would_turn_back, {.node = n, .component = c, .value = displacement(n)[c]}},
+            {Remark::Kind::drive_one_way}};
 }
 
 }  // namespace hinge

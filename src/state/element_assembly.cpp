@@ -157,17 +157,12 @@ void ElementAssembly::share_out() {
     }
 }
 
-std::string ElementAssembly::failure(bool nothing_breaks) const {
-    if (folded_ >= 0) {
-        // a hinge that turns so far would have broken; what is elastic bends less in shorter elements
-        const bool unbroken = nothing_breaks && !structure_.elements()[folded_].yield.elastic();
-        return "an end of " + structure_.element_name(folded_) +
-               " has folded back against the element itself, by 177 degrees or more; " +
-               (unbroken ? "a rule of fracture (model:fracture) may help" : "more elements a member may help");
-    }
-    if (unreturned_ >= 0)
-        return "the plastic flow of " + structure_.element_name(unreturned_) +
-               " was not found: its forces are too far beyond the yield surface for one step";
+Failure ElementAssembly::failure(bool nothing_breaks) const {
+    if (folded_ >= 0)
+        return {.cause = Cause::element_folded,
+                .element = folded_,
+                .unbroken = nothing_breaks && !structure_.elements()[folded_].yield.elastic()};
+    if (unreturned_ >= 0) return {.cause = Cause::flow_not_found, .element = unreturned_};
     return {};
 }
 

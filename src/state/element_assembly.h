@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "beam/section_law.h"
+#include "core/failure.h"
 #include "core/thread_pool.h"
 #include "state/configuration.h"
 
@@ -68,10 +69,10 @@ public:
     int folded() const { return folded_; }
     /// An element whose return to its yield surface has not converged; -1 when there is none. Filled by run.
     int unreturned() const { return unreturned_; }
-    /// Reason why a step cannot continue, "" if it can: an element has folded, or the return of one to its yield
+    /// Reason why a step cannot continue, if it cannot: an element has folded, or the return of one to its yield
     /// surface has not converged. Filled by run. `nothing_breaks`: in a run in which elements could break, no rule lets
     /// them.
-    std::string failure(bool nothing_breaks = false) const;
+    Failure failure(bool nothing_breaks = false) const;
     /// Records the frame of the element at `pose` as the one of its stiffness.
     void mark_built(int element, const State& state, const Configuration& pose);
 

@@ -204,6 +204,7 @@ function impact.simulate(p, see)
 
   local r, energy, brought = impact.damage(run, frame), run.energy, p.mass * p.speed
   r.verdict, r.reason, r.time, r.seconds, r.touched = run.verdict, run.reason, run.time, run.wall_seconds, watch.touched
+  r.failure = run.failure and { cause = run.failure.cause, text = run.failure.text }
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
   local i = loaded.instability -- of the building under its own weight
   r.unstable = i and { factor = i.factor, node = i.node, component = i.component, by = i.by } or nil

@@ -76,7 +76,7 @@ constexpr int most_failed = 10;  ///< lines about runs that failed before the la
 
 /// Verdict of the script, and why.
 struct Outcome {
-    std::string verdict = "completed", reason;
+    std::string verdict = "completed", reason, cause;
 };
 
 /// That of the last run, or of the one before it that failed without the script having asked for its verdict.
@@ -85,10 +85,11 @@ Outcome outcome_of_runs(const Context& c) {
     const RunRecord& r = *c.runs.last;
     const bool running = r.run->verdict() == Verdict::running;
     Outcome out{running ? "stopped" : name(verdict_of(r)),
-                running ? "the script stopped before the last step" : reason_of(r)};
-    if (is_weak(r)) out = {"failed", reason_of(r)};
+                running ? "the script stopped before the last step" : reason_of(r), cause_of(r)};
+    if (is_weak(r)) out = {"failed", reason_of(r), "from_failed_run"};
+    if (r.run->failure()) out.cause = cause_of(r);
     if (const std::string other = unasked_failure(c); out.verdict != "failed" && !other.empty())
-        out = {"failed", other};
+        out = {"failed", other, unasked_cause(c)};
     return out;
 }
 
@@ -98,13 +99,14 @@ void count_lost_files(const Context& c, Outcome& out) {
     if (lost.empty()) return;
     const std::string missing =
         lost.front() + (lost.size() > 1 ? "; and " + std::to_string(lost.size() - 1) + " more" : "");
-    out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing};
+    out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing,
+           out.cause.empty() ? "not_written" : out.cause};
 }
 
 /// Lists the runs that failed before the last one, whose failure is the verdict and is told by itself.
 void list_failed_runs(const Context& c, Json& j) {
     int told = 0;
-    for (const auto& [number, text] : c.runs.failed) {
+    for (const auto& [number, text, cause] : c.runs.failed) {
         if (c.runs.last && number == c.runs.last->number) continue;
         j["failed_runs"].push_back(text);
         if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
@@ -138,11 +140,12 @@ int write_summary(lua_State* L) {
     if (c->runs.last) tell_findings(*c, *c->runs.last);
     Outcome out = outcome_of_runs(*c);
     if (const Json whole = field("whole"); !whole.is_null())
-        out = {whole.value("verdict", out.verdict), whole.value("reason", "")};
+        out = {whole.value("verdict", out.verdict), whole.value("reason", ""), ""};
     count_lost_files(*c, out);
     if (!c->output.lost.empty()) j["lost"] = c->output.lost;
     j["verdict"] = out.verdict;
     if (!out.reason.empty()) j["reason"] = out.reason;
+    if (out.verdict == "failed" && !out.cause.empty()) j["cause"] = out.cause;
     for (const char* name : {"script", "case", "parameters"})
         if (Json v = field(name); !v.is_null()) j[name] = v;
     j["hinge"] = HINGE_VERSION;

@@ -39,8 +39,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     record->asked_at = where(L);
     if (c->mode.planning)
         if (const std::string plan = c->mode.checking ? checked_run(*record) : plan_of(*record);
-            c->messages.described.find(plan) == std::string::npos) {
-            c->messages.described += plan;
+            c->messages.described.insert(plan).second) {
             std::printf("%s", plan.c_str());
             if (!c->mode.checking) {
                 std::printf("\n");

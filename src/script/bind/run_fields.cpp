@@ -61,6 +61,31 @@ void push_reason(lua_State* L, const RunRecord& r) {
     lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
 }
 
+/// { cause =, text =, step =, time =, node =, element =, member =, component =, value =, limit = }; nil where the run
+/// has not failed.
+void push_failure(lua_State* L, const RunRecord& r) {
+    if (verdict_of(r) != Verdict::failed) return lua_pushnil(L);
+    const Structure& s = r.run->structure();
+    const RunFailure* own = r.run->failure();
+    lua_createtable(L, 0, 10);
+    put(L, "cause", cause_of(r));
+    if (!own) return put(L, "text", "goes on from " + r.weak);
+    put(L, "text", r.run->brief_reason());
+    const Failure& f = own->what;
+    if (f.step > 0) put(L, "step", f.step);
+    if (f.time > 0) put(L, "time", f.time);
+    if (f.node >= 0) put(L, "node", s.node_name(f.node));
+    if (f.element >= 0) {
+        put(L, "element", s.element_name(f.element));
+        push_handle<MemberBox>(L, r.model, s.elements()[std::size_t(f.element)].member);
+        lua_setfield(L, -2, "member");
+    }
+    if (f.node >= 0 && f.component >= 0) put(L, "component", std::string(component_name(f.component)));
+    if (f.value != 0) put(L, "value", f.value);
+    if (f.limit != 0 || f.tolerance != 0) put(L, "limit", f.limit != 0 ? f.limit : f.tolerance);
+    if (f.count > 0) put(L, "count", f.count);
+}
+
 void push_hash(lua_State* L, const RunRecord& r) { lua_pushstring(L, hex_text(hash(r.run->state())).c_str()); }
 
 void push_warnings(lua_State* L, const RunRecord& r) {
@@ -172,6 +197,7 @@ constexpr RunField run_field_list[] = {
     {"planned_steps", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->planned_steps()); }},
     {"verdict", push_verdict},
     {"reason", push_reason},
+    {"failure", push_failure},
     {"energy", push_energy},
     {"worst_energy_error", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.worst_energy_error); }},
     {"contacts", push_contacts},
@@ -210,7 +236,8 @@ int run_fields(lua_State* L) {
     if (push_method(L)) return 1;
     std::string key = key_argument(L);
     const auto& r = *self<RunBox>(L, "run." + key).value;
-    if (r.number > 0 && (key == "verdict" || key == "reason")) context(L)->runs.asked.insert(r.number);
+    if (r.number > 0 && (key == "verdict" || key == "reason" || key == "failure"))
+        context(L)->runs.asked.insert(r.number);
     for (const auto& [before, now] : former_names)
         if (key == before) key = now;
     const auto* field = std::ranges::find_if(run_field_list, [&](const RunField& f) { return key == f.name; });

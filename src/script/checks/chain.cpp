@@ -31,11 +31,16 @@ std::string own_end(const RunRecord& r) {
     return "";
 }
 
+/// Whether the script has never read how it went; the last run's failure is the verdict.
+bool is_unasked(const Context& c, const FailedRun& f) {
+    return !(c.runs.last && f.number == c.runs.last->number) && c.runs.asked.count(f.number) == 0;
+}
+
 }  // namespace
 
 std::string weak_link(const RunRecord& r) {
     if (const std::string end = own_end(r); !end.empty()) {
-        const std::string why = r.run->reason().substr(0, r.run->reason().find("; "));  // without its advice
+        const std::string why = r.run->brief_reason();
         return std::string(r.run->kind()) + " run " + std::to_string(r.number) + ", which " + end + how_far(*r.run) +
                (r.asked_at.empty() ? "" : " (made at " + r.asked_at + ")") + (why.empty() ? "" : ": " + why);
     }
@@ -49,7 +54,7 @@ Verdict verdict_of(const RunRecord& r) {
 }
 
 std::string reason_of(const RunRecord& r) {
-    const std::string& reason = r.run->reason();
+    const std::string reason = r.run->reason();
     if (r.run->verdict() != Verdict::failed && is_weak(r))
         return "goes on from " + r.weak + "; allow_failed = true of model:" + r.run->kind() + " accepts that";
     if (r.run->verdict() != Verdict::failed || !r.of_units) return reason;
@@ -58,16 +63,27 @@ std::string reason_of(const RunRecord& r) {
            " says: " + w.what;
 }
 
+std::string cause_of(const RunRecord& r) {
+    if (const RunFailure* own = r.run->failure()) return word(own->what.cause);
+    return verdict_of(r) == Verdict::failed ? "from_failed_run" : "";
+}
+
+std::string unasked_cause(const Context& c) {
+    for (const FailedRun& f : c.runs.failed)
+        if (is_unasked(c, f)) return f.cause;
+    return "";
+}
+
 std::string unasked_failure(const Context& c) {
-    std::string first;
+    const FailedRun* first = nullptr;
     int more = 0;
-    for (const auto& [number, text] : c.runs.failed) {
-        if ((c.runs.last && number == c.runs.last->number) || c.runs.asked.count(number) > 0) continue;
-        if (first.empty()) first = text;
+    for (const FailedRun& f : c.runs.failed) {
+        if (!is_unasked(c, f)) continue;
+        if (!first) first = &f;
         else ++more;
     }
-    if (first.empty()) return "";
-    return first + (more > 0 ? "; so did " + count_text(more, "more run") : "") +
+    if (!first) return "";
+    return first->text + (more > 0 ? "; so did " + count_text(more, "more run") : "") +
            "; the script never asked how that went (run.verdict)";
 }
 

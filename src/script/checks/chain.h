@@ -15,8 +15,14 @@ inline bool is_weak(const RunRecord& r) { return !r.weak.empty() && !r.weak_allo
 /// Verdict of a run. A run that has ended has failed if a run that it continues did not reach its end.
 Verdict verdict_of(const RunRecord& r);
 
+/// Why the run has failed, as a word of Cause, or "from_failed_run"; "" for one that has not.
+std::string cause_of(const RunRecord& r);
+
 /// The first failed run whose verdict the script has never read, without the last run; "" for none.
 std::string unasked_failure(const Context& c);
+
+/// Cause of that run; "" for none.
+std::string unasked_cause(const Context& c);
 
 /// Data that a new run inherits from the run that it continues, and the field allow_failed.
 class Chain {

@@ -272,6 +272,7 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
                         "it may buckle, and a frame that sways buckles earlier than its members alone: " + shows,
                         model.asked_at("member " + std::to_string(group.members[0].member + 1))});
         list.back().tells_of = int(group.members.size());
+        list.back().of_buckling = true;
     }
     return list;
 }

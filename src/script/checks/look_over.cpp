@@ -55,7 +55,7 @@ void look_over(Context& c, RunRecord& record) {
         record.run->structure().model().members().size() > most_members)
         return;
     std::vector<Warning> list = warnings_of_run(record, c.messages.of_units ? 0 : most_solved, false, true);
-    const auto buckles = [](const Warning& w) { return w.what.find("Euler's load") != std::string::npos; };
+    const auto buckles = [](const Warning& w) { return w.of_buckling; };
     const long columns = std::count_if(list.begin(), list.end(), buckles);
     const auto first = std::find_if(list.begin(), list.end(), buckles);
     if (columns > 1) {  // the worst is told, the others are counted

@@ -11,7 +11,7 @@ constexpr int most_told = 10;  ///< runs that failed
 /// Where nobody asked how a run went, it says so at the end.
 void tell_failures(const Context& c) {
     int told = 0;
-    for (const auto& [number, text] : c.runs.failed)
+    for (const auto& [number, text, cause] : c.runs.failed)
         if (c.runs.asked.count(number) == 0 && ++told <= most_told) std::fprintf(stderr, "hinge: %s\n", text.c_str());
     if (told > most_told) std::fprintf(stderr, "hinge: %d more runs failed\n", told - most_told);
 }

@@ -18,6 +18,12 @@
 
 namespace hinge::script {
 
+/// A run that has failed: its number, a text with the reason, and the cause (cause_of).
+struct FailedRun {
+    int number;
+    std::string text, cause;
+};
+
 /// Data shared by a Lua state that runs a script: the output folder, messages, and the run of the summary.
 struct Context {
     /// The script's output: its folder, and files that could not be written.
@@ -39,7 +45,7 @@ struct Context {
         std::vector<std::string> warned;         ///< warnings with their advice: each is printed once
         std::optional<Warning> of_units;         ///< the first such warning of the model checked last
         int warnings_told = 0, looked_over = 0;  ///< lines printed; models checked
-        std::string described;                   ///< all plans printed so far: a loop's runs are described once
+        std::set<std::string> described;         ///< the plans printed so far: a loop's runs are described once
         std::map<std::string, std::string> described_at;  ///< line of the run, by the text printed of its model
     };
     /// How the program was asked to execute the script.
@@ -63,10 +69,10 @@ struct Context {
         std::shared_ptr<struct RunRecord>
             writer;  ///< the run that writes history.csv; earlier ones have numbered files
         int made = 0;
-        int begun = 0;                                    ///< runs that have taken a step
-        int histories = 0;                                ///< numbered history files so far
-        std::vector<std::pair<int, std::string>> failed;  ///< runs that have failed: number, text and reason
-        std::set<int> asked;                              ///< runs whose verdict the script has read
+        int begun = 0;      ///< runs that have taken a step
+        int histories = 0;  ///< numbered history files so far
+        std::vector<FailedRun> failed;
+        std::set<int> asked;  ///< runs whose verdict the script has read
     };
     /// The error that the engine raised last, to tell its kind from its text.
     struct Errors {

@@ -54,6 +54,7 @@ void show_progress(const Context& c, RunRecord& r, bool last, bool trying = fals
                   {"part", share},   {"wall_seconds", wall},        {"energy_error", r.last_energy_share},
                   {"halved", trying}};
         if (last) j["verdict"] = name(verdict_of(r)), j["reason"] = reason_of(r);
+        if (last && verdict_of(r) == Verdict::failed) j["cause"] = cause_of(r);
         write_event(c, last ? "run_ended" : "progress", std::move(j));
         return;
     }

@@ -236,9 +236,11 @@ void refuse_outdated(const RunRecord& r) {
 /// Says how a run ended, and keeps its failure for the summary.
 void tell_end(Context& c, RunRecord& r) {
     if (verdict_of(r) == Verdict::failed)
-        c.runs.failed.emplace_back(r.number, std::string(r.run->kind()) + " run " + std::to_string(r.number) +
-                                                 (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
-                                                 ", failed: " + reason_of(r));
+        c.runs.failed.push_back({r.number,
+                                 std::string(r.run->kind()) + " run " + std::to_string(r.number) +
+                                     (r.asked_at.empty() ? "" : ", made at " + r.asked_at) +
+                                     ", failed: " + reason_of(r),
+                                 cause_of(r)});
     tell_step(c, r, true);
 }
 
