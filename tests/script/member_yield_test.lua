@@ -282,6 +282,44 @@ case("where loads between nodes act at once and make an element yield by themsel
   end
 end)
 
+-- Of the clamped bar: an even load or a force at `at`, as a part of that at first yield. Fixed-end moments are
+-- q l^2 / 12 and P a b^2 / l^2.
+local carries = 355e6 * 0.03 ^ 3 / 6 -- N m
+local function beyond_first_yield(part, at, history)
+  if not at then return { q = { 0, 0, -part * carries * 12 / 4 ^ 2 }, history = history } end
+  local near_end, far_end = 4 * math.min(at, 1 - at), 4 * math.max(at, 1 - at)
+  return { at = at, force = { 0, 0, -part * carries * 4 ^ 2 / (near_end * far_end ^ 2) }, history = history }
+end
+
+case("loads between nodes that act at once are named by little more than what sections carry", function()
+  for _, of in ipairs { { 1.6, 0.8 }, { 1.6, 0.2 }, { 2, 0.8 }, { 3, 0.6 }, { 3 } } do
+    local what = ("%g times first yield, at %s: "):format(of[1], of[2])
+    local run = struck_bar(2, beyond_first_yield(of[1], of[2])):dynamic { dt = 1e-4, duration = 2e-3, record = false }
+    run:finish()
+    expect(fails_by_loads(run), what .. "%s, %s", run.verdict, run.reason)
+    equal(run.failure.cause, "energy_lost_in_step", what .. "cause")
+    local times = tonumber(run.reason:match "forces are (%S+) times")
+    expect(times > 1 and times < 1.4, what .. "fixed-end forces are %s times", times)
+  end
+end)
+
+case("loads between nodes that grew slowly are not named where a run fails for another reason", function()
+  -- A pendulum in steps that are too long, beside the clamped bar. Its load is there after 2 s, and beyond what it
+  -- carries without its tension: the fixed-end forces are 1.1 and 3 times what a section carries.
+  for _, part in ipairs { 2, 4.5 } do
+    local model = struck_bar(2, beyond_first_yield(part, nil, { { 0, 0 }, { 2, 1 } }))
+    local pin, free = model:node { 0, 5, 0 }, model:node { 2, 5, 0 }
+    model:fix(pin, "xyz rx rz")
+    local bar = model:member { pin, free, section = hinge.section.solid { width = 0.02, depth = 0.02 },
+      material = hinge.material { E = 210e9, density = rho } }
+    model:load { member = bar, q = { 0, 0, -9.81 * rho * 4e-4 } }
+    local run = model:dynamic { dt = 5e-3, duration = 8, step_control = 0, record = false }:finish()
+    equal(run.verdict, "failed", part .. ": verdict")
+    expect(not support.has(run.reason, "between its nodes"), "%g: %s", part, run.reason)
+    expect(support.has(run.reason, "step_control = 0.01 holds"), "%g: %s", part, run.reason)
+  end
+end)
+
 case("the remedies that such a failure names hold: elements, a node at the load, a load that grows", function()
   local grows = { { 0, 0 }, { 2e-3, 1 } }
   for _, load in ipairs {
