@@ -6,6 +6,7 @@
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
+#include "run/failure_check.h"
 #include "state/hinge_records.h"
 
 namespace hinge {
@@ -148,8 +149,9 @@ bool Dynamics::makes_sense() const {
     for (int n = 0; states && mass_.now() && structure_->lumped() && n < nodes; ++n)
         for (int c = 0; c < 6; ++c)
             held = held && (!(state_.held[n] >> c & 1) || mass_.now()->lumped_inverse()[n][c] == 0);
-    return states && lengths && held && size_.makes_sense() && sleepers_.size() == effects_->sleepers.size() &&
-           verdict_ >= Verdict::running && verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
+    return states && lengths && held && hinge::makes_sense(failure_, *structure_) && size_.makes_sense() &&
+           sleepers_.size() == effects_->sleepers.size() && verdict_ >= Verdict::running &&
+           verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
            all(w_.yielding, [&](const PlasticIncrement& y) { return within(elements)(y.element); }) &&
            all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;
 }

@@ -1,5 +1,6 @@
 #include "run/failure_text.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/text.h"
