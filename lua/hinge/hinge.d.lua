@@ -4002,13 +4002,17 @@ function mode:displacement(node) end
 ---@return hinge.snapshot
 function mode:snapshot(amplitude, time) end
 
----The plastic hinges: every section that has ever been fully plastic, also in the runs before (`from`). They come by
----storey, member and place in the member. Where two elements of a member meet there is one hinge: the rotation is that
----of both. The list keeps the values of now; it does not follow the run. limit compares the largest rotation so far of
----each hinge (demand) with a limit in rad. It is a number, or the levels { IO =, LS =, CP = } (immediate occupancy,
----life safety, collapse prevention; one or more, rising). It may be a table of these by group: a member's first group
----in it counts. It may be a function of the hinge that returns one of these, or nil for no limit. The limit is that of
----rotation alone: a brace that yields by its axial force has no rotation, and an elongation.
+---The plastic hinges, and the joints. Hinges are all sections that have ever been fully plastic, in this run and in the
+---runs before (`from`). Of a joint (hinge.joint, model:joint) each axis that is a spring has a row, and each force at
+---which it breaks; pins and rigid axes have none. They come by storey, member and place in the member. Where two
+---elements of a member meet there is one hinge: the rotation is that of both. The list keeps the values of now; it does
+---not follow the run. limit compares the largest rotation so far of each hinge (demand) with a limit in rad. It is a
+---number, or the levels { IO =, LS =, CP = } (immediate occupancy, life safety, collapse prevention; one or more,
+---rising). It may be a table of these by group: a member's first group in it counts. It may be a function of the hinge
+---that returns one of these, or nil for no limit. The limit is that of rotation alone: a brace that yields by its axial
+---force has no rotation, and an elongation. The rotation of a joint is the whole of it, with the elastic part. Its own
+---limits (`capacity`, `tension`, `shear` of hinge.joint) are compared too, with `limit` or without: the one that it has
+---come nearest to gives its ratio.
 ---```lua
 ---local pushed = model:static { steps = 5 }:finish()
 ---local found = pushed:hinges { group = "arm", limit = { IO = 0.01, LS = 0.03, CP = 0.04 } }
@@ -4030,8 +4034,9 @@ function run:hinges(options) end
 ---@field [integer] hinge.plastic_hinge
 ---the hinge with the largest ratio; without limits the one with the largest demand; nil in an empty list
 ---@field worst? hinge.plastic_hinge
----@field beyond? integer how many are beyond their limit; nil where no limit is given
----@field without_limit? integer how many have none; nil where no limit is given
+---how many are beyond their limit; nil where no limit is given, and no joint breaks at one of its own
+---@field beyond? integer
+---@field without_limit? integer how many have none; nil in the same case
 ---@field statics boolean of a static run
 local hinges = {}
 
@@ -4044,9 +4049,10 @@ local hinges = {}
 ---@return hinge.hinge_list
 function hinges:write(filename) end
 
----A plastic hinge. In the file hinges.csv member and node are numbers, before and broken 1 or 0.
+---A plastic hinge, or an axis or a force of a joint. In the file hinges.csv member and node are numbers; before,
+---broken, yielded and failed are 1 or 0.
 ---@class hinge.plastic_hinge
----@field member hinge.member
+---@field member hinge.member of a joint between nodes the first member at the second of them
 ---@field group? string name of the member's first group
 ---storey from 1 at the ground, with z upwards: floors are the heights of level members that hang together with a
 ---support; nil: none
@@ -4058,25 +4064,46 @@ function hinges:write(filename) end
 ---@field x number m, at the start
 ---@field y number m
 ---@field z number m
----@field rotation_x number rad, plastic, now, about the section's x axis; positive like curvature_x
+---rad, plastic, now, about the section's x axis; positive like curvature_x. Of a joint: of the end relative to the
+---node, about the axes that are springs
+---@field rotation_x number
 ---@field rotation_y number rad
----@field rotation number rad, of both together
----@field largest number rad, the largest value that rotation has had
+---@field rotation_z? number rad; of joints
+---@field rotation number rad, of x and y together; of a joint's z axis that about z
+---@field largest number rad, the largest value that rotation has had; of a joint that about its own axis alone
 ---rad, what a limit is compared with: largest; where two members meet in a joint, and no third, the sum of both,
----because they may share the rotation of one hinge
+---because they may share the rotation of one hinge. Of a joint's x and y axes: the largest of both together
 ---@field demand number
 ---@field elongation number m, plastic, now: its part of the member's
 ---@field work number J, dissipated in it
----@field f_y number yield function of the section's law, now
----@field utilisation number the square root of f_y, which grows with the forces; 1 where fully plastic
----@field first_yield number when it first yielded: s, in statics the load factor
----@field first_kind "static"|"dynamic" the kind of run in which it did
----@field before boolean true: in a run before this one
----@field broken boolean an element at this section is broken
----@field limit? number rad; of levels the largest
----@field ratio? number demand over limit
----the level that its demand keeps to: "IO", "LS", "CP", or "beyond CP"; nil without levels
+---@field f_y? number yield function of the section's law, now; nil of joints
+---the square root of f_y, which grows with the forces; 1 where fully plastic. Of a joint moment or force over what it
+---holds now; nil without a strength
+---@field utilisation? number
+---when it first yielded: s, in statics the load factor; nil of a joint that has not
+---@field first_yield? number
+---@field first_kind? "static"|"dynamic" the kind of run in which it did
+---@field before? boolean true: in a run before this one
+---@field broken boolean an element at this section is broken; the joint is
+---@field yielded boolean false: a joint that has kept to the elastic part of its curve
+---rad; of levels the largest; of a joint its capacity where that gives the ratio; nil where a force does
+---@field limit? number
+---@field ratio? number demand over limit; of a joint largest over capacity, or largest_force over strength
+---the level that its demand keeps to: "IO", "LS", "CP", "beyond CP" or "beyond capacity"; nil without levels
 ---@field level? string
+---"joint at end a of member 3", "joint between nodes 4 and 9"; nil: a hinge. This and what follows: of joints
+---@field joint? string
+---@field axis? "x"|"y"|"z"|"tension"|"shear" of the section, or the force at which the joint breaks
+---@field between_nodes? boolean made by model:joint
+---@field moment? number N m, now, about the axis, on the node
+---@field largest_moment? number N m, of either sign
+---@field force? number N, now: tension or shear
+---@field largest_force? number N
+---@field stiffness? number N m/rad, elastic
+---@field strength? number N m, the largest moment of its curve; N, at which it breaks; nil: elastic
+---@field capacity? number rad, at which it breaks
+---@field interaction? "linear" tension weakens its moments
+---@field failed? boolean it broke by one of its own limits; in statics: it is beyond one
 
 ---Momentum and kinetic energy of all members or of a group: what a blow has given to one body and taken from the other.
 ---Point masses and broken elements belong to the node that carries them. They count where no member outside the group

@@ -1,4 +1,5 @@
--- The plastic hinges of a run, by storey and member: run:hinges, the text that print gives of them, and hinges.csv.
+-- The plastic hinges and the joints of a run, by storey and member: run:hinges, the text that print gives of them, and
+-- hinges.csv.
 local core = require "hinge.core"
 local check = require "hinge.check"
 
@@ -6,6 +7,7 @@ local hinges = {}
 local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collapse prevention
 local is_level = { IO = true, LS = true, CP = true }
 local listed = 20 -- hinges that print shows
+local is_force = { tension = true, shear = true } -- `axis` of what is no rotation
 
 local List = {}
 local class = check.class(List, "hinge.hinge_list")
@@ -93,6 +95,45 @@ local function compare(hinge, list)
   end
 end
 
+-- The limits that a joint has of its own: the rotation and the forces at which it breaks. The one that it has come
+-- nearest to counts, as one of the script's does.
+local function compare_joint(hinge)
+  local limit, value = hinge.capacity, hinge.largest
+  if is_force[hinge.axis] then limit, value = hinge.strength, hinge.largest_force end
+  if not limit then return end
+  local ratio = value / limit
+  if hinge.ratio and not (ratio > hinge.ratio) then return end
+  hinge.ratio, hinge.limit = ratio, hinge.capacity
+  if hinge.level and not (ratio <= 1) then hinge.level = "beyond capacity" end
+end
+
+-- Whether something is beyond its limit. A joint that has broken by a limit of its own is, whatever rounding says.
+local function is_beyond(hinge) return hinge.ratio ~= nil and not (hinge.ratio <= 1) or hinge.failed == true end
+
+-- Compares all with their limits, and counts.
+local function rate(list, limit_of, limited)
+  local worst, over, without = nil, 0, 0
+  local function size(hinge) return limited and (hinge.ratio or -1) or hinge.demand end
+  for _, hinge in ipairs(list) do
+    local own = not is_force[hinge.axis] and limit_of(hinge)
+    if own then compare(hinge, own) end
+    if hinge.joint then compare_joint(hinge) end
+    if not hinge.ratio then without = without + 1 end
+    if is_beyond(hinge) then over = over + 1 end
+    if not worst or not (size(hinge) <= size(worst)) then worst = hinge end
+  end
+  list.worst = worst
+  list.beyond, list.without_limit = limited and over or nil, limited and without or nil
+end
+
+-- Whether a joint of the list breaks at some rotation or force.
+local function any_own_limit(list)
+  for _, hinge in ipairs(list) do
+    if hinge.capacity or is_force[hinge.axis] then return true end
+  end
+  return false
+end
+
 --- run:hinges { group =, limit = }
 local function of_run(run, options, ...)
   local where = "run:hinges"
@@ -106,19 +147,7 @@ local function of_run(run, options, ...)
     if field ~= "group" and field ~= "limit" then check.unknown(where, "field", field, { "group", "limit" }) end
   end
   local list = core.hinges_of(run, where, options.group)
-  local limit_of = limits(where, run, options.limit)
-  local worst, has_limits = nil, options.limit ~= nil
-  local over, without = 0, 0
-  for _, hinge in ipairs(list) do
-    local own = limit_of(hinge)
-    if own then compare(hinge, own) else without = without + 1 end
-    if hinge.ratio and hinge.ratio > 1 then over = over + 1 end
-    local size = has_limits and (hinge.ratio or -1) or hinge.demand
-    if not worst or size > (has_limits and (worst.ratio or -1) or worst.demand) then worst = hinge end
-  end
-  list.worst = worst
-  list.beyond = has_limits and over or nil
-  list.without_limit = has_limits and without or nil
+  rate(list, limits(where, run, options.limit), options.limit ~= nil or any_own_limit(list))
   list.statics = run.kind == "static"
   return setmetatable(list, class)
 end
@@ -132,6 +161,7 @@ local function place_text(hinge)
 end
 
 local function name_of(hinge)
+  if hinge.joint then return hinge.joint .. (is_force[hinge.axis] and ", " or ", about ") .. hinge.axis end
   local group, storey = hinge.group and " (" .. hinge.group .. ")" or "", hinge.storey
   local at = place_text(hinge)
   return ("member %d%s%s, %s"):format(hinge.member.index, group, storey and ", storey " .. storey or "",
@@ -139,31 +169,66 @@ local function name_of(hinge)
 end
 
 local function first_text(hinge)
+  if not hinge.first_yield then return "-" end
   return (hinge.first_kind == "static" and "factor %.4g" or "%.4g s"):format(hinge.first_yield)
     .. (hinge.before and ", before" or "")
 end
 
+-- How many plastic hinges, and how many joints: a joint has a row for each axis and force.
+local function counts(list)
+  local found, joints, names = 0, 0, {}
+  for _, hinge in ipairs(list) do
+    if not hinge.joint then
+      found = found + 1
+    elseif not names[hinge.joint] then
+      names[hinge.joint], joints = true, joints + 1
+    end
+  end
+  local text = check.count(found, "plastic hinge")
+  return joints > 0 and text .. " and " .. check.count(joints, "joint") or text
+end
+
+local function worst_text(worst)
+  if is_force[worst.axis] then
+    return ("%s, %.4g N, %.3g of its limit %.4g N"):format(name_of(worst), worst.largest_force, worst.ratio,
+      worst.strength)
+  end
+  local value = worst.limit and worst.limit == worst.capacity and worst.largest or worst.demand
+  local text = ("%s, %.4g rad"):format(name_of(worst), value)
+  return worst.ratio and text .. (", %.3g of its limit %.4g rad"):format(worst.ratio, worst.limit) or text
+end
+
 -- "12 hinges, 3 beyond their limit; the worst: ..."
 local function summary(list)
-  local text = check.count(#list, "plastic hinge")
+  local text = counts(list)
   if #list == 0 then return text end
   if list.beyond then text = text .. (", %d beyond the limit"):format(list.beyond) end
   if (list.without_limit or 0) > 0 then text = text .. (", %d without a limit"):format(list.without_limit) end
   local worst = list.worst
-  text = text .. ("; the %s: %s, %.4g rad"):format(list.beyond and "worst" or "largest", name_of(worst), worst.demand)
-  if worst.ratio then text = text .. (", %.3g of its limit %.4g rad"):format(worst.ratio, worst.limit) end
+  text = text .. ("; the %s: %s"):format(list.beyond and "worst" or "largest", worst_text(worst))
   return worst.level and text .. " (" .. worst.level .. ")" or text
+end
+
+-- Behind the row of a joint: what it carries.
+local function joint_text(hinge)
+  if not hinge.joint then return "" end
+  local force = is_force[hinge.axis]
+  local text = force and ("  joint, %s: %.4g"):format(hinge.axis, hinge.force)
+    or ("  joint, about %s: %.4g"):format(hinge.axis, hinge.moment)
+  return text .. (hinge.strength and (" of %.4g"):format(hinge.strength) or "") .. (force and " N" or " N m")
 end
 
 function class.__tostring(self)
   local lines = { summary(self) }
   if #self == 0 then return lines[1] end
-  local chosen = table.move(self, 1, #self, 1, {})
+  local chosen, order = table.move(self, 1, #self, 1, {}), {}
+  for i, hinge in ipairs(self) do order[hinge] = i end
   table.sort(chosen, function(a, b)
     local x, y = a.ratio or -1, b.ratio or -1
     if x ~= y then return x > y end
     if a.demand ~= b.demand then return a.demand > b.demand end
-    return a.element < b.element or a.element == b.element and a["end"] < b["end"]
+    if a.element ~= b.element then return a.element < b.element end
+    return a["end"] < b["end"] or a["end"] == b["end"] and order[a] < order[b]
   end)
   local row = "%6s %7s  %-12s %6s %9s %9s %9s %11s %6s  %-20s"
   local head = row:format("storey", "member", "group", "at", "rad now", "largest", "demand", "work, J", "  √f_y",
@@ -178,10 +243,10 @@ function class.__tostring(self)
     local text = row:format(h.storey or "-", h.member.index, (h.group or "-"):sub(1, 12), place_text(h),
       ("%.4f"):format(h.rotation), ("%.4f"):format(h.largest), ("%.4f"):format(h.demand),
       ("%.4g"):format(h.work),
-      ("%.3f"):format(h.utilisation), first_text(h))
+      h.utilisation and ("%.3f"):format(h.utilisation) or "-", first_text(h))
     local of_limit = self.beyond and ("  %8s"):format(h.ratio and ("%.3f"):format(h.ratio) or "-")
       .. (h.level and "  " .. h.level or "") or ""
-    lines[#lines + 1] = (text .. of_limit .. (h.broken and "  broken" or "")):gsub(" +$", "")
+    lines[#lines + 1] = (text .. of_limit .. joint_text(h) .. (h.broken and "  broken" or "")):gsub(" +$", "")
   end
   return table.concat(lines, "\n")
 end
@@ -190,7 +255,8 @@ end
 
 local columns = { "storey", "member", "group", "element", "end", "at", "node", "x", "y", "z", "rotation_x",
   "rotation_y", "rotation", "largest", "demand", "elongation", "work", "f_y", "utilisation", "first_yield",
-  "first_kind", "before", "broken", "limit", "ratio", "level" }
+  "first_kind", "before", "broken", "limit", "ratio", "level", "joint", "axis", "rotation_z", "moment",
+  "largest_moment", "force", "largest_force", "stiffness", "strength", "capacity", "yielded", "failed" }
 
 local function field(value)
   if value == nil then return "" end
@@ -254,12 +320,20 @@ function hinges.can_be_drawn(value)
   return type(value) == "table" and getmetatable(value) == class and value.beyond ~= nil
 end
 
---- What a picture takes of a list: { { element =, end =, ratio = }, ... }.
+--- What a picture takes of a list: { { element =, end =, ratio =, joint = }, ... }. Where a hinge and joints are at one
+--- end of an element, the one that is nearest to its limit is drawn.
 function hinges.marks(list)
-  local marks = {}
+  local marks, at = {}, {}
   for _, hinge in ipairs(list) do
     if hinge.ratio then
-      marks[#marks + 1] = { element = hinge.element, ["end"] = hinge["end"], ratio = hinge.ratio }
+      local place = 3 * hinge.element + hinge["end"]
+      local mark = at[place]
+      if not mark then
+        mark = { element = hinge.element, ["end"] = hinge["end"], ratio = hinge.ratio, joint = false }
+        at[place], marks[#marks + 1] = mark, mark
+      end
+      if not (hinge.ratio <= mark.ratio) then mark.ratio = hinge.ratio end
+      mark.joint = mark.joint or hinge.joint ~= nil
     end
   end
   return marks

@@ -26,6 +26,7 @@
 #include "effects/joint_parts.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
+#include "state/joint_records.h"
 #include "state/node_mass.h"
 
 namespace hinge {
@@ -62,6 +63,9 @@ public:
             for (std::size_t i = 0; i < made_.size(); ++i)
                 if (declared()[i].is_between_nodes() == between_nodes) in_order_.push_back(i);
         if (!w.state.data.find<JointsNow>(joints_effect)) w.state.data.set(joints_effect, JointsNow{});
+        if (!w.state.data.find<JointRecords>(joint_records)) w.state.data.set(joint_records, JointRecords{});
+        records().one_run_later();
+        records().list.resize(declared().size());
         list().resize(declared().size());
         now_.resize(declared().size());
         for (std::size_t i = 0; i < made_.size(); ++i) {
@@ -166,7 +170,7 @@ public:
         int first = -1;  // of those that break in the step
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
-            keep(i, step.dt);
+            keep(i, step);
             if (list()[i].over < 0 || !w_.kind.dynamic) continue;
             release(i, step.end());
             if (first < 0) first = int(i);
@@ -223,7 +227,9 @@ public:
         if (close_.times < 0 || close_.broke >= made_.size() || close_.other >= made_.size()) return false;
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const auto* there = s->data.find<JointsNow>(joints_effect);
+            const auto* records = s->data.find<JointRecords>(joint_records);
             if (!there || there->list.size() != made_.size()) return false;
+            if (!records || records->list.size() != made_.size()) return false;
             for (std::size_t i = 0; i < made_.size(); ++i)
                 for (int k = 0; k < 3; ++k)
                     if (there->list[i].slid[k].size() != made_[i].parts[k].size()) return false;
@@ -248,6 +254,7 @@ private:
     struct Evaluated {
         Vec3 moment = Vec3::Zero(), slope = Vec3::Zero();
         double stored = 0, dissipated = 0;
+        double work[3] = {0, 0, 0};  ///< J: `dissipated` by axis
         std::vector<double> slid[3];
     };
     /// What the member's end has put on its node where forces were found last.
@@ -264,6 +271,7 @@ private:
     const std::vector<Joint>& declared() const { return declared_; }
     const std::vector<Joint>& declared_ = w_.structure.model().declared<Joint>(joints_effect);
     std::vector<JointNow>& list() const { return w_.state.data.find<JointsNow>(joints_effect)->list; }
+    JointRecords& records() const { return *w_.state.data.find<JointRecords>(joint_records); }
     bool lost(int node) const { return w_.state.gone[node] && !w_.structure.elements_at(node).empty(); }
 
     Made make(const Joint& j) const {
@@ -342,7 +350,7 @@ private:
             e.slid[k] = from.slid[k];
             const Resistance r = resist(m.parts[k], k < 2 ? from.left : 1, rotation[k], e.slid[k]);
             e.moment[k] = r.moment, e.slope[k] = r.slope;
-            e.stored += r.stored, e.dissipated += r.dissipated;
+            e.stored += r.stored, e.dissipated += r.dissipated, e.work[k] = r.dissipated;
         }
         return e;
     }
@@ -453,7 +461,7 @@ private:
     }
 
     /// Takes what the step has led to, and sees whether it reaches a capacity.
-    void keep(std::size_t i, double dt) {
+    void keep(std::size_t i, const Step& step) {
         const Made& m = made_[i];
         const JointProperties& is = declared()[i].is;
         JointNow& j = list()[i];
@@ -463,18 +471,22 @@ private:
         }
         j.rotation = turn(i, w_.trial).rotation;
         Evaluated e = evaluate(i, j.rotation);
-        for (int k = 0; k < 3; ++k)
-            if (!m.parts[k].empty()) j.slid[k] = std::move(e.slid[k]);
+        for (int k = 0; k < 3; ++k) {
+            if (m.parts[k].empty()) continue;
+            note_slip(i, k, e.slid[k] != j.slid[k], e.work[k], step);
+            j.slid[k] = std::move(e.slid[k]);
+        }
         j.moment = e.moment;
         const Mat3 turned = w_.structure.large() ? Mat3(w_.trial.rotation[m.end].toRotationMatrix() * m.axes) : m.axes;
         const Vec3 f = turned.transpose() * (now_[i].of_end + inertia_of_end(m.end));
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
         if (is.tension_weakens) {
-            const double part = w_.kind.dynamic && dt < m.wave ? dt / m.wave : 1;
+            const double part = w_.kind.dynamic && step.dt < m.wave ? step.dt / m.wave : 1;
             j.pull += part * (j.tension - j.pull);
-            weaken(m, std::clamp(1 - j.pull / is.tension, 0.0, 1.0), j);
+            weaken(i, std::clamp(1 - j.pull / is.tension, 0.0, 1.0), step);
         }
+        record(i);
         j.over = -1;
         for (int k = 0; k < 3; ++k)
             if (std::abs(j.rotation[k]) >= is.axis[k].capacity) j.over = k;
@@ -489,7 +501,9 @@ private:
     }
 
     /// Sliders that hold less from the next step on slip at once: what their springs lose is dissipated.
-    void weaken(const Made& m, double left, JointNow& j) {
+    void weaken(std::size_t index, double left, const Step& step) {
+        const Made& m = made_[index];
+        JointNow& j = list()[index];
         j.left = left;
         for (int k : {0, 1})
             for (std::size_t i = 0; i < m.parts[k].size(); ++i) {
@@ -498,8 +512,32 @@ private:
                 const double has = stiffness * (j.rotation[k] - j.slid[k][i]), most = left * strength;
                 if (std::abs(has) <= most) continue;
                 j.slid[k][i] = j.rotation[k] - std::copysign(most, has) / stiffness;
-                w_.state.accumulated["joint_dissipated"] += 0.5 * (has * has - most * most) / stiffness;
+                const double lost = 0.5 * (has * has - most * most) / stiffness;
+                w_.state.accumulated["joint_dissipated"] += lost;
+                note_slip(index, k, true, lost, step);
             }
+    }
+
+    void note_slip(std::size_t i, int k, bool slips, double work, const Step& step) {
+        JointRecord::Axis& axis = records().list[i].axis[k];
+        axis.work += work;
+        if (!slips || axis.yielded) return;
+        axis.yielded = true, axis.statics = w_.goes_by_load_factor(), axis.runs_ago = 0, axis.first = w_.reached(step);
+    }
+    /// Takes the end of the step into what the joint has gone through.
+    void record(std::size_t i) {
+        const JointNow& j = list()[i];
+        JointRecord& r = records().list[i];
+        double about[3] = {0, 0, 0};
+        for (int k = 0; k < 3; ++k) {
+            if (!declared()[i].is.axis[k].is_spring()) continue;
+            about[k] = j.rotation[k];
+            keep_largest(r.axis[k].largest, j.rotation[k]);
+            keep_largest(r.axis[k].moment, j.moment[k]);
+        }
+        keep_largest(r.bent, std::hypot(about[0], about[1]));
+        if (!(j.tension <= 0)) keep_largest(r.tension, j.tension);
+        keep_largest(r.shear, j.shear);
     }
 
     double stored(const State& state) const {
@@ -580,6 +618,7 @@ EffectKind joints_kind() {
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<Joint>(joints_effect).empty()) {
                     w.state.data.erase(joints_effect);
+                    w.state.data.erase(joint_records);
                     return nullptr;
                 }
                 return std::make_unique<Joints>(w, host);

@@ -23,6 +23,9 @@ struct JointAxis {
     double capacity = infinite;  ///< rad: the rotation, of either sign, at which the joint breaks
 
     bool is_free() const { return stiffness == 0; }
+    bool is_spring() const { return stiffness > 0 && stiffness < infinite; }
+    /// N m, the most that its curve has; infinite where it is elastic.
+    double strength() const { return curve.empty() ? infinite : curve.back().second; }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.stiffness, s.curve, s.capacity);

@@ -8,6 +8,7 @@
 #include "run/dynamics.h"
 #include "run/failure_check.h"
 #include "state/hinge_records.h"
+#include "state/joint_records.h"
 
 namespace hinge {
 
@@ -99,6 +100,7 @@ void Dynamics::go_on_as(const Dynamics& before) {
     }
     if (auto* records = state_.data.find<HingeRecords>(hinge_records))
         for (HingeRecord& hinge : records->list) ++hinge.runs_ago;
+    if (auto* records = state_.data.find<JointRecords>(joint_records)) records->one_run_later();
     stages_ = stages, warnings_ = warnings, activations_ = activations, pairs_ = pairs;
     verdict_ = Verdict::running, failure_ = {};
     state_.step = first_step_ = breaks_ = 0;

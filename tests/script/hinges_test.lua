@@ -295,7 +295,8 @@ case("run:hinges of a storey frame writes its table, its picture and hinges.csv"
   expect(#rows >= 6, "%d hinges in the file", #rows)
   equal(table.concat(head, ","), "storey,member,group,element,end,at,node,x,y,z,rotation_x,rotation_y,rotation,"
     .. "largest,demand,"
-    .. "elongation,work,f_y,utilisation,first_yield,first_kind,before,broken,limit,ratio,level", "columns")
+    .. "elongation,work,f_y,utilisation,first_yield,first_kind,before,broken,limit,ratio,level,joint,axis,rotation_z,"
+    .. "moment,largest_moment,force,largest_force,stiffness,strength,capacity,yielded,failed", "columns")
   local storey = 0
   for _, row in ipairs(rows) do
     local z = tonumber(row.z)

@@ -1,4 +1,4 @@
-// The plastic hinges of a run, for run:hinges (lua/hinge/hinges.lua).
+// The plastic hinges and the joints of a run, for run:hinges (lua/hinge/hinges.lua).
 #include "script/bind/bind_hinges.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "script/lua/objects.h"
+#include "script/record/joint_ratings.h"
 #include "script/record/storeys.h"
 #include "state/hinge_records.h"
 
@@ -68,36 +69,108 @@ double demand_of(const Structure& structure, const HingeRecords& all, const Hing
     return h.largest;
 }
 
+/// Fields of the table on the stack.
+struct Fields {
+    lua_State* L;
+    void number(const char* name, double value) const { lua_pushnumber(L, value), lua_setfield(L, -2, name); }
+    void whole(const char* name, lua_Integer value) const { lua_pushinteger(L, value), lua_setfield(L, -2, name); }
+    void flag(const char* name, bool value) const { lua_pushboolean(L, value), lua_setfield(L, -2, name); }
+    void text(const char* name, const char* value) const { lua_pushstring(L, value), lua_setfield(L, -2, name); }
+};
+
+/// Member, group, storey, node (the script's, -1: none) and place.
+void push_place(const Fields& to, const RunRecord& r, int element, int end, int node, int storey, const Place& place) {
+    lua_State* L = to.L;
+    const Structure& structure = r.run->structure();
+    const int member = structure.elements()[std::size_t(element)].member;
+    push_handle<MemberBox>(L, r.model, member), lua_setfield(L, -2, "member");
+    if (node >= 0) push_handle<NodeBox>(L, r.model, node), lua_setfield(L, -2, "node");
+    if (const auto& groups = structure.model().members()[std::size_t(member)].groups; !groups.empty())
+        to.text("group", structure.model().groups()[std::size_t(groups[0])].c_str());
+    if (storey > 0) to.whole("storey", storey);
+    to.whole("element", element + 1), to.whole("end", end);
+    to.number("at", place.at);
+    to.number("x", place.position.x()), to.number("y", place.position.y()), to.number("z", place.position.z());
+}
+
+void push_first_yield(const Fields& to, double first, bool statics, bool before) {
+    to.number("first_yield", first);
+    to.text("first_kind", statics ? "static" : "dynamic");
+    to.flag("before", before);
+}
+
 /// Leaves a table on the stack: a hinge as run:hinges gives it, without what follows from limits.
-void push_row(lua_State* L, const RunRecord& r, const HingeRecords& all, const HingeRecord& h, int storey) {
+void push_hinge(lua_State* L, const RunRecord& r, const HingeRecords& all, const HingeRecord& h, int storey) {
     const Run& run = *r.run;
     const Structure& structure = run.structure();
     const Element& e = structure.elements()[std::size_t(h.element)];
-    const auto number = [L](const char* name, double value) { lua_pushnumber(L, value), lua_setfield(L, -2, name); };
-    const auto whole = [L](const char* name, lua_Integer value) {
-        lua_pushinteger(L, value), lua_setfield(L, -2, name);
-    };
     lua_createtable(L, 0, 24);
-    push_handle<MemberBox>(L, r.model, e.member), lua_setfield(L, -2, "member");
-    if (const int node = h.end == 0 ? -1 : structure.declared_node(e.node[h.end - 1]); node >= 0)
-        push_handle<NodeBox>(L, r.model, node), lua_setfield(L, -2, "node");
-    if (const auto& groups = structure.model().members()[std::size_t(e.member)].groups; !groups.empty())
-        lua_pushstring(L, structure.model().groups()[std::size_t(groups[0])].c_str()), lua_setfield(L, -2, "group");
-    if (storey > 0) whole("storey", storey);
-    whole("element", h.element + 1), whole("end", h.end);
-    const Place place = place_of(structure, h);
-    number("at", place.at);
-    number("x", place.position.x()), number("y", place.position.y()), number("z", place.position.z());
-    number("rotation_x", h.rotation[0]), number("rotation_y", h.rotation[1]);
-    number("rotation", std::hypot(h.rotation[0], h.rotation[1])), number("largest", h.largest);
-    number("demand", demand_of(structure, all, h));
-    number("elongation", h.elongation), number("work", h.work);
+    const Fields to{L};
+    push_place(to, r, h.element, h.end, h.end == 0 ? -1 : structure.declared_node(e.node[h.end - 1]), storey,
+               place_of(structure, h));
+    to.flag("yielded", true);
+    to.number("rotation_x", h.rotation[0]), to.number("rotation_y", h.rotation[1]);
+    to.number("rotation", std::hypot(h.rotation[0], h.rotation[1])), to.number("largest", h.largest);
+    to.number("demand", demand_of(structure, all, h));
+    to.number("elongation", h.elongation), to.number("work", h.work);
     const double f_y = yield_at(run, h);
-    number("f_y", f_y), number("utilisation", std::sqrt(std::max(0.0, f_y)));
-    number("first_yield", h.first);
-    lua_pushstring(L, h.statics ? "static" : "dynamic"), lua_setfield(L, -2, "first_kind");
-    lua_pushboolean(L, h.runs_ago > 0), lua_setfield(L, -2, "before");
-    lua_pushboolean(L, is_broken(run, h)), lua_setfield(L, -2, "broken");
+    to.number("f_y", f_y), to.number("utilisation", std::sqrt(std::max(0.0, f_y)));
+    push_first_yield(to, h.first, h.statics, h.runs_ago > 0);
+    to.flag("broken", is_broken(run, h));
+}
+
+/// The same of a joint, with the fields that it has beside those of a hinge.
+void push_joint_rating(lua_State* L, const RunRecord& r, const JointRating& j, int storey) {
+    const Structure& structure = r.run->structure();
+    lua_createtable(L, 0, 36);
+    const Fields to{L};
+    HingeRecord at;
+    at.element = j.element, at.end = j.end;
+    push_place(to, r, j.element, j.end, j.node, storey, place_of(structure, at));
+    to.text("joint", joint_name(structure, j.joint).c_str()), to.text("axis", joint_rating_names[j.which]);
+    to.number(j.is_force() ? "force" : "moment", j.force);
+    to.number(j.is_force() ? "largest_force" : "largest_moment", j.largest_force);
+    if (std::isfinite(j.strength)) to.number("strength", j.strength), to.number("utilisation", j.utilisation);
+    const Joint& declared = structure.model().declared<Joint>(joints_effect)[std::size_t(j.joint)];
+    const JointAxis* axes = declared.is.axis;
+    to.flag("between_nodes", declared.is_between_nodes());
+    if (declared.is.tension_weakens) to.text("interaction", "linear");
+    const auto about = [&](int k) { return axes[k].is_spring() && !j.is_force() ? j.now->rotation[k] : 0; };
+    to.number("rotation_x", about(0)), to.number("rotation_y", about(1)), to.number("rotation_z", about(2));
+    to.number("rotation", j.which == JointRating::z ? std::abs(about(2)) : std::hypot(about(0), about(1)));
+    to.number("largest", j.largest), to.number("demand", j.demand);
+    if (std::isfinite(j.capacity)) to.number("capacity", j.capacity);
+    if (!j.is_force()) to.number("stiffness", axes[j.which].stiffness);
+    to.number("elongation", 0), to.number("work", j.record ? j.record->work : 0);
+    to.flag("yielded", j.record && j.record->yielded);
+    if (j.record && j.record->yielded) push_first_yield(to, j.record->first, j.record->statics, j.record->runs_ago > 0);
+    to.flag("broken", j.broken), to.flag("failed", j.failed);
+}
+
+/// A hinge or a joint, and where it stands in the list: by storey, then by element and end.
+struct Row {
+    int storey;
+    long place;
+    const HingeRecord* hinge;
+    const JointRating* joint;
+};
+
+std::vector<Row> rows_of(const Structure& structure, const HingeRecords* records,
+                         const std::vector<JointRating>& joints, int group) {
+    const std::vector<int> storeys = storeys_of(structure);
+    std::vector<Row> rows;
+    const auto add = [&](int element, int end, const HingeRecord* h, const JointRating* j) {
+        if (group >= 0 && !structure.in_group(element, group)) return;
+        const int member = structure.elements()[std::size_t(element)].member;
+        rows.push_back({storeys[std::size_t(member)], 3L * element + end, h, j});
+    };
+    if (records)
+        for (const HingeRecord& h : records->list) add(h.element, h.end, &h, nullptr);
+    for (const JointRating& j : joints) add(j.element, j.end, nullptr, &j);
+    std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+        return a.storey != b.storey ? a.storey < b.storey : a.place < b.place;
+    });
+    return rows;
 }
 
 /// core.hinges_of(run, function, group): a list of them, by storey, member and place in it; group: nil for all.
@@ -107,20 +180,34 @@ int hinges_of(lua_State* L) {
     const Structure& structure = r->run->structure();
     const int group =
         lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, function + ": field 'group'", *r->model, &structure.model());
-    const std::vector<int> storeys = storeys_of(structure);
-    std::vector<const HingeRecord*> chosen;
     const HingeRecords* records = r->run->state().data.find<HingeRecords>(hinge_records);
-    if (records)
-        for (const HingeRecord& h : records->list)
-            if (group < 0 || structure.in_group(h.element, group)) chosen.push_back(&h);
-    const auto storey = [&](const HingeRecord* h) {
-        return storeys[std::size_t(structure.elements()[std::size_t(h->element)].member)];
-    };
-    std::stable_sort(chosen.begin(), chosen.end(), [&](auto* a, auto* b) { return storey(a) < storey(b); });
-    lua_createtable(L, int(chosen.size()), 0);
+    const std::vector<JointRating> joints = joint_ratings(*r->run);
+    const std::vector<Row> rows = rows_of(structure, records, joints, group);
+    lua_createtable(L, int(rows.size()), 0);
     lua_Integer i = 0;
-    for (const HingeRecord* h : chosen) push_row(L, *r, *records, *h, storey(h)), lua_rawseti(L, -2, ++i);
+    for (const Row& row : rows) {
+        if (row.hinge) push_hinge(L, *r, *records, *row.hinge, row.storey);
+        else push_joint_rating(L, *r, *row.joint, row.storey);
+        lua_rawseti(L, -2, ++i);
+    }
     return 1;
+}
+
+/// core.pins_of(run): how many axes of joints are free, and the largest rotation about one of them now, rad.
+int pins_of(lua_State* L) {
+    const auto r = run_argument(L, 1, "pins_of: this");
+    const auto& declared = r->run->structure().model().declared<Joint>(joints_effect);
+    const auto* now = r->run->state().data.find<JointsNow>(joints_effect);
+    lua_Integer count = 0;
+    double largest = 0;
+    for (std::size_t i = 0; now && i < declared.size() && i < now->list.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+            if (!declared[i].is.axis[k].is_free()) continue;
+            ++count;
+            if (!now->list[i].broken) keep_largest(largest, now->list[i].rotation[k]);
+        }
+    lua_pushinteger(L, count), lua_pushnumber(L, largest);
+    return 2;
 }
 
 /// core.last_run(): the run that the summary speaks of, nil where there is none.
@@ -147,6 +234,7 @@ int add_run_method(lua_State* L) {
 
 void open_hinges(lua_State* L, int module) {
     static const luaL_Reg functions[] = {{"hinges_of", guarded<hinges_of>},
+                                         {"pins_of", guarded<pins_of>},
                                          {"last_run", guarded<last_run>},
                                          {"add_run_method", guarded<add_run_method>},
                                          {nullptr, nullptr}};

@@ -31,8 +31,8 @@ int write_frame(lua_State* L) {
     return 0;
 }
 
-/// The snapshot with what run:hinges said of its hinges, { { element =, end =, ratio = }, ... } at that place of the
-/// stack; as it is where there is nothing.
+/// The snapshot with what run:hinges said of its hinges and joints, { { element =, end =, ratio =, joint = }, ... } at
+/// that place of the stack; as it is where there is nothing. A joint with a limit is shown though it never yielded.
 output::Snapshot with_marks(lua_State* L, int index, const output::Snapshot& snapshot) {
     output::Snapshot marked = snapshot;
     if (!lua_istable(L, index)) return marked;
@@ -46,11 +46,14 @@ output::Snapshot with_marks(lua_State* L, int index, const output::Snapshot& sna
             return value;
         };
         const double element = number("element"), end = number("end"), ratio = number("ratio");
-        lua_pop(L, 1);
+        lua_getfield(L, -1, "joint");
+        const bool joint = lua_toboolean(L, -1) != 0;
+        lua_pop(L, 2);
         if (!(element >= 1 && element <= double(marked.bars.size()))) continue;
         output::Bar& bar = marked.bars[std::size_t(element) - 1];
         bar.rotation[end == 2 ? 1 : 0] = ratio;
         bar.hinges |= output::band_bits(end == 2 ? 2 : 1, output::band_of(ratio));
+        if (joint) bar.hinges |= std::uint8_t(end == 2 ? 2 : 1);
     }
     return marked;
 }

@@ -12,6 +12,7 @@
 #include "beam/yield.h"
 #include "effects/declared.h"
 #include "run/statics.h"
+#include "script/record/joint_ratings.h"
 #include "state/configuration.h"
 #include "state/hinges.h"
 #include "state/turned_ends.h"
@@ -37,6 +38,16 @@ void add_forces(output::Bar& bar, const Run& run, int element) {
     const Vec6 all = flowed(run.state(), element);
     for (const int end : {1, 2})
         bar.rotation[end - 1] = std::hypot(beam::hinge_rotation(all, end, 0), beam::hinge_rotation(all, end, 1));
+}
+
+/// A joint that has yielded is shown as a plastic hinge at its end of the element.
+void add_joints(output::Snapshot& snapshot, const Run& run) {
+    for (const JointRating& j : joint_ratings(run)) {
+        if (!j.record || !j.record->yielded) continue;
+        output::Bar& bar = snapshot.bars[std::size_t(j.element)];
+        bar.hinges |= std::uint8_t(j.end);
+        keep_largest(bar.rotation[j.end - 1], j.now->rotation[j.which]);
+    }
 }
 
 /// "exact", "eq 14, hardening"
@@ -168,6 +179,7 @@ output::Snapshot make_snapshot(const Run& run) {
         }
         snapshot.bars.push_back(bar);
     }
+    add_joints(snapshot, run);
     if (!laws.empty() && laws != std::set<std::string>{"eq 14"}) snapshot.laws.assign(laws.begin(), laws.end());
     add_loads(snapshot, run);
     for (const DeclaredPlane& plane : declared_planes(structure.model()))

@@ -1,10 +1,13 @@
 #include "script/record/summary.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "effects/declared.h"
 #include "script/checks/element_count.h"
 #include "script/record/element_events.h"
+#include "script/record/joint_ratings.h"
 #include "script/checks/plan.h"
 #include "script/record/recording.h"
 #include "run/dynamics.h"
@@ -18,6 +21,46 @@ Json energy_json(const Run& run) {
     Json j = {{"initial", e.initial}};
     for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
     j["energy_error"] = j["remainder"] = e.error;  // remainder: the name up to 0.2
+    return j;
+}
+
+constexpr std::size_t most_joints = 20;  // in the summary; hinges.csv has all
+
+Json joint_json(const Structure& s, const JointRating& j) {
+    Json row = {{"joint", joint_name(s, j.joint)},
+                {"axis", joint_rating_names[j.which]},
+                {"node", s.node_name(j.node)},
+                {j.is_force() ? "force" : "moment", j.force},
+                {j.is_force() ? "largest_force" : "largest_moment", j.largest_force},
+                {"broken", j.broken}};
+    if (!j.is_force()) row["largest_rotation"] = j.largest, row["yielded"] = j.record->yielded;
+    if (std::isfinite(j.strength)) row["strength"] = j.strength;
+    if (std::isfinite(j.capacity)) row["capacity"] = j.capacity;
+    if (const double ratio = j.of_own_limit(); ratio > 0) row["ratio"] = ratio;
+    return row;
+}
+
+/// Joints: how many have yielded, broken or are beyond a limit of their own, and those that have come furthest: by
+/// their own limit, then by rotation.
+Json joints_json(const Run& run) {
+    std::vector<JointRating> list = joint_ratings(run);
+    std::set<int> all, yielded, broken, beyond;
+    for (const JointRating& j : list) {
+        all.insert(j.joint);
+        if (j.record && j.record->yielded) yielded.insert(j.joint);
+        if (j.broken) broken.insert(j.joint);
+        if (j.failed || j.of_own_limit() > 1) beyond.insert(j.joint);
+    }
+    std::stable_sort(list.begin(), list.end(), [](const JointRating& a, const JointRating& b) {
+        return a.of_own_limit() != b.of_own_limit() ? a.of_own_limit() > b.of_own_limit() : a.largest > b.largest;
+    });
+    if (list.size() > most_joints) list.resize(most_joints);
+    Json j = {{"count", all.size()},
+              {"yielded", yielded.size()},
+              {"broken", broken.size()},
+              {"beyond_own_limit", beyond.size()},
+              {"largest", Json::array()}};
+    for (const JointRating& r : list) j["largest"].push_back(joint_json(run.structure(), r));
     return j;
 }
 
@@ -74,6 +117,7 @@ void describe_run(Json& j, const RunRecord& r) {
     j["stages"] = Json::array();
     for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
     j["damage"] = damage_by_group(run);
+    if (Json joints = joints_json(run); joints["count"] != 0) j["joints"] = std::move(joints);
     j["probes"] = probes_json(r);
     j["energy"] = energy_json(run);
     j["energy_error"] =

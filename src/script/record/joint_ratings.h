@@ -1,0 +1,49 @@
+// What each joint of a run has gone through, beside what it can take: for run:hinges, summary.json and pictures.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "effects/joints.h"
+#include "state/joint_records.h"
+
+namespace hinge {
+class Run;
+class Structure;
+}  // namespace hinge
+
+namespace hinge::script {
+
+/// A quantity of a joint that has a limit or a law: the moment about an axis that is a spring, or a force at which the
+/// joint breaks.
+struct JointRating {
+    enum Which : std::uint8_t { x, y, z, tension, shear };
+    int joint = 0;  ///< among those of the model
+    Which which = x;
+    int element = 0, end = 1;               ///< the element that it stands at, and its end there, 1 or 2
+    int node = 0;                           ///< the script's
+    double force = 0, largest_force = 0;    ///< now, and the most so far: N m about an axis, else N
+    double strength = JointAxis::infinite;  ///< N m or N; of a curve its last point
+    double utilisation = 0;                 ///< force over what the strength is now; 0 without strength
+    double largest = 0;                     ///< rad, about this axis, the most so far
+    double demand = 0;                      ///< rad: of x and y that of both together, of z `largest`
+    double capacity = JointAxis::infinite;  ///< rad, at which it breaks
+    bool broken = false;                    ///< for whatever reason
+    bool failed = false;                    ///< broken, or in statics beyond, by a limit of its own
+    const JointNow* now = nullptr;
+    const JointRecord::Axis* record = nullptr;  ///< of an axis
+
+    bool is_force() const { return which == tension || which == shear; }
+    /// Largest rotation over the capacity, or largest force over the strength of what breaks by it; 0: no such limit.
+    double of_own_limit() const { return is_force() ? largest_force / strength : largest / capacity; }
+};
+
+inline constexpr const char* joint_rating_names[] = {"x", "y", "z", "tension", "shear"};
+
+/// "joint at end a of member 3", "joint between nodes 4 and 9"
+std::string joint_name(const Structure& structure, int joint);
+
+/// All of them, by joint in the order of declaration, then x, y, z, tension, shear. Pins and rigid axes have none.
+std::vector<JointRating> joint_ratings(const Run& run);
+
+}  // namespace hinge::script
