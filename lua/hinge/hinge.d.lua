@@ -1710,7 +1710,8 @@ function import.write(frame, file, options) end
 ---are for steel and come from digitised tables of both documents; the originals were not at hand. That a column must go
 ---within a tenth of the period of the vertical vibration is recalled and was not confirmed. Wrong input is an error.
 ---What goes wrong in a run is the verdict "failed" of its row, which is never "holds", and an error at the end (see
----allow_failed).
+---allow_failed). Joints (hinge.joint, model:joint) are rated beside the hinges: by `limit` and by their own limits, in
+---linear statics by their strength. One that turns and has no limit makes a row "not rated" that would hold.
 ---```lua
 ---local function build(options)
 ---  local portal, heads = hinge.model(), {}
@@ -1748,8 +1749,9 @@ function hinge.robustness(options) end
 ---@field storeys? "lowest"|"all"
 ---"nonlinear dynamic", "nonlinear static", "linear static", in the order in which they are wanted; default: all three
 ---@field procedures? string[]
----plastic rotation that is allowed, rad, or what run:hinges takes as limit; of levels the largest counts. Without it
----the nonlinear procedures need a function as criterion, and nonlinear static needs omega_n. UFC 4-023-03 takes CP of
+---plastic rotation that is allowed, rad, or what run:hinges takes as limit; of levels the largest counts. Of joints the
+---whole rotation is compared, with its elastic part; their own capacity counts where it is smaller. Without it the
+---nonlinear procedures need a function as criterion, and nonlinear static needs omega_n. UFC 4-023-03 takes CP of
 ---ASCE 41 for beams and LS for the rest, GSA CP for all (digitised tables). For Omega_N a function is also called for
 ---the ends of beams that have not yielded, with zeros
 ---@field limit? hinge.hinge_limit
@@ -1776,8 +1778,9 @@ function hinge.robustness(options) end
 ---@field fall? number m; a fall of a joint beyond it is a collapse; default: a tenth of the distance to the next column
 ---@field steps? integer of the push of nonlinear static over `fall`, 10 to 1000; default 40
 ---factor on the loads of nonlinear static; default: Omega_N = 1.08 + 0.76 / (r + 0.83), with r the smallest allowed
----rotation over the rotation at yield, Mp L / (6 E I), of the beams in the bays next to the removal and above. L goes
----from column to column, also where a beam is made of several members
+---rotation over the rotation at yield, Mp L / (6 E I), of the beams in the bays next to the removal and above. The
+---capacity of a joint at an end of the beam is the allowed rotation where it is smaller. L goes from column to column,
+---also where a beam is made of several members
 ---@field omega_n? number
 ---m-factor of linear static: what the DCR is compared with. The smallest of the beams next to the removal. Default 1,
 ---which is on the safe side: no end may come to its plastic moment
@@ -1818,9 +1821,9 @@ function hinge.robustness(options) end
 ---Writes the rows with all their numbers, into the folder that the option `folder` names, else into the output folder.
 ---@field csv fun(self: hinge.robustness_result, filename?: string): hinge.robustness_result
 ---Draws a plan of the frame, or the elevation of a plane one, into the same folder, by hinge.plot. What was removed is
----coloured by its verdict: green holds, orange exceeds, purple loses members, red collapses, black failed, grey not
----allowed, blue a verdict of your own. There is a panel for each procedure, and in a plan for each height at which
----removed columns begin.
+---coloured by its verdict: green holds, orange exceeds, purple loses members or joints, red collapses, black failed,
+---grey not allowed or not rated, blue a verdict of your own. There is a panel for each procedure, and in a plan for
+---each height at which removed columns begin.
 ---@field picture fun(self: hinge.robustness_result, filename?: string): hinge.robustness_result
 ---Writes report.md, robustness.csv and robustness.png into the same folder: counts, method, table, reasons, picture,
 ---sources, warnings of the runs.
@@ -1838,8 +1841,11 @@ function hinge.robustness(options) end
 ---@field z_high number
 ---@field storey? integer of a column: how many stand below it in its line, and 1
 ---@field procedure string
----"holds", "exceeds the limit of rotation", "loses members" (others break), "collapses"; of linear static "holds",
----"exceeds the capacity" or "not allowed"; "failed": there is no result; or what the function `criterion` returned
+---"holds", "exceeds the limit of rotation", "exceeds the capacity" (statics: by the force at which a joint breaks),
+---"loses members" (others break), "loses joints", "collapses"; of linear static "holds", "exceeds the capacity",
+---"exceeds the limit of rotation" (of joints) or "not allowed"; "not rated": nothing is beyond a limit, and joints turn
+---that have none (without a strength, or beyond yield); "failed": there is no result; or what the function `criterion`
+---returned
 ---@field verdict string
 ---@field reason string what to know of the verdict; "" if nothing
 ---@field span? number m, to the next column at the level of the joint above
@@ -1852,14 +1858,25 @@ function hinge.robustness(options) end
 ---@field static_deflection? number
 ---@field increase? number deflection over static_deflection
 ---@field static_limit? number nonlinear dynamic: load factor that statics without the column comes to
----@field beam_rotation? number rad, the largest plastic rotation of members that are no columns
+---rad, the largest plastic rotation of members that are no columns, or rotation of their joints
+---@field beam_rotation? number
 ---@field column_rotation? number rad, of columns
 ---@field beam_ratio? number over the limit, of those that have one
 ---@field column_ratio? number
 ---@field ratio? number the larger one; of linear static the DCR over what is allowed
 ---@field worst? integer index of the member with it
+---@field worst_joint? string the joint with it, as run:hinges names it; nil: it is no joint
+---@field joint_rotation? number rad, the largest rotation of a joint
+---rotation of a joint over its limit, or force over that at which it breaks; of linear static the rotation
+---@field joint_ratio? number
+---linear static: moment of a joint over its strength, the sum of its axes (and of tension, where it weakens the joint)
+---@field joint_dcr? number
+---@field joints_broken? integer joints that broke by a limit of their own; in statics: that are beyond one
+---@field joints_unrated? integer joints that turn and have no limit
+---@field pins? integer axes that are free
+---@field pin_rotation? number rad, the largest about one of them at the end of the run
 ---@field limit? number rad, its limit
----@field hinges? integer plastic hinges; without_limit of them have no limit
+---@field hinges? integer plastic hinges and axes of joints that have yielded; without_limit of them have no limit
 ---@field without_limit? integer
 ---@field omega? number factor on the loads of a static procedure
 ---@field smallest_ratio? number r of Omega_N
@@ -1867,8 +1884,9 @@ function hinge.robustness(options) end
 ---nonlinear static: the largest load over the given one, in the bays next to the removal; omega is needed
 ---@field load_factor? number
 ---@field limit_reached? boolean true: the load has had its largest value; false: it still grew when the push ended
----linear static: the largest demand over capacity of member ends, by the form of AISC 360, H1: n / 2 + m below n = 0.2,
----else n + 8 m / 9; n is N / N0 and m the sum of both moments over Mx0 and My0. Instability is not in it
+---linear static: the largest demand over capacity of joints (joint_dcr) and of member ends, by the form of AISC 360,
+---H1: n / 2 + m below n = 0.2, else n + 8 m / 9; n is N / N0 and m the sum of both moments over Mx0 and My0.
+---Instability is not in it
 ---@field dcr? number
 ---@field dcr_limit? number m
 ---of columns with more than half of N0, which are controlled by force: the same under the loads times Omega_LF = 2,
@@ -1882,7 +1900,9 @@ function hinge.robustness(options) end
 ---@field run_verdict? string
 ---@field energy_error? number of the run at its end, as a part of the largest account of the energy balance
 ---@field seconds number wall time
----@field warnings string[] of its runs, and of loads that have no mass and so no inertia
+---of its own runs alone (not of those that find the period or the static deflection), and of loads that have no mass
+---and so no inertia
+---@field warnings string[]
 
 -- Heat ---------------------------------------------------------------------------------------------------------------
 
@@ -4332,8 +4352,8 @@ function envelope:plot(job, filename, options) end
 ---6.3.3 with annex B. AISC 360-16, LRFD: D2(a), E3, F2, F3, F6, F7, F8, F11, G2, G4 to G6, H1.1, H3. Sections: H, box,
 ---pipe, rectangle, round bar, of steel. Other members, and those whose plates are too slender, have a remark "not
 ---checked: ..." and no utilisation. The formulas were compared with published examples. Rupture at holes, torsional
----buckling of compressed H sections and warping are not checked. An envelope in place of runs takes extremes of
----different times together.
+---buckling of compressed H sections, warping and joints are not checked; run:hinges rates joints. An envelope in place
+---of runs takes extremes of different times together.
 ---```lua
 ---local used = hinge.results.utilisation(run, { model = model, standard = "EN 1993-1-1",
 ---  lengths = { kx = 2, ky = 2 } })

@@ -235,4 +235,150 @@ end
   end
 end)
 
+-- hinge.robustness ----------------------------------------------------------------------------------------------------
+
+local steel = hinge.material.steel "S355"
+local post, girder = hinge.section.named "HEB 240", hinge.section.named "IPE 360"
+local span, height, g = 6, 3.5, 9.80665
+
+-- A portal of two bays whose beams have joints; its middle column, member 2, may be removed. how: joint, q (N/m),
+-- up, elements, panel (joints between nodes, in the place of the members'), release, extra (of the model, at its end).
+local function portal(how, scale)
+  local model, heads, beams = hinge.model {}, {}, {}
+  for i = 1, 3 do
+    local foot = model:node { span * (i - 1), 0, 0 }
+    heads[i] = model:node { span * (i - 1), 0, height }
+    model:fix(foot)
+    model:fix(heads[i], "y,rx,rz")
+    model:member { foot, heads[i], section = post, material = steel, up = { 1, 0, 0 }, group = "columns" }
+  end
+  local floor = steel:with { density = how.q * (scale and scale(span, 0, height) or 1) / g / girder.area }
+  for i = 1, 2 do
+    local a, b = heads[i], heads[i + 1]
+    local ends = how.joint and { a = how.joint, b = how.joint } or nil
+    if how.panel and i == 1 then
+      a = model:node { 0, 0, height }
+      model:joint { heads[1], a, joint = how.panel }
+    elseif how.panel then
+      b = model:node { 2 * span, 0, height }
+      model:joint { heads[3], b, joint = how.panel }
+    end
+    beams[i] = model:member { a, b, section = girder, material = floor, up = how.up or { 0, 0, 1 }, group = "beams",
+      elements = how.elements, ends = ends, release = how.release }
+  end
+  if how.extra then how.extra(model, heads) end
+  model:gravity { 0, 0, -g }
+  return model, beams
+end
+
+local function loss(how, options)
+  local all = { build = function(o) return (portal(how, o.scale)) end, remove = { 2 }, m = 2, quiet = true,
+    procedures = { "nonlinear dynamic" }, dt = 1e-3, allow_failed = true }
+  for name, value in pairs(options) do all[name] = value end
+  return hinge.robustness(all).rows
+end
+
+local semi_rigid = hinge.joint { Mx = { stiffness = 60e6, strength = 150e3 } }
+
+case("a frame does not hold where a joint turns beyond the limit, whatever the joint is", function()
+  local kinds = {
+    { "strength", { joint = semi_rigid, q = 12e3 } },
+    { "four elements a member", { joint = semi_rigid, q = 12e3, elements = 4 } },
+    { "elastic", { joint = hinge.joint { Mx = { stiffness = 5e6 } }, q = 2e3 } },
+    { "curve", { joint = hinge.joint { Mx = { points = { { 2e-3, 1e5 }, { 0.04, 2e5 } } } }, q = 12e3 } },
+    { "weak axis", { joint = hinge.joint { My = { stiffness = 5e6, strength = 20e3 } }, q = 1.5e3, up = { 0, 1, 0 } } },
+    { "between nodes", { panel = hinge.joint { My = { stiffness = 20e6, strength = 80e3 } }, q = 9e3 } },
+  }
+  for _, kind in ipairs(kinds) do
+    local name, how = kind[1], kind[2]
+    local row = loss(how, { limit = 1 })[1]
+    equal(row.verdict, "holds", name .. ": " .. row.reason)
+    expect(row.joint_rotation > 1e-3, "%s: joints turn by %g rad", name, row.joint_rotation)
+    equal(row.beam_rotation, row.joint_rotation, name .. ": they count with the beams")
+    local function verdict(part) return loss(how, { limit = part * row.joint_rotation })[1] end
+    local beyond, below = verdict(0.99), verdict(1.01)
+    equal(beyond.verdict, "exceeds the limit of rotation", name)
+    near(beyond.ratio, 1 / 0.99, 1e-9, name .. ": of the limit")
+    expect(beyond.reason:find "^the joint " ~= nil, "%s: says %s", name, beyond.reason)
+    equal(below.verdict, "holds", name .. ", below the limit")
+    local none = loss(how, { limit = { columns = 1 } })[1]
+    equal(none.verdict, "not rated", name .. ", without a limit")
+    expect(none.joints_unrated > 0, "%s: %d joints are not rated", name, none.joints_unrated)
+  end
+end)
+
+case("the rotation of joints in a row is that of a run by hand", function()
+  local how = { joint = semi_rigid, q = 12e3 }
+  local row = loss(how, { limit = 1 })[1]
+  local model, beams = portal(how)
+  local rest = model:static { steps = 10 }:finish()
+  model:remove { member = model:members()[2], at = 0 }
+  local run, largest = model:dynamic { from = rest, dt = 1e-3, duration = 3 }, 0
+  while run.time < row.followed - 1e-9 and run:step() do
+    for _, beam in ipairs(beams) do
+      for _, side in ipairs { "a", "b" } do
+        largest = support.largest_of(largest, math.abs(beam:joint(side, run).rotation_x))
+      end
+    end
+  end
+  near(row.joint_rotation, largest, 1e-12, "rotation, rad")
+  near(run:hinges().worst.demand, largest, 1e-12, "and that of run:hinges")
+end)
+
+case("joints that break are no frame that holds, and each row has the warnings of its own runs alone", function()
+  -- a second pair of beams, whose outer ends break; they stand on as cantilevers
+  local function extra(model, heads)
+    local high = model:node { 0, 0, height + 1 }
+    model:fix(high, "y,rx,rz")
+    model:member { heads[1], high, section = post, material = steel, up = { 1, 0, 0 } }
+    model:member { high, heads[2], section = girder, material = steel, up = { 0, 0, 1 },
+      ends = { a = hinge.joint { Mx = { stiffness = 50e6, capacity = 5e-4 } } } }
+  end
+  local rows = loss({ q = 12e3, extra = extra }, { limit = 1, procedures = { "nonlinear dynamic",
+    "nonlinear static", "linear static" } })
+  equal(rows[1].verdict, "loses joints", rows[1].reason)
+  equal(rows[1].joints_broken, 1, "joints that broke")
+  expect(support.has(rows[1].reason, "1 joint breaks, the joint at end a of member 7"), "says %s", rows[1].reason)
+  expect(rows[2].verdict ~= "holds", "statics breaks none, and it is beyond its capacity: %s", rows[2].verdict)
+  equal(rows[3].verdict, "exceeds the limit of rotation", "linear statics: " .. rows[3].reason)
+  local function says(row) return support.has(table.concat(row.warnings, "\n"), "statics breaks no joint") end
+  expect(not says(rows[1]), "a run of statics warns in the row of dynamics: %s", table.concat(rows[1].warnings, "; "))
+  expect(says(rows[2]), "the push warns in its own row: %s", table.concat(rows[2].warnings, "; "))
+end)
+
+case("linear statics compares a joint's moment with its strength, and an elastic joint by its rotation", function()
+  local row = loss({ joint = semi_rigid, q = 12e3 }, { limit = 1, procedures = { "linear static" } })[1]
+  equal(row.loads_scaled, "next to the removal", "loads")
+  local model, beams = portal({ joint = semi_rigid, q = 12e3 }, function() return row.omega end)
+  model:remove { member = model:members()[2], at = 0 }
+  local gone = model:dynamic { dt = 1e-6, duration = 1e-6, step_control = 0, energy_tolerance = 0 }:finish()
+  local run = model:static { from = gone, steps = 10000 }
+  run:step()
+  local M = 0
+  for _, beam in ipairs(beams) do
+    for _, side in ipairs { "a", "b" } do M = support.largest_of(M, math.abs(beam:joint(side, run).Mx)) end
+  end
+  run:stop()
+  near(row.dcr, M / run.factor / 150e3, 1e-9, "DCR") -- the same steps
+  equal(row.joint_dcr, row.dcr, "it is that of the joint")
+  equal(row.verdict, "exceeds the capacity", row.reason)
+  expect(row.reason:find "^the joint at end %a of member %d has a DCR of", "says %s", row.reason)
+
+  local elastic_joint = hinge.joint { Mx = { stiffness = 5e6 } }
+  local function linear(limit)
+    return loss({ joint = elastic_joint, q = 2e3 }, { limit = limit, procedures = { "linear static" } })[1]
+  end
+  local free = linear(1)
+  equal(free.verdict, "holds", free.reason)
+  equal(linear(0.99 * free.joint_ratio).verdict, "exceeds the limit of rotation", "beyond the limit")
+  equal(linear(1.01 * free.joint_ratio).verdict, "holds", "below the limit")
+  equal(linear { columns = 1 }.verdict, "not rated", "without a limit")
+end)
+
+case("pins of a frame that holds are told, for no limit is theirs", function()
+  local row = loss({ q = 1e3, release = { a = "Mx" } }, { limit = 1 })[1]
+  equal(row.verdict, "holds", row.reason)
+  expect(support.has(row.reason, "2 pins, which turn by up to"), "says %s", row.reason)
+end)
+
 return checks.done()

@@ -530,34 +530,6 @@ case("a member tells of its joints, and copies of a grid have them", function()
   equal(tostring(copy.ends.a), "joint: Mx free, My rigid, Mz rigid", "ends of a copy")
 end)
 
-case("hinge.robustness warns that its static procedures neither break nor rate joints", function()
-  local function rows(joint)
-    local function build(options)
-      local model, heads = hinge.model(), {}
-      for i = 1, 3 do
-        local foot = model:node { 6 * i, 0, 0 }
-        heads[i] = model:node { 6 * i, 0, 3 }
-        model:fix(foot)
-        model:fix(heads[i], "y,rx,rz")
-        model:member { foot, heads[i], section = hinge.section.named "HEB 240", material = hinge.material.steel "S355",
-          group = "columns" }
-        if i > 1 then
-          local girder = hinge.section.named "IPE 360"
-          model:member { heads[i - 1], heads[i], section = girder, group = "beams", ends = { a = joint, b = joint },
-            material = hinge.material.steel("S355"):with { density = 1e5 * options.scale(6 * i - 3, 0, 3) } }
-        end
-      end
-      model:gravity { 0, 0, -g }
-      return model
-    end
-    return hinge.robustness { build = build, limit = 0.03, m = 2, quiet = true, remove = { 2 },
-      procedures = { "linear static" } }.rows
-  end
-  local function warned(row) return support.has(table.concat(row.warnings, "\n"), "neither breaks nor rates") end
-  expect(warned(rows(hinge.joint { Mx = { stiffness = 5e7, strength = 15e4 } })[1]), "with joints")
-  expect(not warned(rows()[1]), "without joints")
-end)
-
 case("wrong input is refused", function()
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }

@@ -76,6 +76,10 @@ local function judge_dynamic(row, run, found)
   if row.broken > 0 then
     return "loses members", check.count(row.broken, "further member") .. (row.broken == 1 and " breaks" or " break")
   end
+  if row.joints_broken > 0 then
+    return "loses joints", ("%s, the %s"):format(row.joints_broken == 1 and "1 joint breaks"
+      or row.joints_broken .. " joints break, among them", row.first_broken)
+  end
   return runs.judge_rotation(row)
 end
 
@@ -124,7 +128,7 @@ return function(study, case, base, row)
   local model = runs.fresh(study, case, "nonlinear dynamic", 1)
   local verdict, reason = dynamic(study, case, base, row, model)
   model:close()
-  local sag, limit, reached = statics.still(study, case, base, row.warnings)
+  local sag, limit, reached = statics.still(study, case, base)
   row.static_limit, row.limit_reached = limit, reached
   if sag and row.at_rest then
     row.static_deflection = sag + row.at_rest

@@ -89,8 +89,8 @@ function factors.must_be_steel(where, model, field)
 end
 
 --- The smallest ratio of allowed rotation to rotation at yield of the beams in the bays next to a removal; nil: none
---- of them has both.
-function factors.smallest_ratio(model, geo, case, limit)
+--- of them has both. A joint's own capacity counts where it is smaller; `capacity`: by index of the member.
+function factors.smallest_ratio(model, geo, case, limit, capacity)
   local least
   for _, m in ipairs(model:members()) do
     local own = geo.members[m.index]
@@ -98,6 +98,7 @@ function factors.smallest_ratio(model, geo, case, limit)
     if own.kind == "beam" and not case.removed[m.index]
       and geometry.is_near(case, (a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2) then
       local allowed, at_yield = factors.limit_of(limit, m), yield_rotation(m, geo.beam_length[m.index])
+      if capacity[m.index] then allowed = math.min(allowed or math.huge, capacity[m.index]) end
       if allowed and at_yield then least = math.min(least or math.huge, allowed / at_yield) end
     end
   end

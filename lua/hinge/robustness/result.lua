@@ -122,7 +122,8 @@ local fields = { "case", "name", "group", "x", "y", "z_low", "z_high", "procedur
   "fall", "period", "deflection", "static_deflection", "increase", "beam_rotation", "column_rotation", "beam_ratio",
   "column_ratio", "ratio", "worst", "limit", "hinges", "without_limit", "omega", "smallest_ratio", "load_factor",
   "static_limit", "limit_reached", "loads_scaled", "dcr", "dcr_limit", "force_dcr", "broken", "time", "followed", "dt",
-  "run_verdict", "energy_error", "seconds" }
+  "run_verdict", "energy_error", "seconds", "joint_rotation", "joint_ratio", "joint_dcr", "joints_broken",
+  "joints_unrated", "pins", "pin_rotation", "worst_joint" }
 
 local function field(value)
   if value == nil then return "" end
@@ -150,7 +151,8 @@ end
 -- The picture -----------------------------------------------------------------------------------------------------
 
 local colours = { holds = "green", ["exceeds the limit of rotation"] = "orange", ["exceeds the capacity"] = "orange",
-  ["loses members"] = "purple", collapses = "red", failed = "black", ["not allowed"] = "grey" }
+  ["loses members"] = "purple", ["loses joints"] = "purple", collapses = "red", failed = "black",
+  ["not allowed"] = "grey", ["not rated"] = "grey" }
 
 -- Horizontal and vertical axis of the picture: a plan, or the elevation of a plane frame.
 local function axes_of(outline)
@@ -302,7 +304,7 @@ end
 
 local function method_text(result)
   local lines = { "| procedure | loads | what it is held against |", "|---|---|---|" }
-  local limit = result.has_limit and "the limit of rotation" or "nothing: no limit was given"
+  local limit = result.has_limit and "the limit of rotation" or "the limits of joints alone: no other was given"
   local by = { ["nonlinear dynamic"] = { "as given; the column goes at once", limit .. ", and a fall of the joints" },
     ["nonlinear static"] = { "times Omega_N = 1.08 + 0.76 / (allowed rotation / rotation at yield + 0.83), or as "
       .. "given", "equilibrium under these loads, and " .. limit },

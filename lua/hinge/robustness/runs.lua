@@ -1,4 +1,5 @@
 -- What the procedures of hinge.robustness share: models that lose members, statics without these, and rotations.
+local core = require "hinge.core"
 local check = require "hinge.check"
 local geometry = require "hinge.robustness.geometry"
 
@@ -92,9 +93,10 @@ local function must_have_cases(study, model, gone)
   study.has_cases = true
 end
 
--- A model in which nothing yields would hold whatever comes.
+-- A model in which nothing yields would hold whatever comes. Joints with a strength yield, and others are rated by
+-- their rotation.
 local function must_yield(study, gone)
-  if type(study.o.criterion) == "function" or not study.nonlinear then return end
+  if type(study.o.criterion) == "function" or not study.nonlinear or gone:hinges()[1] then return end
   for _, effect in ipairs(gone.effects) do
     if effect.name == "plasticity" and not effect.active then
       check.fail("%s: nothing can yield in the model (%s); the nonlinear procedures would find that every frame holds; "
@@ -115,8 +117,20 @@ local function joint_above(case, model, run)
   return best, most
 end
 
---- The frame without the members under its loads: joint (index), sag in linear statics (m), period (s), fall (m); or
---- nil and why not.
+-- The smallest rotation, rad, at which a joint of each member breaks in bending, by index of the member.
+local function capacities(run)
+  local list = {}
+  for _, h in ipairs(run:hinges()) do
+    if h.capacity and h.axis ~= "z" then
+      local i = h.member.index
+      list[i] = math.min(list[i] or math.huge, h.capacity)
+    end
+  end
+  return list
+end
+
+--- The frame without the members under its loads: joint (index), sag in linear statics (m), period (s), fall (m),
+--- capacity (of joints, as above); or nil and why not.
 function runs.prepare(study, case)
   if not case.joints[1] then return nil, "no joint of what is removed is free to go down and keeps another member" end
   local fall = study.o.fall or case.span and fall_of_span * case.span
@@ -127,50 +141,70 @@ function runs.prepare(study, case)
   must_yield(study, gone)
   runs.rotations(study, case, gone) -- refuses a limit that run:hinges does not take
   must_have_cases(study, model, gone)
+  local capacity = capacities(gone)
   local run, why = runs.elastic(study, model, gone)
   local joint, sag
   if run then joint, sag = joint_above(case, model, run) end
   model:close()
   if not run then return nil, why end
   if not joint or not (sag > 0) then return nil, "no joint of what is removed goes down under the loads" end
-  return { joint = joint.index, sag = sag, period = 2 * math.pi * math.sqrt(sag / g), fall = fall }
+  return { joint = joint.index, sag = sag, period = 2 * math.pi * math.sqrt(sag / g), fall = fall,
+    capacity = capacity }
 end
 
 -- Rotations -------------------------------------------------------------------------------------------------------
 
---- Warns where joints of members are not part of a static procedure: statics breaks none, and no standard's factors
---- rate them.
-function runs.note_joints(warnings, model)
-  local count = 0
-  for _, member in ipairs(model:members()) do
-    if member.ends then count = count + 1 end
+local least_turn = 1e-6 -- rad: a joint that turns less rests, but for rounding
+
+--- Whether what run:hinges lists belongs to the members that are removed. A joint between nodes stays with what is left
+--- there.
+function runs.is_removed(case, h) return case.removed[h.member.index] and not h.between_nodes end
+
+--- Whether a row of a joint is held against nothing: it turns, no rotation is its limit, and it has either no strength
+--- or has come to it.
+function runs.is_unrated(h) return not h.ratio and (h.yielded or not h.strength) and not (h.largest <= least_turn) end
+
+-- Adds an axis or a force of a joint to the numbers of a row; `seen`: joints that are counted already.
+local function add_joint(r, h, seen)
+  if not (h.demand <= r.joint_rotation) then r.joint_rotation = h.demand end
+  if h.ratio and not (h.ratio <= (r.joint_ratio or 0)) then r.joint_ratio = h.ratio end
+  if h.failed and not seen.failed[h.joint] then
+    seen.failed[h.joint], r.joints_broken = true, r.joints_broken + 1
+    r.first_broken = r.first_broken or h.joint
   end
-  if count == 0 or warnings.joints then return end
-  warnings.joints = true
-  warnings[#warnings + 1] = ("%s joints at their ends, which this procedure neither breaks nor rates: a row may hold "
-    .. "whose joints fail; procedure = 'nonlinear dynamic' breaks them"):format(check.count(count, "member") ..
-    (count == 1 and " has" or " have"))
+  if not runs.is_unrated(h) then return end
+  if not seen.unrated[h.joint] then r.joints_unrated = r.joints_unrated + 1 end
+  seen.unrated[h.joint], r.unrated_rotation = true, math.max(r.unrated_rotation, h.largest)
 end
 
---- The largest plastic rotations of beams and columns, and how much of their limit they are. Members that are neither,
--- such as braces, count with the beams.
+-- Adds a hinge, or an axis or a force of a joint.
+local function add_rotation(r, h, kind)
+  local rotation, ratio = kind .. "_rotation", kind .. "_ratio"
+  if h.yielded then r.hinges = r.hinges + 1 end
+  if not (h.demand <= r[rotation]) then r[rotation] = h.demand end
+  if h.ratio and not (h.ratio <= (r[ratio] or 0)) then r[ratio] = h.ratio end
+  if h.ratio and not (h.ratio <= (r.ratio or 0)) then
+    r.ratio, r.worst, r.limit, r.worst_joint, r.worst_axis = h.ratio, h.member.index, h.limit, h.joint, h.axis
+  end
+  if not h.ratio and h.yielded then r.without_limit = r.without_limit + 1 end
+end
+
+--- The largest rotations of beams and columns, plastic ones of hinges and whole ones of joints, and how much of their
+--- limit they are. Members that are neither, such as braces, count with the beams.
 function runs.rotations(study, case, run)
   local list = run:hinges { limit = study.o.limit }
-  local r = { beam_rotation = 0, column_rotation = 0, ratio = study.o.limit ~= nil and 0 or nil, hinges = 0,
-    without_limit = 0 }
+  local r = { beam_rotation = 0, column_rotation = 0, joint_rotation = 0, ratio = study.o.limit ~= nil and 0 or nil,
+    hinges = 0, without_limit = 0, joints_broken = 0, joints_unrated = 0, unrated_rotation = 0 }
+  local seen = { failed = {}, unrated = {} }
   for _, h in ipairs(list) do
-    if not case.removed[h.member.index] then
-      r.hinges = r.hinges + 1
-      local name = study.geo.members[h.member.index].kind == "column" and "column" or "beam"
-      local rotation, ratio = name .. "_rotation", name .. "_ratio"
-      if not (h.demand <= r[rotation]) then r[rotation] = h.demand end
-      if h.ratio and not (h.ratio <= (r[ratio] or 0)) then r[ratio] = h.ratio end
-      if h.ratio and not (h.ratio <= r.ratio) then
-        r.ratio, r.worst, r.limit = h.ratio, h.member.index, h.limit
-      end
-      if not h.ratio then r.without_limit = r.without_limit + 1 end
+    -- the step that takes the members out, from which statics goes on, has forces of its own
+    if h.force and run.kind == "static" then h.ratio = math.max(h.force, 0) / h.strength end
+    if not runs.is_removed(case, h) then
+      if h.joint then add_joint(r, h, seen) end
+      add_rotation(r, h, study.geo.members[h.member.index].kind == "column" and "column" or "beam")
     end
   end
+  r.pins, r.pin_rotation = core.pins_of(run)
   return r
 end
 
@@ -179,14 +213,41 @@ function runs.take(row, values)
   for name, value in pairs(values) do row[name] = value end
 end
 
---- Verdict and reason by the limit of rotation.
+--- What a row is called in reasons: the joint, or the member.
+function runs.place(joint, member) return joint or ("member %s"):format(member) end
+
+-- What a row that holds was not compared with.
+local function not_compared(row)
+  local list, hinges = {}, row.without_limit
+  if hinges > 0 then
+    list[1] = check.count(hinges, "plastic hinge") .. " without a limit, not compared"
+  end
+  if row.pins > 0 and not (row.pin_rotation <= least_turn) then
+    list[#list + 1] = ("%s, which %s by up to %.3g rad now, not compared"):format(check.count(row.pins, "pin"),
+      row.pins == 1 and "turns" or "turn", row.pin_rotation)
+  end
+  return table.concat(list, "; ")
+end
+
+--- Verdict and reason where joints have no limit: a row of theirs cannot hold.
+function runs.judge_unrated(count, rotation)
+  return "not rated", ("%s without a limit of rotation %s by up to %.4g rad; give them a limit in field 'limit', or a "
+    .. "capacity"):format(check.count(count, "joint"), count == 1 and "turns" or "turn", rotation)
+end
+
+--- Verdict and reason by the limit of rotation, and by the forces at which joints break.
 function runs.judge_rotation(row)
   if row.ratio and not (row.ratio <= 1) then
-    return "exceeds the limit of rotation", ("member %s has %.4g of its limit %.4g rad"):format(row.worst, row.ratio,
-      row.limit)
+    local place = runs.place(row.worst_joint, row.worst)
+    if row.worst_axis == "tension" or row.worst_axis == "shear" then
+      return "exceeds the capacity", ("the %s has %.4g of the %s at which it breaks"):format(place, row.ratio,
+        row.worst_axis)
+    end
+    return "exceeds the limit of rotation", ("%s%s has %.4g of its limit %.4g rad"):format(row.worst_joint and "the "
+      or "", place, row.ratio, row.limit)
   end
-  local free = row.without_limit
-  return "holds", free > 0 and check.count(free, "plastic hinge") .. " without a limit, not compared" or ""
+  if row.joints_unrated > 0 then return runs.judge_unrated(row.joints_unrated, row.unrated_rotation) end
+  return "holds", not_compared(row)
 end
 
 return runs
