@@ -83,7 +83,7 @@ public:
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
             const Made& m = made_[i];
-            now_[i].of_end = resisting[m.end].head<3>() - w_.external[m.end].head<3>();
+            now_[i].resisted = resisting[m.end].head<3>();
             const RelativeRotation r = turn(i, w_.trial);
             const Evaluated e = evaluate(i, r.rotation);
             Vec3 moment = e.moment;
@@ -257,10 +257,10 @@ private:
         double work[3] = {0, 0, 0};  ///< J: `dissipated` by axis
         std::vector<double> slid[3];
     };
-    /// What the member's end has put on its node where forces were found last.
+    /// What the member's end resists where forces were found last, with the loads on it.
     struct Now {
-        Vec3 of_end = Vec3::Zero();   ///< N, in space
-        Vec3 viscous = Vec3::Zero();  ///< N m: the moment of damping
+        Vec3 resisted = Vec3::Zero();  ///< N, in space
+        Vec3 viscous = Vec3::Zero();   ///< N m: the moment of damping
     };
     /// Moment of damping about each axis, N m, and its derivatives by the rate and by the rotation. `elastic`: part of
     /// the rate that the springs have.
@@ -478,7 +478,7 @@ private:
         }
         j.moment = e.moment;
         const Mat3 turned = w_.structure.large() ? Mat3(w_.trial.rotation[m.end].toRotationMatrix() * m.axes) : m.axes;
-        const Vec3 f = turned.transpose() * (now_[i].of_end + inertia_of_end(m.end));
+        const Vec3 f = turned.transpose() * (now_[i].resisted - w_.load(m.end).head<3>() + inertia_of_end(m.end));
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
         if (is.tension_weakens) {
@@ -522,7 +522,8 @@ private:
         JointRecord::Axis& axis = records().list[i].axis[k];
         axis.work += work;
         if (!slips || axis.yielded) return;
-        axis.yielded = true, axis.statics = w_.goes_by_load_factor(), axis.runs_ago = 0, axis.first = w_.reached(step);
+        axis.yielded = true, axis.statics = w_.goes_by_load_factor(), axis.runs_ago = 0;
+        axis.first = w_.kind.dynamic ? step.end() : w_.factor;  // the state has the factor before
     }
     /// Takes the end of the step into what the joint has gone through.
     void record(std::size_t i) {

@@ -92,7 +92,7 @@ struct Workspace {
     double factor = 0;                          ///< the load factor that is tried; 1 in dynamics
     std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
                                                 ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
-    std::vector<Vec6> external;                 ///< F of eq 15
+    std::vector<Vec6> external;                 ///< F of eq 15; in statics for a load factor of 1
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
     std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
@@ -107,12 +107,18 @@ struct Workspace {
     /// much in a short step as in a long one.
     bool solved_at_once = false;
     std::vector<Vec6> steady = {};  ///< the part of F that does not change with time: weights at nodes
+    std::vector<Vec6> held = {};    ///< statics: loads of an earlier run, in full at any load factor; or empty
     /// The acceleration is being found where the state is: forces are those with which its last step ended.
     bool at_state = false;
     Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
 
     /// Whether the node belongs to a body at rest.
     bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }
+    /// F on a node at the trial pose.
+    Vec6 load(int node) const {
+        if (kind.dynamic) return external[node];
+        return held.empty() ? Vec6(factor * external[node]) : Vec6(factor * external[node] + held[node]);
+    }
     /// The load factor that acts where the state is: 1 in dynamics.
     double acting_factor() const { return kind.dynamic ? 1 : state.factor; }
     /// Where a kept step has ended: its time, s; in statics the load factor.

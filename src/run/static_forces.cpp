@@ -68,14 +68,14 @@ void StaticForces::find_loads() {
     for (std::size_t i = 0; i < others.size(); ++i) w_.external[i] = others[i] + potential_[i];
     if (!w_.structure.model().holds_loads()) return;
     std::vector<Vec6> weights(others.size(), Vec6::Zero());
-    held_.assign(others.size(), Vec6::Zero());
-    add_held(weights, held_);
-    for (std::size_t i = 0; i < held_.size(); ++i) held_[i] += weights[i], w_.external[i] -= weights[i];
+    w_.held.assign(others.size(), Vec6::Zero());
+    add_held(weights, w_.held);
+    for (std::size_t i = 0; i < w_.held.size(); ++i) w_.held[i] += weights[i], w_.external[i] -= weights[i];
 }
 
 Vec6 StaticForces::load(std::size_t node, double factor) const {
-    if (held_.empty()) return factor * w_.external[node];
-    return factor * w_.external[node] + held_[node];
+    if (w_.held.empty()) return factor * w_.external[node];
+    return factor * w_.external[node] + w_.held[node];
 }
 
 void StaticForces::find_yielding_by_load(const std::vector<ElementTangent>& tangents) {
@@ -161,7 +161,8 @@ double StaticForces::factor_at_start() const {
     double loads = 0, both = 0, internal = 0;
     for (std::size_t i = 0; i < w_.external.size(); ++i) {
         const Vec6 load = problem_.without_supported(i, w_.external[i]),
-                   r = problem_.without_supported(i, w_.resisting[i] - (held_.empty() ? Vec6(Vec6::Zero()) : held_[i]));
+                   r = problem_.without_supported(
+                       i, w_.resisting[i] - (w_.held.empty() ? Vec6(Vec6::Zero()) : w_.held[i]));
         for (int c = 0; c < 6; ++c) {
             const double unit = c < 3 ? 1 : std::pow(problem_.mean_length, -2);
             loads += unit * load[c] * load[c], both += unit * load[c] * r[c], internal += unit * r[c] * r[c];
@@ -179,7 +180,7 @@ void StaticForces::add_work(double begun, double& work) const {
         const Vec3 du = w_.trial.displacement[i] - w_.state.displacement[i], turned = w_.rotation_step[i];
         const auto on = [&](const Vec6& load) { return load.head<3>().dot(du) + load.tail<3>().dot(turned); };
         work += mean * on(w_.external[i]) - on(potential_[i]);
-        if (!held_.empty()) work += on(held_[i]);
+        if (!w_.held.empty()) work += on(w_.held[i]);
         if (support_rates_.empty() || support_rates_[i].isZero(0)) continue;
         const Vec6 before = w_.reaction[int(i)], now = w_.resisting[i] - load(i, w_.factor);
         for (int c = 0; c < 6; ++c)

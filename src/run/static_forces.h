@@ -59,7 +59,6 @@ private:
     Workspace& w_;
     const bool follow_;                   ///< a load depends on the configuration
     std::vector<Vec6> potential_;         ///< loads whose work is in a potential energy account: weights
-    std::vector<Vec6> held_;              ///< of an earlier run, in full at any load factor; empty for none
     std::vector<Vec6> support_rates_;     ///< of effects (StaticPrescriber); empty for none
     std::vector<Vec6> yielding_by_load_;  ///< find_yielding_by_load; empty for none
     Stages& stages_;

@@ -60,4 +60,27 @@ case("a run warns where the order in which joints break hangs on little", functi
   equal(hung(1), nil, "alike: in one step")
 end)
 
+case("the forces of a joint in statics are those of the load factor, with loads of a run before in full", function()
+  for _, by in ipairs { "weight", "load", "weight held" } do
+    local model = hinge.model { displacement = "small" }
+    local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 4 }
+    model:fix { a, b }
+    local bar = model:member { a, b, section = square, material = steel,
+      ends = { a = hinge.joint { Mx = { stiffness = 1e7 } }, b = hinge.joint { Mx = { stiffness = 1e6 } } } }
+    local dead = model:case "dead"
+    if by == "load" then dead:load { member = bar, q = { 0, 0, -800 } } else dead:gravity { 0, 0, -9.80665 } end
+    model:case("tip"):load { member = bar, at = 0.3, force = { 0, 0, -100 } }
+    local before = by == "weight held" and model:static { loads = { dead = 1 } }:finish() or nil
+    local run = model:static { steps = 4, from = before, loads = before and { tip = 1 } or { dead = 1 } }
+    while run:step() do
+      local f_a, f_b = bar:forces(run)
+      for side, f in pairs { a = f_a, b = f_b } do
+        local joint, what = bar:joint(side, run), ("%s, end %s, factor %g"):format(by, side, run.factor)
+        near(joint.tension, f.N, 1e-6 * math.abs(f.N), "tension; " .. what) -- the iteration ends at 1e-8
+        near(joint.shear, math.abs(f.Qy) + math.abs(f.Qx), 1e-6 * math.abs(f.Qy), "shear; " .. what)
+      end
+    end
+  end
+end)
+
 checks.done()
