@@ -463,6 +463,7 @@ function backbone.ufc(options) end
 ---joined to each node without a joint, unless model:fix holds the node in all directions: else nothing holds the
 ---rotation of the node. A joint needs no further element; two elements a member are as exact as without it. It does
 ---not go with the energy-momentum method. The energy is in run.energy.joint_stored and joint_dissipated.
+---run:hinges and hinge.robustness compare the rotations and forces of joints with limits.
 ---```lua
 ---local end_plate = hinge.joint { Mx = { points = { { 0.004, 80e3 }, { 0.02, 110e3 } }, capacity = 0.04 }, -- rad, N m
 ---  My = "free", tension = 250e3, shear = 180e3 } -- N

@@ -88,6 +88,35 @@ case("a joint that has yielded keeps its largest rotation, its work and when it 
   equal(later.first_yield, h.first_yield, "at the same time")
 end)
 
+case("what a joint has gone through goes on over runs of dynamics", function()
+  local function swinging()
+    local model = hinge.model { displacement = "small" }
+    local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
+    model:fix(wall)
+    model:member { wall, tip, section = square, material = elastic,
+      ends = { a = hinge.joint { Mx = { stiffness = 1e6, strength = strength } } } }
+    model:load { node = tip, force = { 0, 0, -1.1 * strength / L } }
+    return model
+  end
+  local function run_of(model, duration, from)
+    return model:dynamic { dt = 1e-4, duration = duration, from = from, record = false }:finish()
+  end
+  local whole = run_of(swinging(), 0.04):hinges()[1]
+  expect(whole.yielded and whole.first_kind == "dynamic" and not whole.before, "it yields")
+  local model = swinging()
+  local first = run_of(model, 0.03)
+  local rest = run_of(model, 0.01, first):hinges()[1]
+  expect(whole.first_yield < 0.03, "in the first run: %g s", whole.first_yield)
+  for _, name in ipairs { "largest", "largest_moment", "work", "first_yield", "rotation" } do
+    equal(rest[name], whole[name], name .. ": as in one run")
+  end
+  equal(rest.before, true, "it yielded in a run before")
+  local before = swinging()
+  local early = run_of(before, 0.5 * whole.first_yield)
+  equal(early:hinges()[1].yielded, false, "not yet")
+  equal(run_of(before, 0.04, early):hinges()[1].before, false, "it yields in the second run")
+end)
+
 case("joints of steel frames are listed beside the hinges of members, and by their groups", function()
   local model = hinge.model()
   local steel = hinge.material.steel "S235"

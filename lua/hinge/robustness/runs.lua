@@ -49,12 +49,12 @@ function runs.without(study, case, model)
     energy_tolerance = 0, record = false }:finish()
 end
 
---- Adds the warnings of a run to a list, each once.
-function runs.note(warnings, run)
+--- Adds the warnings of a run to a list, each once. before: words that stand before them.
+function runs.note(warnings, run, before)
   for _, text in ipairs(run.warnings) do
     if not warnings[text] then
       warnings[text] = true
-      warnings[#warnings + 1] = text
+      warnings[#warnings + 1] = (before or "") .. text
     end
   end
 end

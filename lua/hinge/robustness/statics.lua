@@ -114,7 +114,8 @@ function statics.nonlinear(study, case, base, row)
   local gone = runs.without(study, case, model)
   local found = push_finely(study, case, model, gone, { joint = base.joint, fall = base.fall, steps = study.o.steps,
     needed = needed })
-  runs.note(row.warnings, found.run)
+  -- the push goes on beyond the loads that are needed, to their largest value
+  runs.note(row.warnings, found.run, "at the end of the push: ")
   row.load_factor, row.limit_reached = found.limit * omega / needed, found.reached
   if found.why then table.insert(row.warnings, "the push ended before a largest load was seen: " .. found.why) end
   if found.state then runs.take(row, found.state) end
