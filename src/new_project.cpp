@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "script/files/installed_files.h"
+#include "script/files/quoting.h"
 
 namespace hinge {
 namespace {
@@ -31,14 +32,6 @@ std::string editor_settings(const fs::path& library) {
     return settings.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-/// A name as a shell reads it.
-std::string quoted(std::string name) {
-    const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("._-/+", c); };
-    if (std::all_of(name.begin(), name.end(), plain)) return name;
-    replace(name, "'", "'\\''");
-    return "'" + name + "'";
-}
-
 bool write(const fs::path& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
@@ -57,7 +50,7 @@ int new_project(const std::string& folder) {
     fs::create_directories(target, problem);
     if (problem) return std::cerr << "hinge: cannot make " << folder << ": " << problem.message() << "\n", 1;
 
-    const std::string name = fs::canonical(target, problem).filename().string();
+    const std::string name = script::plain_name(fs::canonical(target, problem).filename().string());
     for (const auto& entry : fs::directory_iterator(library / "template", problem)) {
         std::ostringstream text;
         text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
@@ -68,7 +61,7 @@ int new_project(const std::string& folder) {
     if (problem) return std::cerr << "hinge: no template in " << library.string() << "\n", 1;
     if (!write(target / ".gitignore", "/out/\n") || !write(target / ".luarc.json", editor_settings(library))) return 1;
     std::cout << "written to " << folder << ": main.lua, README.md, .luarc.json, .gitignore\nnext: cd "
-              << quoted(folder) << " && hinge run main.lua\n";
+              << script::shell_text(folder) << " && hinge run main.lua\n";
     return 0;
 }
 

@@ -2,6 +2,7 @@
 -- hinges.csv.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local quote = require "hinge.quote"
 
 local hinges = {}
 local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collapse prevention
@@ -260,7 +261,7 @@ local columns = { "storey", "member", "group", "element", "end", "at", "node", "
 
 local function field(value)
   if value == nil then return "" end
-  if type(value) == "string" then return '"' .. value:gsub('"', '""') .. '"' end
+  if type(value) == "string" then return quote.csv(value) end
   if type(value) == "userdata" then return tostring(value.index) end
   if type(value) == "boolean" then return value and "1" or "0" end
   return math.type(value) == "integer" and tostring(value) or ("%.9g"):format(value)

@@ -5,6 +5,7 @@ local check = require "hinge.check"
 local render = require "hinge.render"
 local runner = require "hinge.runner"
 local values = require "hinge.values"
+local quote = require "hinge.quote"
 
 local page = {}
 local library = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
@@ -12,11 +13,6 @@ local most_frames, most_rows, most_events = 400, 1500, 20000 -- of each run in t
 local most_hinges = 5000
 
 local function read(path) return (core.read_text(path)) end
-
--- JSON as it may stand inside <script>: no text in it ends the element or begins a comment.
-local function harmless(json)
-  return (json:gsub("<", "\\u003c"):gsub("\u{2028}", "\\u2028"):gsub("\u{2029}", "\\u2029"))
-end
 
 local function json_number(text)
   local value = tonumber(text)
@@ -164,7 +160,8 @@ local function with_data(data, may_ask)
   local viewer = read(library .. "viewer.js") or check.fail("%sviewer.js is not there; src/viewer/build.sh makes it",
     library)
   local icon = '<link rel="icon" href="data:,">\n' -- or a browser asks for one
-  return template:format(may_ask and "; connect-src 'self'" or "", may_ask and icon or "", harmless(data), viewer)
+  return template:format(may_ask and "; connect-src 'self'" or "", may_ask and icon or "", quote.json_in_html(data),
+    viewer)
 end
 
 --- The page of hinge run --live, which asks the program that serves it for all it shows. `id`: the program's own.

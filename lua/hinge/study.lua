@@ -9,6 +9,7 @@ local pool = require "hinge.study.pool"
 local scenarios = require "hinge.scenario"
 local tables = require "hinge.study.table"
 local vary = require "hinge.study.vary"
+local quote = require "hinge.quote"
 
 local study = {}
 local main_journal = "cases.jsonl"
@@ -59,7 +60,7 @@ function Study:open()
       .. "another --out", self.folder, check.count(n, "case"))
   end
   if options.restart or n == 0 and not options.resume then
-    os.execute(("rm -rf '%s/cases'"):format((self.folder:gsub("'", "'\\''"))))
+    os.execute("rm -rf " .. quote.shell(self.folder .. "/cases"))
     journal.remove(self.folder)
     self.found = {}
   end

@@ -377,14 +377,17 @@ void read_point_arrays(vtkPolyData* data, Snapshot& snapshot) {
         for (vtkIdType i = 0; i < n; ++i) snapshot.held.push_back(held->GetValue(i));
 }
 
+/// A text in XML, as an attribute too. XML has no control characters, not even as numbers.
 std::string xml_text(std::string_view text) {
     std::string out;
     for (const char c : text) {
         switch (c) {
             case '&': out += "&amp;"; break;
             case '<': out += "&lt;"; break;
+            case '>': out += "&gt;"; break;
             case '"': out += "&quot;"; break;
-            default: out += c;
+            case '\'': out += "&apos;"; break;
+            default: out += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
         }
     }
     return out;

@@ -99,7 +99,7 @@ case("a wrong call is told in one line, and a file of somebody else stays", func
   support.write(folder .. "/mine.lua", "-- my own script\n")
   for arguments, words in pairs {
     ["export mine.lua"] = "is a script of hinge already",
-    ["export nowhere.s2k"] = "cannot read the file: nowhere.s2k",
+    ["export nowhere.s2k"] = "cannot read nowhere.s2k",
     ["export frame.docx"] = "is of no kind that export reads: .s2k",
     ["export " .. samples .. "frame.tcl"] = "give --units FORCE,LENGTH",
     ["export " .. samples .. "frame.tcl --units kN"] = "--units is 'kN'; must be FORCE,LENGTH",

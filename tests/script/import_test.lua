@@ -1019,7 +1019,7 @@ case("broken files of SAP2000 are refused with the line", function()
     { more 'TABLE:  "JOINT LOADS - FORCE"\n   Joint=2   LoadPat=DEAD _\nTABLE:  "X"\n', "19: TABLE \"JOINT LOADS" },
     { more 'TABLE:  "JOINT COORDINATES"\n   Joint=2   XorR=1   Y=1   Z=1\n', "19: joint 2 is there twice" },
   } do refused(row[2], row[2], s2k, row[1]) end
-  refused("no file", "hinge.import.s2k: cannot read the file", import.s2k, { file = folder .. "none.s2k" })
+  refused("no file", "hinge.import.s2k: cannot read ", import.s2k, { file = folder .. "none.s2k" })
   refused("a field", "unknown field 'path'", import.s2k, { path = "x" })
 end)
 

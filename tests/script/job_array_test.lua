@@ -42,7 +42,7 @@ case("the job array as text names its cases and tasks", function()
     expect(text:find(line, 1, true), "the job array lacks %s:\n%s", line, text)
   end
   expect(not support.is_there(folder .. "/a b"), "--dry-run wrote something")
-  expect(text:find("#SBATCH %-%-output='[^\n]*/a b/slurm%-%%a.txt'\n"), "the output's name with a blank:\n%s", text)
+  expect(text:find("#SBATCH %-%-output=[^\n]*/a\\ b/slurm%-%%a.txt\n"), "the output's name with a blank:\n%s", text)
   text = select(2, hinge_study "s.lua speed=5 --slurm --dry-run --out 50%j")
   expect(text:find("#SBATCH %-%-output=[^\n]*/50%%%%j/slurm%-%%a.txt\n"), "a name with a percent sign:\n%s", text)
 end)

@@ -384,7 +384,7 @@ hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels =
   -- Labels of near points go apart: neither stands over the other's point.
   expect(commands "pair":find("'the first' at 1.5,1 right", 1, true), "the label of a point at the left")
   expect(commands "pair":find("'the second' at 1.6,1 left", 1, true), "the label of a point at the right")
-  expect(commands "labels":find("set label 'it''s {a}_b `c` @d' at 1,1", 1, true),
+  expect(commands "labels":find([[set label "it's {a}_b \140c\140 \100d" at 1,1]], 1, true),
     "a label is a text, whatever is in it")
 end)
 

@@ -7,16 +7,15 @@ local pool = require "hinge.study.pool"
 local runner = require "hinge.runner"
 local scenario = require "hinge.scenario"
 local status_line = require "hinge.status_line"
+local quote = require "hinge.quote"
 
 local set, kinds = {}, {}
 for i, kind in ipairs(require "hinge.benchmark".kinds) do kinds[kind] = i end
 
-local function quote(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
-
 --- The names in a folder that end so, in alphabetical order, without the ending.
 function set.names(folder, ending)
   local list = {}
-  local pipe = assert(io.popen("ls -1 " .. quote(folder) .. " 2>/dev/null"))
+  local pipe = assert(io.popen("ls -1 " .. quote.shell(folder) .. " 2>/dev/null"))
   for name in pipe:lines() do
     if name:sub(-#ending) == ending then list[#list + 1] = name:sub(1, -#ending - 1) end
   end

@@ -1,4 +1,5 @@
 -- The rows of benchmarks as text, as results.csv and as the tables of a README.md.
+local quote = require "hinge.quote"
 local tables = {}
 
 local function is_finite(value) return value == value and math.abs(value) < math.huge end
@@ -137,8 +138,7 @@ end
 local function csv_cell(value)
   if value == nil then return "" end
   if math.type(value) == "float" then value = ("%.10g"):format(value) end
-  local text = tostring(value):gsub("[\n\r]+", " ")
-  return text:find '[,"]' and '"' .. text:gsub('"', '""') .. '"' or text
+  return type(value) == "string" and quote.csv(value, true) or tostring(value)
 end
 
 --- results.csv: a line for each row.
@@ -161,7 +161,7 @@ function tables.csv(rows)
 end
 
 -- A text as a cell of a table in Markdown.
-local function cell(text) return (text:gsub("|", "\\|"):gsub("[\n\r]+", " ")) end
+local function cell(text) return quote.markdown(text) end
 
 local function markdown_row(row, first)
   local one = row.of

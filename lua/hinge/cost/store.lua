@@ -1,12 +1,13 @@
 -- Measurements that are kept between calls: finished.lua in the output folder, one line each.
 local core = require "hinge.core"
+local quote = require "hinge.quote"
 
 local store = {}
 local Store = {}
 Store.__index = Store
 
 local function text(value)
-  if type(value) == "string" then return (("%q"):format(value):gsub("\\\n", "\\n")) end
+  if type(value) == "string" then return quote.lua(value) end
   if math.type(value) == "float" then
     if value ~= value or math.abs(value) == math.huge then
       return value ~= value and "0/0" or value > 0 and "1/0" or "-1/0"

@@ -1,4 +1,5 @@
 -- Numbers and cells as text, for the reports of hinge cost.
+local quote = require "hinge.quote"
 local text = {}
 
 function text.percent(part)
@@ -35,11 +36,9 @@ function text.sorted(map, before)
   return names
 end
 
-local function quoted(cell) return cell:find '[,"\n]' and '"' .. cell:gsub('"', '""'):gsub("\n", " ") .. '"' or cell end
-
 function text.csv_line(cells)
   local parts = {}
-  for i, cell in ipairs(cells) do parts[i] = quoted(tostring(cell)) end
+  for i, cell in ipairs(cells) do parts[i] = type(cell) == "string" and quote.csv(cell, true) or tostring(cell) end
   return table.concat(parts, ",")
 end
 

@@ -465,7 +465,7 @@ end
 return function(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { file = { "string" } })
-  local sections, others = sections_of(o.file)
+  local sections, others = notes.within_limits(where, o.file, function() return sections_of(o.file) end)
   if #sections == 0 then check.fail("%s: %s has no line that begins with '$ '", where, o.file) end
   local self = setmetatable({ file = o.file, sections = sections, tables = {}, remarks = {}, joints = {},
     frames = {} }, Reader)

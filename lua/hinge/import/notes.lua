@@ -1,5 +1,6 @@
 -- What a reader of files has to say: the notes of what it could not read, and errors with file and line.
 local check = require "hinge.check"
+local core = require "hinge.core"
 
 local notes = {}
 
@@ -96,13 +97,57 @@ function notes.fail(where, place, format, ...)
   check.fail("%s: %s:%d: %s", where, place.file, place.line, what)
 end
 
+notes.most_text = 10000000 -- characters of one value in a script
+notes.most_items = 1000000 -- of one list in a script
+notes.most_seconds = 60 -- s of the processor
+notes.most_memory = 1000 -- MB
+local most_file = 500 -- MB
+
+--- The bytes of a file. Devices and pipes, which have no end, and files of more than 500 MB are refused.
+function notes.text_of(where, path)
+  local size = core.file_size(path)
+  if size and size > most_file * 1e6 then
+    check.fail("%s: the file '%s' has %.0f MB, and more than %d MB are not read", where, path, size / 1e6, most_file)
+  end
+  local text, problem = core.read_text(path)
+  if not text then check.fail("%s: %s", where, problem) end
+  return text
+end
+
+-- Ends what takes too much: called now and then while a file is read.
+local function watch(where, path, began, before)
+  if os.clock() - began > notes.most_seconds then
+    check.fail("%s: reading '%s' takes more than %g s; does a loop in it have no end?", where, path, notes.most_seconds)
+  end
+  if collectgarbage "count" - before > notes.most_memory * 1000 then
+    collectgarbage()
+    if collectgarbage "count" - before > notes.most_memory * 1000 then
+      check.fail("%s: reading '%s' takes more than %g MB of memory; does a value in it grow without bound?", where,
+        path, notes.most_memory)
+    end
+  end
+end
+
+--- f() within limits of time, memory and depth, of which a message tells. A script that has set a hook of its own, or
+--- runs in the sandbox, has its own limits.
+function notes.within_limits(where, path, f)
+  local free = debug.gethook() == nil
+  local began, before = os.clock(), collectgarbage "count"
+  if free then debug.sethook(function() watch(where, path, began, before) end, "", 10000) end
+  local good, result, more = pcall(f)
+  if free then debug.sethook() end
+  if good then return result, more end
+  local text = type(result) == "string" and not core.error_kind(result) and result or ""
+  if text:find "stack overflow" then
+    check.fail("%s: brackets, braces or lists in '%s' are nested too deeply; a hundred levels are read", where, path)
+  end
+  if text:find "not enough memory" then check.fail("%s: there is not enough memory to read '%s'", where, path) end
+  error(result, 0)
+end
+
 --- The whole text of a file, with line ends of one kind and without the mark of UTF-8.
 function notes.read(where, path)
-  local file, problem = io.open(path, "rb")
-  if not file then check.fail("%s: cannot read the file: %s", where, problem) end
-  local text, why = file:read "a"
-  file:close()
-  if not text then check.fail("%s: cannot read the file '%s': %s", where, path, why) end
+  local text = notes.text_of(where, path)
   return (text:gsub("^\239\187\191", ""):gsub("\r\n?", "\n"))
 end
 

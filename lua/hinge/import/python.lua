@@ -202,11 +202,20 @@ function Script:must(value)
   if not self:accept(value) then beyond("a '%s' is missing where the line is followed", value) end
 end
 
+-- What grows without bound is not followed.
+local function refuse_long(count, most, what)
+  if not (count <= most) then beyond("%s of more than %d is not followed", what, most) end
+end
+
 -- What one operator makes of two values.
 local operate = {
   ["+"] = function(a, b)
-    if type(a) == "string" and type(b) == "string" then return a .. b end
+    if type(a) == "string" and type(b) == "string" then
+      refuse_long(#a + #b, notes.most_text, "a text")
+      return a .. b
+    end
     if is_sequence(a) and is_sequence(b) then
+      refuse_long(#a + #b, notes.most_items, "a list")
       local out = table.move(a, 1, #a, 1, {})
       return sequence(a.kind, table.move(b, 1, #b, #out + 1, out))
     end
@@ -217,6 +226,7 @@ local operate = {
     if is_sequence(b) then a, b = b, a end
     if not is_sequence(a) then return number(a) * number(b) end
     local out = {}
+    refuse_long(#a * number(b), notes.most_items, "a list")
     for _ = 1, number(b) do table.move(a, 1, #a, #out + 1, out) end
     return sequence(a.kind, out)
   end,
@@ -278,6 +288,7 @@ function Script:comprehension(f, stop)
   if not condition and self.at ~= stop then beyond "a comprehension is not followed" end
   local out = {}
   for _, value in ipairs(list) do
+    self:count()
     self:assign(targets, value)
     self.at = condition or stop
     if not condition or truth(self:choice()) then
@@ -414,6 +425,7 @@ local function member(value, name)
     end
   elseif is_sequence(value) and name == "extend" then
     return function(more)
+      refuse_long(#value + #items_of(more), notes.most_items, "a list")
       table.move(items_of(more), 1, #more, #value + 1, value)
       return none
     end

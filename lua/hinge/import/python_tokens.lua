@@ -37,6 +37,8 @@ local function token_at(text, at)
   end
 end
 
+local deepest = 100 -- brackets, and blocks, within each other; Python itself takes 200 and 100
+
 -- Lines that end outside of brackets: { indent =, line =, text =, tokens = }.
 local function logical_lines(where, file, text)
   local lines, current, depth, at, line = {}, nil, {}, 1, 1
@@ -69,6 +71,7 @@ local function logical_lines(where, file, text)
       current = current or { indent = indent, line = line, from = at, tokens = {} }
       table.insert(current.tokens, { kind = kind, value = value, line = line, from = at, to = after - 1 })
       if kind == "op" and opening[value] then depth[#depth + 1] = line end
+      if #depth > deepest then fail("more than %d brackets are within each other", deepest) end
       if kind == "op" and closing[value] then
         if #depth == 0 then fail("the bracket %s closes nothing", value) end
         depth[#depth] = nil
@@ -139,6 +142,9 @@ function module.statements(where, file, text)
     if logical.indent > blocks[#blocks].indent then
       if not (last and last.body and not last.whole and #last.body == 0) then
         notes.fail(where, { file = file, line = logical.line }, "the line is indented, and no block begins before it")
+      end
+      if #blocks > deepest then
+        notes.fail(where, { file = file, line = logical.line }, "more than %d blocks are within each other", deepest)
       end
       blocks[#blocks + 1] = { indent = logical.indent, list = last.body }
     else

@@ -71,6 +71,6 @@ end
 return function(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { file = { "string" } })
-  local tables, others = tables_of(o.file)
+  local tables, others = notes.within_limits(where, o.file, function() return tables_of(o.file) end)
   return sap_frame.read(where, o.file, tables, others)
 end

@@ -1,6 +1,7 @@
 -- import.tcl: a frame from a script of OpenSees, in Tcl or in Python. This file follows Tcl: set, expr, for, foreach,
 -- while, if, incr, lists, format, source. What it does not follow is noted with its line.
 local check = require "hinge.check"
+local core = require "hinge.core"
 local expression = require "hinge.import.tcl_expression"
 local notes = require "hinge.import.notes"
 local opensees = require "hinge.import.opensees"
@@ -61,6 +62,13 @@ end
 
 local escapes = { n = "\n", t = "\t", ["\n"] = " " }
 
+-- What grows without bound ends the script.
+function Script:refuse_long(text)
+  if #text > notes.most_text then
+    notes.fail(where, { file = self.file, line = self.current }, "a value has more than %d characters", notes.most_text)
+  end
+end
+
 -- The value of a variable by its name, which may have an index: a(1,2).
 function Script:variable(name)
   local value = self.shared.variables[name]
@@ -107,7 +115,9 @@ function Script:substituted(at, stop)
       at = at + 1
     end
   end
-  return table.concat(parts), at
+  local text = table.concat(parts)
+  self:refuse_long(text)
+  return text, at
 end
 
 -- One word: its text, the place after it, and whether it stood in braces.
@@ -241,6 +251,7 @@ function builtin.lappend(self, words)
   local list = list_of(self.shared.variables[name] or "")
   for i = 3, #words do list[#list + 1] = words[i].text end
   self.shared.variables[name] = joined(list)
+  self:refuse_long(self.shared.variables[name])
   return self.shared.variables[name]
 end
 
@@ -249,6 +260,7 @@ function builtin.append(self, words)
   local values = texts(words)
   table.remove(values, 1)
   self.shared.variables[name] = (self.shared.variables[name] or "") .. table.concat(values)
+  self:refuse_long(self.shared.variables[name])
   return self.shared.variables[name]
 end
 
@@ -340,9 +352,7 @@ function builtin.source(self, words)
   local name = words[2] and words[2].text or beyond "source has no file"
   local path = name:find "^/" and name or (self.file:match "^(.*/)" or "") .. name
   if self.depth > 15 then beyond "files that source each other are not followed" end
-  local file = io.open(path, "rb")
-  if not file then beyond("the file %s cannot be read", path) end
-  file:close()
+  if not core.file_size(path) then beyond("the file %s cannot be read", path) end
   local inner = self:inner(notes.read(where, path), 1)
   inner.file, inner.depth = path, self.depth + 1
   inner:commands(1, false)
@@ -438,11 +448,11 @@ return function(options, ...)
   local text = notes.read(where, o.file)
   local python = o.language == "python" or not o.language and o.file:find "%.py$"
   if python then
-    require "hinge.import.python"(where, reader, o.file, text)
+    notes.within_limits(where, o.file, function() require "hinge.import.python"(where, reader, o.file, text) end)
   else
     local script = setmetatable({ file = o.file, depth = 0, reader = reader, shared = { variables = {}, count = 0 } },
       Script)
-    script:inner(text, 1):commands(1, false)
+    notes.within_limits(where, o.file, function() script:inner(text, 1):commands(1, false) end)
   end
   return reader:finish()
 end

@@ -2,6 +2,7 @@
 local check = require "hinge.check"
 local core = require "hinge.core"
 local in_full = require "hinge.import.in_full"
+local quote = require "hinge.quote"
 
 local where = "hinge.import.write"
 local widest = 118 -- columns of a line
@@ -19,8 +20,6 @@ local function number(x)
   return (plain:find "e" or #short < #plain) and short or plain
 end
 
-local function quoted(text) return (("%q"):format(text):gsub("\\\n", "\\n")) end
-
 local literal
 
 local keywords = {}
@@ -34,7 +33,7 @@ local function table_text(value)
   for i, item in ipairs(value) do parts[i] = literal(item) end
   for _, key in ipairs(check.keys(value)) do
     if not math.tointeger(tonumber(key)) then
-      parts[#parts + 1] = ("%s = %s"):format(is_name(key) and key or "[" .. quoted(key) .. "]", literal(value[key]))
+      parts[#parts + 1] = ("%s = %s"):format(is_name(key) and key or "[" .. quote.lua(key) .. "]", literal(value[key]))
     end
   end
   return "{ " .. table.concat(parts, ", ") .. " }"
@@ -42,7 +41,7 @@ end
 
 function literal(value)
   if type(value) == "number" then return number(value) end
-  if type(value) == "string" then return quoted(value) end
+  if type(value) == "string" then return quote.lua(value) end
   if type(value) == "table" then return table_text(value) end
   return tostring(value)
 end
@@ -89,14 +88,14 @@ local function add_materials(lines, full)
   lines[#lines + 1] = "-- Pa, kg/m^3"
   lines[#lines + 1] = "local materials = {"
   for _, m in ipairs(full.materials) do
-    add_line(lines, ("  [%s] = hinge.material { %s },"):format(quoted(m.name),
+    add_line(lines, ("  [%s] = hinge.material { %s },"):format(quote.lua(m.name),
       fields(m, { "E", "G", "nu", "density", "yield_stress" })), "  ")
   end
   lines[#lines + 1] = "}\n\n-- m^2, m^3, m^4; x and y are the section's axes, and Ix bends about x\nlocal sections = {"
   for _, s in ipairs(full.sections) do
-    local call = s.named and ("hinge.section.named %s"):format(quoted(s.named))
-      or ("hinge.section.general { kind = %s, %s }"):format(quoted(s.kind or s.name), fields(s, section_fields))
-    add_line(lines, ("  [%s] = %s,"):format(quoted(s.name), call), "  ")
+    local call = s.named and ("hinge.section.named %s"):format(quote.lua(s.named))
+      or ("hinge.section.general { kind = %s, %s }"):format(quote.lua(s.kind or s.name), fields(s, section_fields))
+    add_line(lines, ("  [%s] = %s,"):format(quote.lua(s.name), call), "  ")
   end
   lines[#lines + 1] = "}\n"
 end
@@ -104,8 +103,9 @@ end
 local function add_nodes(lines, full)
   lines[#lines + 1] = "-- Nodes: name; x, y, z in m; what is fixed\nlocal nodes = {}\nfor _, n in ipairs {"
   for _, n in ipairs(full.nodes) do
-    local fix = n.fix and n.fix ~= "" and ", " .. quoted(n.fix) or ""
-    lines[#lines + 1] = ("  { %s, %s, %s, %s%s },"):format(quoted(n.name), number(n.x), number(n.y), number(n.z), fix)
+    local fix = n.fix and n.fix ~= "" and ", " .. quote.lua(n.fix) or ""
+    lines[#lines + 1] = ("  { %s, %s, %s, %s%s },"):format(quote.lua(n.name), number(n.x), number(n.y),
+      number(n.z), fix)
   end
   lines[#lines + 1] = "} do\n  nodes[n[1]] = model:node { n[2], n[3], n[4] }\n  if n[5] then model:fix(nodes[n[1]], "
     .. "n[5]) end\nend\n"
@@ -116,8 +116,8 @@ local function add_members(lines, full)
     .. "group\nlocal members = {}\nfor _, m in ipairs {"
   for _, m in ipairs(full.members) do
     local more = fields(m, { "up", "group" })
-    lines[#lines + 1] = ("  { %s, %s, %s, %s, %s%s },"):format(quoted(m.name), quoted(m.a), quoted(m.b),
-      quoted(m.section), quoted(m.material), more ~= "" and ", " .. more or "")
+    lines[#lines + 1] = ("  { %s, %s, %s, %s, %s%s },"):format(quote.lua(m.name), quote.lua(m.a), quote.lua(m.b),
+      quote.lua(m.section), quote.lua(m.material), more ~= "" and ", " .. more or "")
   end
   lines[#lines + 1] = [=[
 } do
@@ -134,11 +134,11 @@ local function add_releases(lines, full)
     .. "released has\n-- a spring of 1000 times the member's stiffness"
   for _, link in ipairs(full.links) do
     lines[#lines + 1] = ("model:rigid_link { from = nodes[%s], to = nodes[%s], dofs = \"xyz\" }"):format(
-      quoted(link.from), quoted(link.to))
+      quote.lua(link.from), quote.lua(link.to))
   end
   for _, s in ipairs(full.springs) do
-    local other = s.b and "nodes[" .. quoted(s.b) .. "]" or "ground = true"
-    add_line(lines, ("model:connector { nodes[%s], %s, axes = %s, stiffness = %s }"):format(quoted(s.a), other,
+    local other = s.b and "nodes[" .. quote.lua(s.b) .. "]" or "ground = true"
+    add_line(lines, ("model:connector { nodes[%s], %s, axes = %s, stiffness = %s }"):format(quote.lua(s.a), other,
       literal { x = s.x, y = s.y }, literal(s.stiffness)), "")
   end
   lines[#lines + 1] = ""
@@ -149,7 +149,7 @@ local function add_masses(lines, full)
   lines[#lines + 1] = "-- Point masses: node; kg; inertia in kg m^2\nfor _, m in ipairs {"
   for _, m in ipairs(full.masses) do
     local inertia = m.inertia and ", inertia = " .. literal(m.inertia) or ""
-    lines[#lines + 1] = ("  { %s, %s%s },"):format(quoted(m.node), number(m.mass), inertia)
+    lines[#lines + 1] = ("  { %s, %s%s },"):format(quote.lua(m.node), number(m.mass), inertia)
   end
   lines[#lines + 1] = "} do\n  model:mass { node = nodes[m[1]], mass = m[2], inertia = m.inertia }\nend\n"
 end
@@ -159,7 +159,8 @@ local function add_loads(lines, case, what)
   local rows = {}
   for _, l in ipairs(case.loads) do
     if l[what] then
-      rows[#rows + 1] = ("    { %s, %s },"):format(quoted(l[what]), fields(l, { "force", "moment", "q", "at", "axes" }))
+      rows[#rows + 1] = ("    { %s, %s },"):format(quote.lua(l[what]),
+        fields(l, { "force", "moment", "q", "at", "axes" }))
     end
   end
   if #rows == 0 then return end
@@ -173,7 +174,7 @@ end
 
 local function add_case(lines, case)
   lines[#lines + 1] = "do"
-  lines[#lines + 1] = ("  local case = model:case %s"):format(quoted(case.name))
+  lines[#lines + 1] = ("  local case = model:case %s"):format(quote.lua(case.name))
   if case.gravity then
     lines[#lines + 1] = ("  case:gravity { 0, 0, %s } -- self weight, m/s^2"):format(number(case.gravity))
   end
@@ -203,7 +204,7 @@ return hinge.scenario {
 local function add_end(lines, full)
   if full.scenario then
     local names = {}
-    for i, case in ipairs(full.cases) do names[i] = quoted(case.name) end
+    for i, case in ipairs(full.cases) do names[i] = quote.lua(case.name) end
     if #names == 0 then check.fail("%s: a scenario needs a load case; the frame has none", where) end
     lines[#lines + 1] = scenario:format(table.concat(names, ", "))
     return
@@ -240,7 +241,7 @@ return function(frame, file, options, ...)
   end
   local full = in_full(where, frame, options)
   -- in a comment, which a line break would end
-  local source = frame.source and " of " .. tostring(frame.source):match "[^/]*$":gsub("%c", " ") or ""
+  local source = frame.source and " of " .. quote.comment(tostring(frame.source):match "[^/]*$") or ""
   local lines = { ("-- The frame%s, %s Units are SI: m, kg, s, N, Pa, rad."):format(source, mark),
     'local hinge = require "hinge"\n', ("local model = hinge.model %s\n"):format(
       next(full.options) and literal(full.options) or "{}") }

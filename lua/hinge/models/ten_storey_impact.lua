@@ -9,6 +9,7 @@ local check    = require "hinge.check"
 local core     = require "hinge.core"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"
+local quote = require "hinge.quote"
 
 local impact = {
   order = { "I", "II", "III", "IV" },
@@ -229,7 +230,7 @@ end
 -- A value as Lua source: numbers to the last bit, strings, booleans and tables of them.
 local function source(value)
   if type(value) ~= "table" then
-    return type(value) == "string" and ("%q"):format(value):gsub("\n", "n") or ("%q"):format(value)
+    return type(value) == "string" and quote.lua(value) or ("%q"):format(value)
   end
   local items = {}
   for key, item in pairs(value) do items[#items + 1] = ("[%q]=%s"):format(key, source(item)) end

@@ -1,21 +1,12 @@
 -- A plot as commands and data for gnuplot: NAME.gp and NAME.dat.
 local layout = require "hinge.plot.layout"
 local read = require "hinge.plot.read"
+local quote = require "hinge.quote"
 
 local ink, faint_ink = 0x1f2328, 0x6e747c
 
 local Writer = {}
 Writer.__index = Writer
-
--- A text of gnuplot in single quotes, in which it expands nothing.
-local function quote(text)
-  text = tostring(text):gsub("%c", " ")
-  if not utf8.len(text) then text = text:gsub("[\x80-\xff]", "?") end
-  return "'" .. text:gsub("'", "''") .. "'"
-end
-
--- The name of a file beside NAME.gp. gnuplot starts a program for a name that begins with < or |.
-local function quote_file(name) return quote(name:find "^[%w_]" and name or "./" .. name) end
 
 local function hex(colour) return ("rgb '#%06x'"):format(colour) end
 
@@ -36,15 +27,15 @@ function Writer:terminal(plot)
 end
 
 function Writer:head(plot, stem, kind)
-  local plain = stem:gsub("[%c'\\]", " ")
+  local plain = quote.comment(stem)
   self:out("# Draws %s.%s from %s.dat:  gnuplot %s.gp", plain, kind, plain, plain)
   self:out("# For a paper, in place of the next two lines, for example:")
   self:out("#   set terminal pdfcairo size 9cm,6cm fontscale 1 font 'Times,8'; set output '%s.pdf'", plain)
   self:terminal(plot)
-  self:out("set output %s", quote_file(stem .. "." .. kind))
+  self:out("set output %s", quote.gnuplot_file(stem .. "." .. kind))
   self:out "set encoding utf8"
   self:out "set minussign"
-  self:out("data = %s", quote_file(stem .. ".dat"))
+  self:out("data = %s", quote.gnuplot_file(stem .. ".dat"))
 end
 
 -- What all panels have in common.
@@ -116,7 +107,7 @@ function Writer:axis(panel, axis, ends)
   if names then
     local list, longest = {}, 0
     for i, name in ipairs(names) do
-      list[i] = ("%s %d"):format(quote(name), i)
+      list[i] = ("%s %d"):format(quote.gnuplot_label(name), i)
       longest = math.max(longest, layout.width_of(name, self.em))
     end
     local turned = axis == "x" and longest > panel.ground.width / #names - 0.5 * self.em
@@ -136,9 +127,9 @@ function Writer:axis(panel, axis, ends)
 end
 
 function Writer:words(panel)
-  self:out("set title %s font %s noenhanced offset 0,-0.3", quote(panel.title), self:bold(1.15))
-  self:out("set xlabel %s noenhanced", quote(panel.named_below and panel.x_label or ""))
-  self:out("set ylabel %s noenhanced", quote(panel.y_label))
+  self:out("set title %s font %s noenhanced offset 0,-0.3", quote.gnuplot(panel.title), self:bold(1.15))
+  self:out("set xlabel %s noenhanced", quote.gnuplot(panel.named_below and panel.x_label or ""))
+  self:out("set ylabel %s noenhanced", quote.gnuplot(panel.y_label))
 end
 
 -- A level or upright line; its name stands at the end where it hides less.
@@ -167,7 +158,7 @@ function Writer:reference_line(panel, line)
   local place = line.upright and ("%.9g,graph %s rotate by 90"):format(line.at, far and "0.98" or "0.02")
     or ("graph %s,first %.9g"):format(far and "0.99" or "0.01", line.at)
   local offset = line.upright and (at < 1.5 * em and "0.8,0" or "-0.8,0") or "0,0.5"
-  self:out("set label %s at %s %s offset %s font ',%.3g' textcolor %s noenhanced", quote(line.name), place,
+  self:out("set label %s at %s %s offset %s font ',%.3g' textcolor %s noenhanced", quote.gnuplot(line.name), place,
     far and "right" or "left", offset, 0.85 * self.size, colour)
 end
 
@@ -177,7 +168,7 @@ local function number(v) return v and ("%.9g"):format(v) or "NaN" end
 function Writer:rows(panel, s, kept)
   local data = self.data
   self.index = self.index + 1
-  data[#data + 1] = ("# index %d: %s"):format(self.index, (s.name:gsub("%c", " ")))
+  data[#data + 1] = ("# index %d: %s"):format(self.index, quote.comment(s.name))
   for k = 1, kept and #kept or #s.x do
     local i = kept and kept[k] or k
     if layout.shown(panel, s, i) then
@@ -205,7 +196,7 @@ function Writer:bar_label(panel, s, i, off)
   local place = panel.lies
     and ("%.9g,%.9g %s offset %s,0"):format(s.x[i], s.y[i] + off, back and "right" or "left", back and -0.7 or 0.7)
     or ("%.9g,%.9g center offset 0,%s"):format(s.x[i] + off, s.y[i], back and -0.7 or 0.6)
-  self:out("set label %s at %s font ',%.3g' noenhanced", quote(text), place, 0.8 * self.size)
+  self:out("set label %s at %s font ',%.3g' noenhanced", quote.gnuplot(text), place, 0.8 * self.size)
 end
 
 -- Bars of the series that is number `at` among those with bars.
@@ -233,7 +224,7 @@ end
 function Writer:part(panel, s, bar)
   local colour, thick = hex(colour_of(s)), math.max(1.5, self.em / 9)
   local data = self:rows(panel, s, layout.thin(panel, s, 2 * math.ceil(panel.ground.width)))
-  local title = s.name ~= "" and "title " .. quote(s.name) or "notitle"
+  local title = s.name ~= "" and "title " .. quote.gnuplot(s.name) or "notitle"
   -- after the eight colours of the series come dashes
   local dashed = s.dashed ~= (not s.colour and (s.place - 1) // #read.colours % 2 == 1)
   local line = ("lw %.3g%s lc %s"):format(thick, dashed and " dt (24,14)" or "", colour)
@@ -272,7 +263,7 @@ function Writer:point_labels(panel)
         local way, across, up = panel.ground:label(s.x[i], s.y[i], text, 0.8 * self.em, s.faint)
         if way then
           -- an offset is in widths of a letter and heights of a line
-          self:out("set label %s at %.9g,%.9g %s offset %.3g,%.3g font ',%.3g' noenhanced", quote(text), s.x[i],
+          self:out("set label %s at %.9g,%.9g %s offset %.3g,%.3g font ',%.3g' noenhanced", quote.gnuplot(text), s.x[i],
             s.y[i], way, across / 0.6, up / 1.16, 0.8 * self.size)
         end
       end
@@ -322,7 +313,7 @@ return function(plot, stem, kind)
   local several = #plot.panels > 1
   if several then
     w:out("set multiplot%s", plot.title ~= ""
-      and (" title %s font %s noenhanced offset 0,0.3"):format(quote(plot.title), w:bold(1.2)) or "")
+      and (" title %s font %s noenhanced offset 0,0.3"):format(quote.gnuplot(plot.title), w:bold(1.2)) or "")
   end
   for i, panel in ipairs(plot.panels) do
     if several then

@@ -1,10 +1,9 @@
 -- Films: which frame is seen when, and what writes MP4, WebM and GIF.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local quote = require "hinge.quote"
 
 local film = {}
-
-local function quote(text) return "'" .. text:gsub("'", "'\\''") .. "'" end
 
 --- What can be written: the encoder of the program ffmpeg and its options; GIF needs neither.
 film.formats = {
@@ -85,7 +84,8 @@ function film.write(format, path, list, fps, folder, steps)
   end
   local command = ("exec ffmpeg -nostdin -hide_banner -loglevel error -y -f image2pipe -c:v png -framerate %.10g -i - "
     .. "-an -vf scale=out_color_matrix=bt709:out_range=tv -colorspace bt709 -color_primaries bt709 -color_trc bt709 %s "
-    .. "%s 2>%s"):format(fps, film.formats[format].options, quote("file:" .. path), quote(folder .. "/encoder.txt"))
+    .. "%s 2>%s"):format(fps, film.formats[format].options, quote.shell("file:" .. path),
+    quote.shell(folder .. "/encoder.txt"))
   local pipe = assert(io.popen(command, "w"))
   for _, one in ipairs(list) do
     local file = assert(io.open(one.file, "rb"))

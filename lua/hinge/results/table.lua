@@ -8,6 +8,7 @@
 local core = require "hinge.core"
 local check = require "hinge.check"
 local units = require "hinge.results.units"
+local quote = require "hinge.quote"
 
 local Table = {}
 
@@ -215,7 +216,7 @@ function Table:markdown(options, ...)
   for k, column in ipairs(v.columns) do rules[k] = is_text(column) and "---" or "---:" end
   local function line(row)
     local safe = {}
-    for k, text in ipairs(row) do safe[k] = text:gsub("|", "\\|") end
+    for k, text in ipairs(row) do safe[k] = quote.markdown(text) end
     lines[#lines + 1] = "| " .. table.concat(safe, " | ") .. " |"
   end
   line(head)
@@ -223,14 +224,6 @@ function Table:markdown(options, ...)
   for _, row in ipairs(body) do line(row) end
   for _, text in ipairs(remarks(self, v)) do lines[#lines + 1] = "\n" .. text end
   return table.concat(lines, "\n") .. "\n"
-end
-
-local special = { ["\\"] = "\\textbackslash{}", ["~"] = "\\textasciitilde{}", ["^"] = "\\textasciicircum{}" }
-for c in ("&%$#_{}"):gmatch "." do special[c] = "\\" .. c end
-
-local function latex_text(text)
-  text = text:gsub("[\\&%%$#_{}~^]", special):gsub("√", "$\\surd$")
-  return (text:gsub("%f[^%s%z(]%-(%d[%d.]*)", "$-%1$"))
 end
 
 --- The table as a tabular of LaTeX; units stand in its head.
@@ -242,7 +235,7 @@ function Table:latex(options, ...)
   for k, column in ipairs(v.columns) do sides[k] = is_text(column) and "l" or "r" end
   local function line(row)
     local safe = {}
-    for k, text in ipairs(row) do safe[k] = text == "-" and "--" or latex_text(text) end
+    for k, text in ipairs(row) do safe[k] = text == "-" and "--" or quote.latex(text) end
     lines[#lines + 1] = "  " .. table.concat(safe, " & ") .. " \\\\"
   end
   lines[1] = "\\begin{tabular}{" .. table.concat(sides) .. "}"
@@ -272,7 +265,7 @@ local function csv_cell(value, unit)
   if value == nil then return "" end
   if math.type(value) == "integer" then return tostring(value) end
   if type(value) == "number" then return ("%.9g"):format(value * (unit and unit.factor or 1)) end
-  return '"' .. tostring(value):gsub('"', '""'):gsub("[\r\n]+", " ") .. '"'
+  return quote.csv(tostring(value))
 end
 
 --- The folder of a run's output, and a plain name in it.

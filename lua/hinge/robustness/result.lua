@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local factors = require "hinge.robustness.factors"
 local job = require "hinge.job"
+local quote = require "hinge.quote"
 
 local Result = {}
 local class = check.class(Result, "hinge.robustness_result")
@@ -85,7 +86,7 @@ class.__tostring = Result.table
 
 local function markdown_row(list)
   local safe = {}
-  for i, text in ipairs(list) do safe[i] = text:gsub("|", "\\|") end
+  for i, text in ipairs(list) do safe[i] = quote.markdown(text) end
   return "| " .. table.concat(safe, " | ") .. " |"
 end
 
@@ -127,7 +128,7 @@ local fields = { "case", "name", "group", "x", "y", "z_low", "z_high", "procedur
 
 local function field(value)
   if value == nil then return "" end
-  if type(value) == "string" then return '"' .. value:gsub('"', '""'):gsub("[\r\n]+", " ") .. '"' end
+  if type(value) == "string" then return quote.csv(value) end
   if type(value) == "boolean" then return value and "1" or "0" end
   return math.type(value) == "integer" and tostring(value) or ("%.9g"):format(value)
 end

@@ -3,13 +3,14 @@
 local core = require "hinge.core"
 local files = require "hinge.study.files"
 local finished = require "hinge.study.case".finished
+local quote = require "hinge.quote"
 
 local journal = {}
 
 -- The journals of a folder: cases.jsonl, and those of tasks.
 local function names_in(folder)
   local names = {}
-  local pipe = io.popen(("ls -1 '%s' 2>/dev/null"):format((folder:gsub("'", "'\\''"))))
+  local pipe = io.popen(("ls -1 %s 2>/dev/null"):format(quote.shell(folder)))
   for name in pipe:lines() do
     if name:find "^cases[%w-]*%.jsonl$" then names[#names + 1] = name end
   end

@@ -2,32 +2,20 @@
 -- leaves finished ones alone, so a task that runs again goes on where it ended.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local quote = require "hinge.quote"
 
 local slurm = {}
 
-local function quote(text)
-  if text:find "^[%w_./:=,+%%@-]+$" then return text end
-  return "'" .. text:gsub("'", "'\\''") .. "'"
-end
-
 -- The study's own command, with whole paths, since a task starts elsewhere.
 local function command(options, folder)
-  local parts = { quote(core.program()), "study", quote(core.whole_path(options.script)) }
-  for _, word in ipairs(options.words) do parts[#parts + 1] = quote(word) end
+  local parts = { quote.shell(core.program()), "study", quote.shell(core.whole_path(options.script)) }
+  for _, word in ipairs(options.words) do parts[#parts + 1] = quote.shell(word) end
   for _, name in ipairs { "cases", "samples", "method", "seed", "timeout", "memory" } do
-    if options[name] then parts[#parts + 1] = ("--%s %s"):format(name, quote(options[name])) end
+    if options[name] then parts[#parts + 1] = ("--%s %s"):format(name, quote.shell(options[name])) end
   end
-  if options.table then parts[#parts + 1] = "--table " .. quote(core.whole_path(options.table)) end
-  parts[#parts + 1] = "--out " .. quote(folder)
+  if options.table then parts[#parts + 1] = "--table " .. quote.shell(core.whole_path(options.table)) end
+  parts[#parts + 1] = "--out " .. quote.shell(folder)
   return table.concat(parts, " ")
-end
-
--- sbatch reads its options from lines of the script: a name with a line break would add options of its own.
-local function check_name(option, name)
-  if name:find "%c" then
-    check.fail("%s %q: must not hold a line break or another control character with --slurm, as sbatch takes its "
-      .. "options from lines of the script; choose another name", option, name)
-  end
 end
 
 --- The script of the job array. options: those of the command line; total: cases; folder: whole path.
@@ -36,8 +24,8 @@ function slurm.script(options, total, folder)
   if not per_task or per_task < 1 then
     check.fail("--per-task %s: must be a whole number of at least 1", options.per_task)
   end
-  check_name("SCRIPT", options.script)
-  check_name("--out", folder)
+  local name = quote.sbatch("SCRIPT", "hinge-" .. (options.script:match "([^/]*)%.lua$" or "study"))
+  local output = quote.sbatch("--out", folder:gsub("%%", "%%%%") .. "/slurm-%a.txt")
   local tasks = (total + per_task - 1) // per_task
   local at_once = options.jobs and "%" .. options.jobs or ""
   return ([[
@@ -63,16 +51,14 @@ if [ "$status" -eq 3 ]; then
   exit 0
 fi
 exit "$status"
-]]):format(quote("hinge-" .. (options.script:match "([^/]*)%.lua$" or "study")), tasks, at_once,
-    quote(folder:gsub("%%", "%%%%") .. "/slurm-%a.txt"), per_task,
-    per_task - 1, total, total, per_task - 1, command(options, folder))
+]]):format(name, tasks, at_once, output, per_task, per_task - 1, total, total, per_task - 1, command(options, folder))
 end
 
 --- Writes and submits the job array, or prints it. Returns the exit status.
 function slurm.submit(options, total)
   local folder = core.whole_path(options.out)
   local text, path = slurm.script(options, total, folder), folder .. "/study.sbatch"
-  local submit = ("sbatch %s%s"):format(options.sbatch and options.sbatch .. " " or "", quote(path))
+  local submit = ("sbatch %s%s"):format(options.sbatch and options.sbatch .. " " or "", quote.shell(path))
   if options.dry_run then
     io.stdout:write(text)
     print("# " .. submit)

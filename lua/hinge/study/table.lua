@@ -1,5 +1,6 @@
 -- The cases of a study as a table: results.csv, and what is printed of it.
 local check = require "hinge.check"
+local quote = require "hinge.quote"
 
 local tables = {}
 
@@ -17,8 +18,7 @@ local function csv(value)
     for i, item in ipairs(value) do items[i] = csv(item) end
     value = "{" .. table.concat(items, ",") .. "}"
   end
-  local text = tostring(value)
-  return text:find '[,"\n\r]' and '"' .. text:gsub('"', '""') .. '"' or text
+  return type(value) == "string" and quote.csv(value, true) or tostring(value)
 end
 
 -- What results.csv has of its own. The last two give way to a parameter of that name, and are then run.steps and

@@ -9,6 +9,7 @@
 #include "script/record/events.h"
 #include "script/files/folder_lock.h"
 #include "script/files/folders.h"
+#include "script/files/quoting.h"
 #include "script/record/element_events.h"
 #include "script/record/summary.h"
 #include "run/dynamics.h"
@@ -268,6 +269,29 @@ int whole_path(lua_State* L) {
     return lua_pushstring(L, none ? path : whole.c_str()), 1;
 }
 
+/// core.file_size(path): bytes; nothing where there is no such thing.
+int file_size(lua_State* L) {
+    const std::filesystem::path path = luaL_checkstring(L, 1);
+    std::error_code none;
+    if (!std::filesystem::exists(path, none)) return 0;
+    const bool regular = std::filesystem::is_regular_file(path, none);
+    return lua_pushnumber(L, regular ? double(std::filesystem::file_size(path, none)) : 0), 1;
+}
+
+/// core.csv_text(text, plain): a field of a CSV file; plain: without quotes where none are needed.
+int csv_field(lua_State* L) {
+    std::size_t n = 0;
+    const char* text = luaL_checklstring(L, 1, &n);
+    const auto field = csv_text({text, n}, lua_toboolean(L, 2) ? CsvQuotes::where_needed : CsvQuotes::always);
+    return lua_pushlstring(L, field.data(), field.size()), 1;
+}
+
+/// core.shell_text(text): one word of a shell.
+int shell_word(lua_State* L) {
+    const std::string word = shell_text(luaL_checkstring(L, 1));
+    return lua_pushlstring(L, word.data(), word.size()), 1;
+}
+
 int out_dir(lua_State* L) {
     const std::string& dir = context(L)->output.folder;
     lua_pushstring(L, dir.empty() ? "." : dir.c_str());
@@ -295,6 +319,9 @@ void open_output(lua_State* L, int module) {
                                          {"refuse_locked", guarded<refuse_taken>},
                                          {"lose", guarded<lose>},
                                          {"whole_path", guarded<whole_path>},
+                                         {"file_size", guarded<file_size>},
+                                         {"csv_text", guarded<csv_field>},
+                                         {"shell_text", guarded<shell_word>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);

@@ -7,6 +7,7 @@
 #include "effects/fracture.h"
 #include "effects/removal.h"
 #include "script/record/recording.h"
+#include "script/files/quoting.h"
 
 namespace hinge::script {
 namespace {
@@ -27,13 +28,6 @@ int end_of(std::uint8_t bits) { return bits == hinge_at_1 ? 1 : bits == hinge_at
 
 const char* name(ElementEvent::What what) {
     return what == ElementEvent::What::contact ? "contact" : what == ElementEvent::What::yield ? "yield" : "fracture";
-}
-
-/// A text in a field of a CSV file.
-std::string quoted(const std::string& text) {
-    std::string out = "\"";
-    for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-    return out + "\"";
 }
 
 std::string number(double value) {
@@ -121,7 +115,7 @@ std::string line_of(const std::vector<std::string>& fields) {
     std::string line;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const bool is_name = (i == 5 || i == 9) && !fields[i].empty();
-        line += (i > 0 ? "," : "") + (is_name ? quoted(fields[i]) : fields[i]);
+        line += (i > 0 ? "," : "") + (is_name ? csv_text(fields[i], CsvQuotes::always) : fields[i]);
     }
     return line + "\n";
 }

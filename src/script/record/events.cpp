@@ -15,6 +15,17 @@ void write_event(const Context& c, const char* kind, const Json& fields) {
     std::fflush(c.messages.events);
 }
 
+namespace {
+
+/// The string at that place, with the zeros in it.
+std::string whole_text(lua_State* L, int index) {
+    std::size_t n = 0;
+    const char* text = lua_tolstring(L, index, &n);
+    return {text, n};
+}
+
+}  // namespace
+
 Json to_json(lua_State* L, int index, int depth) {
     index = lua_absindex(L, index);
     switch (lua_type(L, index)) {
@@ -23,7 +34,7 @@ Json to_json(lua_State* L, int index, int depth) {
             if (lua_isinteger(L, index)) return lua_tointeger(L, index);
             return std::isfinite(lua_tonumber(L, index)) ? Json(lua_tonumber(L, index))
                                                          : Json(show(lua_tonumber(L, index)));
-        case LUA_TSTRING: return lua_tostring(L, index);
+        case LUA_TSTRING: return whole_text(L, index);
         case LUA_TTABLE: break;
         default: return nullptr;
     }
@@ -41,7 +52,7 @@ Json to_json(lua_State* L, int index, int depth) {
     std::map<std::string, Json> sorted;
     lua_pushnil(L);
     while (lua_next(L, index)) {
-        if (lua_type(L, -2) == LUA_TSTRING) sorted[lua_tostring(L, -2)] = to_json(L, -1, depth + 1);
+        if (lua_type(L, -2) == LUA_TSTRING) sorted[whole_text(L, -2)] = to_json(L, -1, depth + 1);
         lua_pop(L, 1);
     }
     Json object = Json::object();

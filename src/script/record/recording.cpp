@@ -20,6 +20,7 @@
 #include "script/lua/interrupts.h"
 #include "script/lua/run_observer.h"
 #include "script/record/summary.h"
+#include "script/files/quoting.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
 
@@ -142,7 +143,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
     for (const AccountInfo& account : r.run->accounts())
         if (account.part_of.empty()) header += "," + std::string(account.name);
     header += ",energy_error";
-    for (const auto& p : r.probes) header += "," + p->name;
+    for (const auto& p : r.probes) header += "," + csv_text(p->name);
     const std::string text = r.files.past.empty() ? header + "\n" : r.files.past;
     if (c->messages.observer) c->messages.observer->begun(r, text);
     if (!keeps) return;

@@ -1,0 +1,99 @@
+-- Files of models that are made to take all time, all memory or all of the stack: each ends soon, with a message that
+-- says where and why.
+--
+-- Run: lua5.4 tests/script/hostile_models_test.lua
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "hostile_models"
+local case, expect, equal = checks.case, checks.expect, checks.equal
+local hinge = require "hinge"
+local notes = require "hinge.import.notes"
+local folder = support.temporary_folder()
+
+-- What import says of a file with this text.
+local function said(name, text)
+  local path = folder .. "/" .. name
+  if text then support.write(path, text) end
+  local kind = name:match "[^.]*$"
+  local options = { file = path }
+  if kind == "py" or kind == "tcl" then kind, options.units = "tcl", { force = "kN", length = "m" } end
+  local began = os.clock()
+  local good, problem = pcall(hinge.import[kind], options)
+  local seconds = os.clock() - began
+  expect(seconds < 30, "%s took %.1f s of the processor", name, seconds)
+  return good and "it was read" or tostring(problem)
+end
+
+local function says(name, text, wanted)
+  local problem = said(name, text)
+  expect(problem:find(wanted, 1, true), "%s: %s, wanted %s", name, problem, wanted)
+end
+
+case("Tcl: values that grow without bound, loops and files without end", function()
+  for text, wanted in pairs {
+    ["set x a\nwhile {1} { lappend x $x }"] = ":2: a value has more than 10000000 characters",
+    ["set x a\nwhile {1} { append x $x }"] = ":2: a value has more than 10000000 characters",
+    ["set x abcdefgh\nwhile {1} { set x $x$x }"] = ":2: a value has more than 10000000 characters",
+    ["set x abcdefgh\nwhile {1} { set x [concat $x $x $x] }"] = ":2: a value has more than 10000000 characters",
+    ["while {1} {}"] = ":1: the script runs more than 200000 commands",
+    ["source /dev/zero"] = "cannot read /dev/zero: it is a pipe, a socket or a device",
+    ["source self.tcl\nsource self.tcl"] = "the script runs more than 200000 commands",
+  } do
+    says(text:find "self" and "self.tcl" or "a.tcl", text, wanted)
+  end
+end)
+
+case("Tcl: brackets within each other", function()
+  says("a.tcl", "set x " .. ("["):rep(1e5), "nested too deeply")
+  says("a.tcl", "set x " .. ("{"):rep(1e5), ":1: the brace { is not closed")
+  says("a.tcl", ("if {1} {"):rep(2000) .. ("}"):rep(2000), "nested too deeply")
+  says("a.tcl", "set x [expr " .. ("("):rep(1e5) .. "1" .. (")"):rep(1e5) .. "]", "a.tcl")
+end)
+
+case("Python: lists and texts that grow without bound", function()
+  for line, wanted in pairs {
+    ["x = [0] * 1000000000"] = "the first line that was not read: x = [0] * 1000000000",
+    ["x = 1000000000 * [0]"] = "the first line that was not read: x = 1000000000 * [0]",
+    ["x = 'a' * 1000000000"] = "the first line that was not read: x = 'a' * 1000000000",
+    ["x = [0]\nfor i in range(100):\n    x = x + x"] = "the first line that was not read: x = x + x",
+    ["x = [0]\nfor i in range(100):\n    x.extend(x)"] = "the first line that was not read: x.extend(x)",
+    ["x = 'a'\nfor i in range(100):\n    x = x + x"] = "the first line that was not read: x = x + x",
+    ["x = [[0 for j in range(199999)] for i in range(199999)]"] = "the script runs more than 200000 statements",
+    ["for i in range(200000):\n    for j in range(200000):\n        x = 1"] =
+      "the script runs more than 200000 statements",
+  } do
+    says("a.py", line, wanted)
+  end
+end)
+
+case("Python: brackets and blocks within each other", function()
+  says("a.py", "x = " .. ("["):rep(1e5) .. ("]"):rep(1e5), ":1: more than 100 brackets are within each other")
+  says("a.py", "x = " .. ("("):rep(1e5), ":1: more than 100 brackets are within each other")
+  local lines = {}
+  for i = 0, 300 do lines[i + 1] = (" "):rep(i) .. "if True:" end
+  says("a.py", table.concat(lines, "\n") .. "\n" .. (" "):rep(301) .. "x = 1\n", "more than 100 blocks")
+  says("a.py", "x = " .. ("-"):rep(1e5) .. "1", "a.py")
+end)
+
+case("devices, pipes and very large files are refused before they are read", function()
+  support.run(("cd %s && mkfifo pipe.tcl && ln -s /dev/zero zero.e2k && ln -s /dev/zero zero.s2k && "
+    .. "truncate -s 800M large.s2k && ln -s /dev/zero zero.py"):format(support.quote(folder)))
+  for _, name in ipairs { "pipe.tcl", "zero.e2k", "zero.s2k", "zero.py" } do
+    says(name, nil, "it is a pipe, a socket or a device")
+  end
+  says("large.s2k", nil, "has 839 MB, and more than 500 MB are not read")
+end)
+
+case("limits of time and memory hold wherever a reader is, and leave no hook", function()
+  local seconds, memory = notes.most_seconds, notes.most_memory
+  notes.most_seconds = 0.05
+  says("a.tcl", "while {1} {}", "takes more than 0.05 s")
+  notes.most_seconds, notes.most_memory = seconds, 2
+  local lines = {}
+  for i = 1, 30000 do lines[i] = ('set a(%d) "%s"'):format(i, ("x"):rep(100)) end
+  says("a.tcl", table.concat(lines, "\n"), "takes more than 2 MB of memory")
+  notes.most_memory = memory
+  equal(debug.gethook(), nil, "a hook")
+end)
+
+checks.done()
