@@ -140,6 +140,44 @@ case("hinge study --seed: the same seed has the same cases, another one others",
   expect(values("f", "--seed 9 --method sobol") ~= values("g", "--seed 8 --method sobol"), "Sobol's, too")
 end)
 
+case("impossible numbers of distributions are refused, one by one", function()
+  for _, r in ipairs { { "normal(1, 2)", true }, { "normal(1, 0)", false }, { "normal(1, -2)", false },
+    { "lognormal(1, 2)", true }, { "lognormal(-1, 2)", false }, { "lognormal(1, -2)", false },
+    { "uniform(1, 2)", true }, { "uniform(2, 1)", false }, { "uniform(1, 1)", false },
+    { "triangular(0, 1, 2)", true }, { "triangular(0, 0, 2)", true }, { "triangular(0, 2, 2)", true },
+    { "triangular(0, -1, 2)", false }, { "triangular(0, 3, 2)", false }, { "triangular(1, 1, 1)", false },
+    { "weibull(1, 2)", true }, { "weibull(-1, 2)", false }, { "weibull(1, -2)", false }, { "weibull(1)", false },
+    { "normal(1, 2, 3)", false }, { "normal(a, 2)", false } } do
+    equal(pcall(draws.distribution, r[1], "test"), r[2], r[1])
+  end
+  -- numbers of the generator lie strictly within 0 and 1, also those whose bits are all 0: none is below half of 2^-53
+  local random = draws.generator(11)
+  for _ = 1, 2000 do
+    local u = random.part()
+    expect(u > 0 and u < 1, "%.17g", u)
+    local whole = u * 2.0 ^ 53
+    expect(whole - math.floor(whole) == 0.5 or u > 0.5, "in the middle of its cell: %.17g", u)
+    local k = random.below(7)
+    expect(math.type(k) == "integer" and k >= 0 and k < 7, "below 7: %s", k)
+  end
+  -- its first numbers, by splitmix64 and xorshift64* in another way: with products of 32 bit parts
+  local function times(a, b) -- a b modulo 2^64
+    local low, high = b & 0xffffffff, (b >> 32) & 0xffffffff
+    return (a * low) + ((a * high) << 32)
+  end
+  local z = 11 + 0x9e3779b97f4a7c15
+  z = times(z ~ (z >> 30), 0xbf58476d1ce4e5b9)
+  z = times(z ~ (z >> 27), 0x94d049bb133111eb)
+  z = z ~ (z >> 31)
+  local again = draws.generator(11)
+  for i = 1, 5 do
+    z = z ~ (z >> 12)
+    z = z ~ (z << 25)
+    z = z ~ (z >> 27)
+    equal(again.part(), ((times(z, 0x2545f4914f6cdd1d) >> 11) + 0.5) * 2.0 ^ -53, "number " .. i)
+  end
+end)
+
 case("quantiles of distributions by their own formulas", function()
   local function quantile(text, u) return draws.distribution(text, "test").quantile(u) end
   near(quantile("normal(10, 2)", 0.5), 10, 1e-12, "normal: mean")
