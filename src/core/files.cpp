@@ -159,7 +159,8 @@ namespace {
 void append(const std::string& path, std::string_view content, int create) {
     const int fd = ::open(path.c_str(), O_WRONLY | create | O_APPEND | O_CLOEXEC, 0666);
     if (fd < 0 && errno == ENOENT && !create)
-        fail("cannot write", path, ENOENT, "it was removed while this program wrote to it; start the program anew");
+        throw WriteError(path, std::strerror(ENOENT) + std::string("; it was removed while this program wrote to it; "
+                                                                   "start the program anew"));
     if (fd < 0) fail_to_write(path, errno);
     const off_t before = ::lseek(fd, 0, SEEK_END);
     int error = write_all(fd, content);
