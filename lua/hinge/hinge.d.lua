@@ -3676,6 +3676,8 @@ local run = {}
 ---@field value? number see the cause; nil for 0
 ---@field limit? number what is allowed, see there; nil for 0
 ---@field count? integer see there
+---what had failed before that, and was seen at the same time: an energy balance that no longer closed
+---@field before? hinge.run_failure
 
 ---A limit point or a branching point that a static run has passed. Beyond it the tangent stiffness has more negative
 ---eigenvalues than at the start of the run. Under constant load the structure would not stay there.

@@ -261,7 +261,7 @@ case("idle, chaotic, failing and chosen effects are told apart", function()
   r = hinge.cost(body, { effects = true, parameters = { needs = false }, quantity = "chaos" })
   equal(effect(r, "gravity").lost, true, "a change that drowns in scatter is said to")
   r = hinge.cost(body, { effects = true, parameters = { needs = true }, repeats = 1 })
-  expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall$",
+  expect(effect(r, "gravity").failed and effect(r, "gravity").failed:find "it does not fall and more$", -- in one line
     "a script that cannot do without: %s", effect(r, "gravity").failed)
   local _, refusal = pcall(hinge.cost, body, { effects = true, quantity = "vx" })
   expect(tostring(refusal):find "unknown quantity 'vx' %(did you mean 'vz'%?%)", "an unknown quantity: %s", refusal)

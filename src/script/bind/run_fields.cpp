@@ -61,17 +61,9 @@ void push_reason(lua_State* L, const RunRecord& r) {
     lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
 }
 
-/// { cause =, text =, step =, time =, node =, element =, member =, component =, value =, limit = }; nil where the run
-/// has not failed.
-void push_failure(lua_State* L, const RunRecord& r) {
-    if (verdict_of(r) != Verdict::failed) return lua_pushnil(L);
+/// Sets what a failure is about, and its numbers, in the table on top of the stack.
+void put_particulars(lua_State* L, const RunRecord& r, const Failure& f) {
     const Structure& s = r.run->structure();
-    const RunFailure* own = r.run->failure();
-    lua_createtable(L, 0, 10);
-    put(L, "cause", cause_of(r));
-    if (!own) return put(L, "text", "goes on from " + r.weak);
-    put(L, "text", r.run->brief_reason());
-    const Failure& f = own->what;
     if (f.step > 0) put(L, "step", f.step);
     if (f.time > 0) put(L, "time", f.time);
     if (f.node >= 0) put(L, "node", s.node_name(f.node));
@@ -84,6 +76,26 @@ void push_failure(lua_State* L, const RunRecord& r) {
     if (f.value != 0) put(L, "value", f.value);
     if (f.limit != 0 || f.tolerance != 0) put(L, "limit", f.limit != 0 ? f.limit : f.tolerance);
     if (f.count > 0) put(L, "count", f.count);
+}
+
+/// { cause =, text =, step =, time =, node =, element =, member =, component =, value =, limit =, count =, before = };
+/// nil where the run has not failed.
+void push_failure(lua_State* L, const RunRecord& r) {
+    if (verdict_of(r) != Verdict::failed) return lua_pushnil(L);
+    const RunFailure* own = r.run->failure();
+    lua_createtable(L, 0, 12);
+    put(L, "cause", cause_of(r));
+    if (!own) return put(L, "text", "goes on from " + r.weak);
+    put(L, "text", r.run->brief_reason());
+    put_particulars(L, r, own->what);
+    for (const Remark& remark : own->remarks) {
+        if (remark.kind != Remark::Kind::before) continue;
+        lua_createtable(L, 0, 8);
+        put(L, "cause", std::string(word(remark.of.cause)));
+        put(L, "text", text_of(remark.of, r.run->structure()));
+        put_particulars(L, r, remark.of);
+        lua_setfield(L, -2, "before");
+    }
 }
 
 void push_hash(lua_State* L, const RunRecord& r) { lua_pushstring(L, hex_text(hash(r.run->state())).c_str()); }
