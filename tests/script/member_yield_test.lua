@@ -287,7 +287,7 @@ end)
 local carries = 355e6 * 0.03 ^ 3 / 6 -- N m
 local function beyond_first_yield(part, at, history)
   if not at then return { q = { 0, 0, -part * carries * 12 / 4 ^ 2 }, history = history } end
-  local near_end, far_end = 4 * math.min(at, 1 - at), 4 * math.max(at, 1 - at)
+  local near_end, far_end = 4 * support.smallest_of(at, 1 - at), 4 * support.largest_of(at, 1 - at)
   return { at = at, force = { 0, 0, -part * carries * 4 ^ 2 / (near_end * far_end ^ 2) }, history = history }
 end
 
