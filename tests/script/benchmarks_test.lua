@@ -135,7 +135,8 @@ case("an error, a dead process, no benchmark: a failed row with the reason", fun
   expect(printed:find "elastic +raises +failed +%-", "a row in the table: %s", printed)
   local lines = lines_of(out)
   equal(#lines, 9, "a line each")
-  expect(lines[1]:find "^elastic,empty,Empty,,,,,,,false,,,,none,\"the benchmark has no row", "the reason: %s", lines[1])
+  expect(lines[1]:find '^elastic,empty,Empty,,,,,,,false,,,,none,"the benchmark has no row', "the reason: %s",
+    lines[1])
 end)
 
 case("filter goes by name, kind and title; fast by what the file says", function()
