@@ -8,6 +8,9 @@ function check.fail(format, ...)
   core.input_error(select("#", ...) > 0 and format:format(...) or format)
 end
 
+--- A text without control characters but line ends and tabs, for a terminal.
+function check.plain(text) return (text:gsub("[\0-\8\11-\31\127]", "?")) end
+
 --- Raises an error if there are more arguments than a function takes.
 function check.no_more(where, ...)
   for i = 1, select("#", ...) do

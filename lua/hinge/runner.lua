@@ -185,6 +185,7 @@ function runner.guard(f, memory, see)
     result = { status = wrong_input, text = tostring(result) }
   end
   core.event("error", { status = result.status, message = result.text })
+  if memory then result.text = check.plain(result.text) end -- the script's own words
   if see then see(result) end
   io.stderr:write("hinge: " .. result.text .. "\n") -- one write: what a terminal echoes meanwhile does not come between
   return result.status

@@ -46,8 +46,15 @@ local function collect(option, ...)
   return collectgarbage(option, ...)
 end
 
+-- Commands to the terminal, such as those that write its title, are not passed on; line ends and tabs are.
+local function plain_print(...)
+  local parts = table.pack(...)
+  for i = 1, parts.n do parts[i] = check.plain(tostring(parts[i])) end
+  print(table.unpack(parts, 1, parts.n))
+end
+
 local function environment(require)
-  local env = { require = require, collectgarbage = collect, print = function(...) print(...) end }
+  local env = { require = require, collectgarbage = collect, print = plain_print }
   for name in globals:gmatch "%S+" do env[name] = _G[name] end
   for name, names in pairs(libraries) do env[name] = copy_of(name, names) end
   for _, name in ipairs { "io", "package" } do env[name] = guarded({}, _G[name], name .. ".") end

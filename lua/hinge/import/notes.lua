@@ -105,6 +105,7 @@ local most_file = 500 -- MB
 
 --- The bytes of a file. Devices and pipes, which have no end, and files of more than 500 MB are refused.
 function notes.text_of(where, path)
+  if core.sandboxed() then check.fail("%s: a script in the sandbox reads no files", where) end
   local size = core.file_size(path)
   if size and size > most_file * 1e6 then
     check.fail("%s: the file '%s' has %.0f MB, and more than %d MB are not read", where, path, size / 1e6, most_file)
@@ -131,7 +132,8 @@ end
 --- f() within limits of time, memory and depth, of which a message tells. A script that has set a hook of its own, or
 --- runs in the sandbox, has its own limits.
 function notes.within_limits(where, path, f)
-  local free = debug.gethook() == nil
+  local free = not core.sandboxed() and debug.gethook() == nil
+  collectgarbage() -- or what is left of others would count
   local began, before = os.clock(), collectgarbage "count"
   if free then debug.sethook(function() watch(where, path, began, before) end, "", 10000) end
   local good, result, more = pcall(f)

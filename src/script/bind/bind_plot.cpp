@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -75,6 +76,8 @@ Reach reach_of_gnuplot(const std::string& folder, const std::string& program) {
     return reach;
 }
 
+constexpr rlim_t longest = 600;  ///< s of the processor for a plot, which may outlive a run that is stopped
+
 /// Starts a program under these rules, which hold for the thread that starts it and whatever it starts. 0, or errno.
 int start_under(int rules, const std::string& program, const Surroundings& around, char* const* words, pid_t& pid) {
     int problem = 0;
@@ -102,6 +105,8 @@ void run_gnuplot(const std::string& folder, const std::string& file) {
         const Surroundings around(here, messages);
         problem = start_under(rules, program, around, argv, pid);
     } catch (const std::system_error& e) { problem = e.code().value(); }  // no thread
+    const rlimit most = {longest, longest};
+    if (problem == 0) ::prlimit(pid, RLIMIT_CPU, &most, nullptr);
     if (problem == 0)
         while (::waitpid(pid, &status, 0) < 0 && errno == EINTR) {}
     const std::string said = problem == 0 ? text_of(messages) : "";
