@@ -179,6 +179,8 @@ case("every way out of the sandbox is closed", function()
     { "return require 'hinge'.scenario { run = function(_, job) job.out = '..'; job:plot({ series = {} }, 'x.png') "
       .. "end }",
       2, "s.lua:1: '../x.png' is outside the output folder out...; a script in the sandbox writes nowhere else" },
+    { "return require 'hinge'.scenario { run = function(_, job) job.out = ''; job:plot(" .. series .. ", 'x.png') "
+      .. "end }", 2, "s.lua:1: 'x.png' is outside the output folder" },
     { "return require 'hinge'.scenario { run = function(_, job) job.out = '/tmp/hinge-out'; "
       .. "job:plot({ series = {} }, 'x.png') end }", 2, "s.lua:1: '/tmp/hinge-out/x.png' is outside the output "
       .. "folder" },

@@ -98,7 +98,9 @@ case("the process that draws refuses what is no plot and what lies outside", fun
     ["core.draw_packed('out/x.svg', 'x')"] = "the bytes of a plot are not valid",
     ["core.draw_packed('out/x.svg', '')"] = "the bytes of a plot are not valid",
     ["core.draw_packed('out/x.svg', string.pack('<c1i8', 'm', 1 << 40))"] = "the bytes of a plot are not valid",
-    ["core.draw_packed('x.svg', require 'hinge.plot.data'.pack { panels = {} })"] = "",
+    ["core.draw_packed('x.svg', require 'hinge.plot.data'.pack { panels = {} })"] = "is outside the output folder out",
+    ["core.draw_packed('/tmp/x.svg', require 'hinge.plot.data'.pack { panels = {} })"] =
+      "is outside the output folder out",
     ["core.draw_packed('out/\\nx.svg', '')"] = "it must not have line breaks",
   } do
     status, _, complaint = behind("print(" .. script .. ")")

@@ -28,7 +28,7 @@ void prepare_folder(const Context& c, const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     if (c.mode.sandbox) {
         const fs::path own = fs::weakly_canonical(fs::absolute(c.output.folder)),
-                       there = fs::weakly_canonical(fs::absolute(folder));
+                       there = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
         if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
             fs::is_symlink(file))
             throw InputError("'" + file + "' is outside the output folder " + c.output.folder +

@@ -43,6 +43,7 @@ std::vector<std::string> files_to_read(const Context& c, const std::string& scri
 int raise_walls(lua_State* L) {
     const auto c = context(L);
     const char *script = lua_tostring(L, 1), *folder = lua_tostring(L, 2);
+    c->mode.sandbox = true;  // in the process that draws, too
     Reach reach = {files_to_read(*c, script ? script : ""), {"/dev/null"}, {}};
     if (folder) {
         make_folder(folder);
