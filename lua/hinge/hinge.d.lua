@@ -4869,7 +4869,8 @@ function hinge.cost(scenario, options) end
 ---often, up to 21 times or 0.1 s
 ---@field repeats? integer
 ---folder for cost.csv, cost.png, summary.json and finished.lua. A second call continues from finished.lua. It has the
----measurements, by the content of the script, the settings and the version of hinge. Default: nothing is written
+---measurements, by the content of the script and of the files that it has read, the settings and the version of hinge.
+---Default: nothing is written
 ---@field out? string
 ---in place of the scenario's own. If there is neither, the parameters with names such as dt, elements_per_member and
 ---formulation are used

@@ -17,6 +17,9 @@ for _, name in ipairs {
   later[name] = function() return require("hinge." .. name) end
 end
 
+-- hinge.study and hinge.cost go by what is in the files that the script has read
+if not core.sandboxed() then require "hinge.study.files".watch() end
+
 return check.lazy({
   version = core.version,
   model = core.model,

@@ -212,7 +212,7 @@ end
 -- resume, restart, progress, only (numbers of the cases to run, as a set) with journal (name), list (run nothing),
 -- collect (run nothing, and take what has ended). Returns the study as hinge.study does; all has all its cases.
 function study.go(options)
-  local _ <close> = setmetatable({}, { __close = files.watch() })
+  files.watch()
   files.note(options.script)
   local of = new(options)
   if options.list then return of end

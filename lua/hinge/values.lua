@@ -71,11 +71,22 @@ local function list(text)
   local inside = text:match("^%s*{(.*)}%s*$")
   if not inside then return nil end
   local result = {}
-  for item in inside:gmatch("[^,]+") do
+  if not inside:find "%S" then return result end
+  for item in (inside:gsub(",%s*$", "") .. ","):gmatch "([^,]*)," do -- a comma may stand at the end, as in Lua
     result[#result + 1] = values.number(item)
     if not result[#result] then return nil end
   end
   return result
+end
+
+--- The items of a text with commas between them, each of which must hold something. `whole`: for the message.
+function values.items(text, whole)
+  for item in (text .. ","):gmatch "([^,]*)," do
+    if not item:find "%S" then
+      check.fail("%s: a value is missing at a comma; write it, or leave the comma out", whole)
+    end
+  end
+  return text:gmatch "[^,]+"
 end
 
 --- Text as a value of the same type as `default`. Returns nil and what would be allowed when it cannot be one.

@@ -1,6 +1,7 @@
 -- hinge cost: reads the command line, compares, prints and writes.
 local check = require "hinge.check"
 local cost = require "hinge.cost"
+local files = require "hinge.study.files"
 local runner = require "hinge.runner"
 local values = require "hinge.values"
 
@@ -13,6 +14,7 @@ function program.main(options)
     local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
       "a part above 0, such as 1% or 0.01")
     local budget = values.time("--budget", options.budget)
+    files.watch()
     local scenario = runner.load(options.script, options.overrides)
     if not scenario then
       check.fail("cost: %s has no settings to compare; it does not return a hinge.scenario", options.script)

@@ -1,6 +1,7 @@
 -- Measurements that are kept between calls: finished.lua in the output folder, one line each.
 local core = require "hinge.core"
 local quote = require "hinge.quote"
+local check = require "hinge.check"
 
 local store = {}
 local Store = {}
@@ -25,28 +26,39 @@ local function text(value)
   return "{" .. table.concat(parts, ",") .. "}"
 end
 
-local function read(path)
-  local file = io.open(path, "rb")
-  if not file then return nil end
-  local content = file:read "a"
-  file:close()
-  return content
+-- changed: by key, the file because of which a measurement does not count any more.
+local function say_changed(changed)
+  local counts = {}
+  for _, file in pairs(changed) do counts[file] = (counts[file] or 0) + 1 end
+  for _, file in ipairs(check.keys(counts)) do
+    local n = counts[file]
+    io.stderr:write(("%s has changed: %s made again\n"):format(file, n == 1 and "1 measurement is"
+      or n .. " measurements are"))
+  end
 end
 
 --- folder: nil keeps nothing. `run`: the scenario's function. If its file can be read, the content of the file is part
--- of every key.
+-- of every key. A measurement counts as long as all files are as they were that the script had read up to then.
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
-  if not self.path then return self end
+  if not self.path then return self end -- as in the sandbox, which has no place for these files
+  local files = require "hinge.study.files"
   core.lock(folder)
+  self.folder = core.whole_path(folder)
+  local same, changed = files.comparison(), {}
   local source = debug.getinfo(run, "S").source
-  local content = source:sub(1, 1) == "@" and read(source:sub(2)) or source
+  local content = source:sub(1, 1) == "@" and files.text(source:sub(2)) or source
   self.mark = core.version .. " " .. core.fingerprint(content)
-  for line in (read(self.path) or ""):gmatch "[^\n]+" do
+  for line in (files.text(self.path) or ""):gmatch "[^\n]+" do
     local f = load("return " .. line, "finished", "t", {})
     local ok, entry = pcall(f or error)
-    if ok and type(entry) == "table" and entry.mark == self.mark then self.lines[entry.key] = entry.record end
+    if ok and type(entry) == "table" and entry.mark == self.mark then
+      local holds, file = same(entry.files or {})
+      self.lines[entry.key] = holds and entry.record or nil
+      changed[entry.key] = not holds and file or nil
+    end
   end
+  say_changed(changed)
   return self
 end
 
@@ -59,7 +71,10 @@ function Store:get(key) return self.lines[key] end
 function Store:put(key, record)
   self.lines[key] = record
   -- also after a line that was cut short
-  if self.path then core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record }) end
+  if self.path then
+    core.append(self.path, "\n" .. text { key = key, mark = self.mark, record = record,
+      files = require "hinge.study.files".read(self.folder) })
+  end
 end
 
 return store

@@ -1,10 +1,13 @@
 -- Which files a script reads: itself, the modules it requires, what it loads, and data that it opens. A case's identity
--- holds what is in them.
+-- holds what is in them, and so does a measurement of hinge cost. They are watched from the moment when the program
+-- loads the script, or the script the library: what it reads at its top counts as much as what a case reads.
 local core = require "hinge.core"
 local check = require "hinge.check"
 
 local files = {}
-local fingerprint_of = {} -- by whole path, of what has been read
+local fingerprint_of = {} -- by whole path, of what has been read or looked for
+local written = {} -- by whole path, what the script itself has written: none of its inputs
+local absent = "absent"
 local own = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 local open = io.open
 
@@ -16,13 +19,37 @@ function files.text(path)
   return text
 end
 
---- Notes that a file is read. The study's own modules say nothing about a case.
+--- io.open without noting that the file is read.
+files.open = open
+
+-- The fingerprint of a file as it is now; `absent` also of what is no file, such as a pipe.
+local function fingerprint(path)
+  local text = core.read_text(path)
+  return text and core.fingerprint(text) or absent
+end
+
+-- Whether a file is of the output folder of the run that is under way.
+local function is_output(whole)
+  local folder = core.out_dir()
+  if folder == "." then return false end
+  folder = core.whole_path(folder)
+  return whole:sub(1, #folder) == folder and whole:find("^/", #folder + 1) ~= nil
+end
+
+--- Notes that a file is read, as it is at the first time, or that it was looked for and is not there: once it is, a
+-- case may come out differently. The study's own modules say nothing about a case, nor does what the run or the script
+-- has written itself.
 function files.note(path)
   if type(path) ~= "string" then return end
   local whole = core.whole_path(path)
-  if fingerprint_of[whole] or whole:sub(1, #own) == own then return end
-  local text = files.text(whole)
-  if text then fingerprint_of[whole] = core.fingerprint(text) end
+  if fingerprint_of[whole] or written[whole] or whole:sub(1, #own) == own or is_output(whole) then return end
+  fingerprint_of[whole] = fingerprint(whole)
+end
+
+local function note_written(path)
+  local whole = core.whole_path(path)
+  written[whole] = true
+  if fingerprint_of[whole] == absent then fingerprint_of[whole] = nil end
 end
 
 -- Whether a module of that name is part of a case: of hinge's own those that are models, the others being a part of the
@@ -39,26 +66,33 @@ local function note_loaded()
   end
 end
 
---- From now on what is read is noted, also in processes that are started from this one. Returns a function that ends
--- it.
+local watching = false
+
+--- From now on what is read is noted, also in processes that are started from this one.
 function files.watch()
+  if watching then return end
+  watching = true
   note_loaded()
-  local note, search, loadfile, dofile, lines = files.note, package.searchers[2], loadfile, dofile, io.lines
-  package.searchers[2] = function(name)
-    local loader, path = search(name)
-    if type(loader) == "function" and is_of_script(name) then note(path) end
-    return loader, path
+  local note, loadfile, dofile, lines, input = files.note, loadfile, dofile, io.lines, io.input
+  for _, i in ipairs { 2, 3 } do -- modules of Lua, and of C
+    local search = package.searchers[i]
+    package.searchers[i] = function(name)
+      local loader, path = search(name)
+      if type(loader) == "function" and is_of_script(name) then note(path) end
+      return loader, path
+    end
   end
+  -- tail calls: the place in an error is the script's
   _G.loadfile = function(path, ...) note(path) return loadfile(path, ...) end
   _G.dofile = function(path, ...) note(path) return dofile(path, ...) end
   io.lines = function(path, ...) note(path) return lines(path, ...) end
-  io.open = function(path, mode)
-    local file, problem, code = open(path, mode)
-    if file and (not mode or mode:find "^r" and not mode:find("+", 1, true)) then note(path) end
-    return file, problem, code
-  end
-  return function()
-    package.searchers[2], _G.loadfile, _G.dofile, io.lines, io.open = search, loadfile, dofile, lines, open
+  io.input = function(...) note((...)) return input(...) end
+  io.open = function(path, mode, ...)
+    if type(path) == "string" then
+      if type(mode) == "string" and mode:find "^[wa]" then note_written(path)
+      elseif mode ~= "r+" and mode ~= "r+b" then note(path) end
+    end
+    return open(path, mode, ...)
   end
 end
 
@@ -66,7 +100,7 @@ end
 function files.read(without)
   local list = {}
   for _, path in ipairs(check.keys(fingerprint_of)) do
-    if path:sub(1, #without) ~= without then list[#list + 1] = { path, fingerprint_of[path] } end
+    if path:sub(1, #without + 1) ~= without .. "/" then list[#list + 1] = { path, fingerprint_of[path] } end
   end
   return list
 end
@@ -78,10 +112,7 @@ function files.comparison()
   return function(list)
     for _, one in ipairs(list) do
       local path = one[1]
-      if now[path] == nil then
-        local text = files.text(path)
-        now[path] = text and core.fingerprint(text) or false
-      end
+      now[path] = now[path] or fingerprint(path)
       if now[path] ~= one[2] then return false, path end
     end
     return true

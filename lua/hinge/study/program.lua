@@ -2,6 +2,7 @@
 local core = require "hinge.core"
 local case = require "hinge.study.case"
 local check = require "hinge.check"
+local files = require "hinge.study.files"
 local runner = require "hinge.runner"
 local study = require "hinge.study"
 local tables = require "hinge.study.table"
@@ -22,7 +23,7 @@ local function chosen_cases(text, scenario, script)
     return all
   end
   local list = {}
-  for name in text:gmatch "[^,]+" do
+  for name in values.items(text, "--cases " .. text) do
     if not scenario.cases[name] then check.unknown("--cases", "case", name, all) end
     list[#list + 1] = name
   end
@@ -131,6 +132,7 @@ end
 -- ended, 1 some of them without an answer, 2 the script or its input is wrong, 3 interrupted.
 function program.main(options)
   return runner.guard(function()
+    files.watch()
     local what = program.read(options)
     local only, first, last = numbers(options.number)
     what.list = what.list or options.slurm ~= nil

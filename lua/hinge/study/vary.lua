@@ -2,6 +2,7 @@
 local check = require "hinge.check"
 local values = require "hinge.values"
 local draws = require "hinge.study.draws"
+local files = require "hinge.study.files"
 
 local vary = {}
 local most = 1000000 -- cases of one study
@@ -50,7 +51,7 @@ function vary.from_words(words)
       elseif text:find "^{" or not text:find "," then
         items = { values.guess(text) }
       else
-        for item in text:gmatch "[^,]+" do items[#items + 1] = values.guess(item) end
+        for item in values.items(text, word) do items[#items + 1] = values.guess(item) end
       end
       list[#list + 1] = { name = name, values = items }
     end
@@ -109,7 +110,7 @@ end
 
 --- The rows of a CSV file with names in its first line: a list of { name = value }, and the names.
 function vary.rows(path)
-  local file, problem = io.open(path)
+  local file, problem = files.open(path) -- its rows are the cases: it says nothing about any one of them
   if not file then check.fail("--table: %s", problem) end
   local rows, names = {}, nil
   local number = 0
