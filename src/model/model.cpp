@@ -177,6 +177,34 @@ void Model::set_velocities(GivenVelocity given) {
     given_velocities_.push_back(std::move(given));
 }
 
+void Model::refuse_velocities(const MemberData& member) const {
+    for (const GivenVelocity& v : given_velocities_) {
+        if (v.group < 0 || v.angular.isZero(0) ||
+            std::find(member.groups.begin(), member.groups.end(), v.group) == member.groups.end())
+            continue;
+        for (const int n : member.node)
+            if (std::find(v.nodes.begin(), v.nodes.end(), n) == v.nodes.end())
+                throw InputError("group '" + groups_[v.group] + "' has an angular velocity, given at " + v.asked_at +
+                                 ", about the mean position of the joints that it had there; a member that brings a "
+                                 "joint would move it: add the members first, then give the velocity");
+    }
+}
+
+void Model::join_velocities(int member) {
+    check_open();
+    const MemberData& m = members_[member];
+    for (std::size_t i = 0; i < given_velocities_.size(); ++i) {
+        GivenVelocity& v = given_velocities_[i];
+        if (v.group < 0 || std::find(m.groups.begin(), m.groups.end(), v.group) == m.groups.end()) continue;
+        for (const int n : m.node) {
+            if (velocity_given_[n] >= int(i) || !v.angular.isZero(0)) continue;
+            v.nodes.push_back(n);
+            velocities_[n] << v.linear, v.angular;
+            velocity_given_[n] = int(i);
+        }
+    }
+}
+
 int Model::add_case(const std::string& name) {
     check_open();
     cases_.push_back(name);

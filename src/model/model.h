@@ -128,6 +128,8 @@ struct MemberData {
 struct GivenVelocity {
     std::vector<int> nodes;
     Vec3 linear, angular;
+    int group = -1;             ///< whose nodes these are; -1: of a node or a member
+    std::string asked_at = {};  ///< the script's line
 };
 
 /// Options of a model.
@@ -210,6 +212,10 @@ public:
     void take_elements(const Model& decided);
     void set_velocity(int node, const Vec3& linear, const Vec3& angular);
     void set_velocities(GivenVelocity given);
+    /// A member joins groups: its nodes get the velocities that were given to these, unless later ones were given to
+    /// them. refuse_velocities: throws InputError where that would move the mean position about which others rotate.
+    void join_velocities(int member);
+    void refuse_velocities(const MemberData& member) const;
     /// Index in given_velocities of the last velocity of each node; -1: none.
     const std::vector<int>& velocity_given() const { return velocity_given_; }
     /// True if both ends of a member were given a velocity: its inner nodes then have interpolated velocities. If only

@@ -54,6 +54,17 @@ std::vector<int> read_members(Options& o, const Model& m) {
 
 }  // namespace
 
+void join_loads(ScriptModel& m, int member) {
+    const auto& groups = m.members()[member].groups;
+    for (const auto& [group, first] : m.group_loads) {
+        if (std::find(groups.begin(), groups.end(), group) == groups.end()) continue;
+        MemberLoad load = m.declared<MemberLoad>(member_loads_effect)[std::size_t(first)];
+        load.member = member;
+        load.number = int(m.declared<MemberLoad>(member_loads_effect).size());
+        m.declare(member_loads_effect, std::move(load));
+    }
+}
+
 int add_member_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
@@ -93,6 +104,12 @@ int add_member_load(lua_State* L) {
     load.history = read_history(o, "history", "factor", *m, true);
     load.load_case = case_of(o, *m);
     load.has_history = bool(load.history);
+    if (o.has("group")) {
+        o.push_field("group");
+        m->group_loads.emplace_back(group_argument(L, -1, "model:load: field 'group'", *m),
+                                    int(m->declared<MemberLoad>(member_loads_effect).size()));
+        lua_pop(L, 1);
+    }
     for (const int member : members) {
         load.member = member;
         load.number = int(m->declared<MemberLoad>(member_loads_effect).size());

@@ -117,6 +117,9 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
         o.complain("group", "'" + *twice + "' twice", "give each group once");
     try {
         m->check_member(data);
+        MemberData in_groups = data;
+        for (const std::string& name : given.named) in_groups.groups.push_back(m->find_group(name));
+        m->refuse_velocities(in_groups);
     } catch (const InputError& e) { throw InputError(o.function() + ": " + e.what()); }
     return given;
 }
@@ -134,6 +137,8 @@ void add(lua_State* L, const std::shared_ptr<ScriptModel>& m, GivenMember given)
         for (const std::string& name : given.named) groups.push_back(m->group(name));
         m->set_member_groups(index, groups);
     }
+    join_loads(*m, index);
+    m->join_velocities(index);
     push_handle<MemberBox>(L, m, index);
 }
 

@@ -123,13 +123,15 @@ std::string show_target(lua_State* L) {
 int velocity(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:velocity").value;
     std::vector<int> nodes;
+    int group = -1;
     if (find<NodeBox>(L, 2)) {
         nodes = {node_argument(L, 2, "model:velocity: target", m.get()).index};
     } else if (find<MemberBox>(L, 2)) {
         const MemberData& member = m->members()[member_argument(L, 2, "model:velocity: target", m.get()).index];
         nodes = {member.node[0], member.node[1]};
     } else if (find<GroupBox>(L, 2) || lua_type(L, 2) == LUA_TSTRING) {
-        nodes = m->nodes_of_group(group_argument(L, 2, "model:velocity: target", *m));
+        group = group_argument(L, 2, "model:velocity: target", *m);
+        nodes = m->nodes_of_group(group);
     } else {
         throw InputError("model:velocity: target is " + show(L, 2) +
                          "; must be a node, a member, a group or the name of one");
@@ -147,7 +149,7 @@ int velocity(lua_State* L) {
         throw InputError(
             "model:velocity: target is " + show_target(L) +
             ", which supports hold in all directions of this velocity; a node that does not move has none");
-    m->set_velocities({std::move(nodes), v, w});
+    m->set_velocities({std::move(nodes), v, w, group, where(L)});
     return 0;
 }
 

@@ -120,6 +120,7 @@ struct ScriptModel : Model {
     std::vector<std::weak_ptr<struct RunRecord>> runs;
     std::optional<int> gravity_case;               ///< that gravity belongs to, -1 for none
     std::vector<Vec3> crooked;                     ///< by what imperfections have moved the first nodes, m
+    std::vector<std::pair<int, int>> group_loads;  ///< of model:load { group = }: the group, the first load's number
 };
 struct ModelBox {
     static constexpr const char* lua_name = "hinge.model";
@@ -299,6 +300,9 @@ void refuse_gone(const T& handle, const std::string& function) {
     if (const std::string since = gone(handle); !since.empty())
         throw InputError(function + ": this is " + name_of(handle) + since);
 }
+
+/// The loads of the groups that a member has joined act on it too.
+void join_loads(ScriptModel& model, int member);
 
 /// Pushes the handle to the model's node, member, group or load of that number; while one is in use it is always the
 /// same one.
