@@ -163,7 +163,7 @@ public:
     void after_commit(const Step& step) override {
         if (!now().idle()) struck_.add_step(w_.structure, w_.state, now(), step.end(), step.dt);
     }
-    void check_run(std::vector<RunWarning>& list) const override { struck_.check_run(w_.structure, list); }
+    void check_run(std::vector<RunWarning>& list) const override { struck_.check_run(w_.structure, w_.state, list); }
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         const auto keep = [&](const auto& pairs) {

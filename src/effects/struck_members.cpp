@@ -12,16 +12,22 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double counts_from = 0.1;       ///< of the largest impulse: members that got less do not count
 constexpr double most_part_missed = 0.4;  ///< of a moment, that goes unsaid
+constexpr double at_joint = 0.1;          ///< of a member's length: a blow so near to its end is at the joint
+constexpr int enough_elements = 8;        ///< elements of a member that yields between its joints
 
 double quarter_wave(double speed, double tau) { return 0.5 * std::sqrt(pi * tau * speed); }
 
 }  // namespace
 
 StruckMembers::StruckMembers(const Structure& structure)
-    : wave_speed_(structure.model().members().size(), 0.0), element_(wave_speed_.size(), 0.0) {
+    : wave_speed_(structure.model().members().size(), 0.0),
+      element_(wave_speed_.size(), 0.0),
+      length_(wave_speed_.size(), 0.0) {
     for (const Element& e : structure.elements()) {
         wave_speed_[e.member] = std::sqrt(std::min(e.rigidity.EIx, e.rigidity.EIy) / e.rigidity.rhoA);
         element_[e.member] = std::max(element_[e.member], e.length);
+        from_.push_back(length_[e.member]);
+        length_[e.member] += e.length;
     }
 }
 
@@ -34,6 +40,8 @@ void StruckMembers::add_step(const Structure& structure, const State& state, con
             const Vec6& f = state.force[element[side]];
             const double s = std::clamp(at[side], 0.0, 1.0);
             Blow& blow = blows[e.member];
+            const double place = from_[element[side]] + s * e.length, whole = length_[e.member];
+            if (std::min(place, whole - place) > at_joint * whole) blow.between += impulse;
             blow.impulse += impulse;
             blow.missed += impulse * s * (1 - s) * e.length;
             blow.moment = std::max(blow.moment, dt * std::max(std::hypot(f[0], f[2]), std::hypot(f[1], f[3])));
@@ -56,6 +64,7 @@ void StruckMembers::add(int member, const Blow& blow, double time, double dt) {
     at->impulse_now += blow.impulse;
     at->missed += blow.missed;
     at->moment += blow.moment;
+    at->between += blow.between;
 }
 
 void StruckMembers::end_blow(Struck& of) const {
@@ -68,7 +77,7 @@ void StruckMembers::end_blow(Struck& of) const {
     of.since = -1, of.impulse_now = 0;
 }
 
-void StruckMembers::check_run(const Structure& structure, std::vector<RunWarning>& list) const {
+void StruckMembers::check_run(const Structure& structure, const State& state, std::vector<RunWarning>& list) const {
     std::vector<Struck> ended = struck_;
     double largest = 0;
     for (Struck& s : ended) {
@@ -85,6 +94,7 @@ void StruckMembers::check_run(const Structure& structure, std::vector<RunWarning
         if (ratio > least) least = ratio, worst = &s;
     }
     if (worst) list.push_back(warning_of_waves(structure, *worst, count));
+    else if (warn_of_hinges(structure, state, ended, largest, list)) return;
     else if (const Struck* missing = most_missed(ended, largest)) list.push_back(warning_of_place(structure, *missing));
 }
 
@@ -120,6 +130,31 @@ RunWarning StruckMembers::warning_of_place(const Structure& structure, const Str
             "a node where it is struck, or elements = " +
                 std::to_string(2 * structure.model().members()[worst.member].elements) + " of it",
             worst.member};
+}
+
+bool StruckMembers::warn_of_hinges(const Structure& structure, const State& state, const std::vector<Struck>& ended,
+                                   double largest, std::vector<RunWarning>& list) const {
+    const auto& members = structure.model().members();
+    std::vector<char> yielded(members.size(), 0);
+    for (std::size_t e = 0; e < state.yielded.size(); ++e)
+        if (state.yielded[e]) yielded[structure.elements()[e].member] = 1;
+    int worst = -1, count = 0;
+    for (const Struck& s : ended) {
+        if (!(s.between >= counts_from * largest && s.between > 0.5 * s.impulse) || !yielded[s.member] ||
+            members[s.member].elements >= enough_elements)
+            continue;
+        ++count;
+        if (worst < 0 || members[s.member].elements < members[worst].elements) worst = s.member;
+    }
+    if (worst < 0) return false;
+    const int now = members[worst].elements;
+    list.push_back(
+        {member_text(structure.model(), worst) + " with " + count_text(now, "element") +
+             (count > 1 ? " and " + std::to_string(count - 1) + " more were" : " was") +
+             " struck between its joints and yielded: hinges form at nodes, so its plastic work may be far off, " +
+             "whatever the energy error says",
+         "elements = " + std::to_string(enough_elements) + " of the members that are struck", worst});
+    return true;
 }
 
 }  // namespace hinge

@@ -19,6 +19,9 @@ namespace hinge {
 /// on a beam, against the modal series, the energy and the momentum passed are right to 2 % with elements up to lambda
 /// / 4, to 10 % up to 1.5 times that, and off by 14 % at 1.8, 40 % at 3 times (tests/script/contact_test.lua). Of EI
 /// the smaller one counts: the shorter wave.
+///
+/// A member that is struck between its joints and yields there forms its hinge at a node, beside the place of the blow:
+/// its plastic work may be far off with few elements.
 class StruckMembers {
 public:
     explicit StruckMembers(const Structure& structure);
@@ -27,8 +30,9 @@ public:
                   double dt);
     /// One warning, of the member whose elements are longest beside its wave. Members that got less than a tenth of the
     /// largest impulse do not count, nor those that got more than half of theirs by blows that last long enough. Where
-    /// none has: one warning of the member that misses most of the moment of blows inside its elements.
-    void check_run(const Structure& structure, std::vector<RunWarning>& list) const;
+    /// none has: one of the member with the fewest elements that yielded where it was struck between its joints; else
+    /// one of the member that misses most of the moment of blows inside its elements.
+    void check_run(const Structure& structure, const State& state, std::vector<RunWarning>& list) const;
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -43,23 +47,31 @@ private:
         double impulse = 0, brief = 0;                  ///< N s, of all blows, of those too brief for its elements
         double brief_time = 0;                          ///< N s s, impulse times duration of the brief ones
         double missed = 0, moment = 0;  ///< N m s, over time: moments F a b / l, and those at the ends of its element
+        double between = 0;             ///< N s, of blows between its joints
 
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.member, s.since, s.last, s.impulse_now, s.impulse, s.brief, s.brief_time, s.missed, s.moment);
+            a(s.member, s.since, s.last, s.impulse_now, s.impulse, s.brief, s.brief_time, s.missed, s.moment,
+              s.between);
         }
     };
     struct Blow {
         double impulse = 0, missed = 0, moment = 0;  ///< N s, N m s, N m s, of one step
+        double between = 0;                          ///< N s, away from the member's joints
     };
     void add(int member, const Blow& blow, double time, double dt);
     void end_blow(Struck& of) const;
     const Struck* most_missed(const std::vector<Struck>& ended, double largest) const;
     RunWarning warning_of_waves(const Structure& structure, const Struck& worst, int count) const;
+    /// Of one that yielded with few elements; false where there is none.
+    bool warn_of_hinges(const Structure& structure, const State& state, const std::vector<Struck>& ended,
+                        double largest, std::vector<RunWarning>& list) const;
     RunWarning warning_of_place(const Structure& structure, const Struck& worst) const;
 
     std::vector<double> wave_speed_;  ///< sqrt(EI / rho A) of each member, m^2/s
     std::vector<double> element_;     ///< m, its longest element
+    std::vector<double> length_;      ///< m, of each member
+    std::vector<double> from_;        ///< m, where each element begins on its member
     std::vector<Struck> struck_;      ///< sorted by member
 };
 

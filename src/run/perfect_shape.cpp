@@ -15,7 +15,7 @@ constexpr long most_looks = 40;  ///< in a run
 /// Part of the largest displacement or velocity that a mode has by rounding.
 constexpr double rounding = 1e-8;
 /// Exponent of the growth from which on it is told: 20 times. Waves that press members for an instant stay below.
-constexpr double most_unseen = 3;
+constexpr double most_growth_unseen = 3;
 /// Of the square of the rate of growth.
 constexpr double as_fast = 0.9;
 /// Looks that have found such a mode, beyond those that have not, for it to be told.
@@ -106,7 +106,7 @@ std::optional<RunWarning> PerfectShape::look(const Run& run, const std::string& 
     }
     const double rate = std::sqrt(-unseen->omega_squared);
     if (found_++ > 0) grown_ += since * rate;
-    if (found_ < least_found || !(grown_ > most_unseen)) return {};
+    if (found_ < least_found || !(grown_ > most_growth_unseen)) return {};
     done_ = true;
     return RunWarning{"the structure can buckle " + where +
                           ", and nothing but rounding starts it: a deviation from its perfect shape (largest at " +

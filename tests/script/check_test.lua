@@ -200,6 +200,60 @@ case("slips of units, lengths, sections and loads are warned of at their line", 
       make = "dynamic { from = rest, dt = 1e-5, duration = 1 }" })
 end)
 
+case("numbers in other units, and gravity along another axis, are told by check", function()
+  for by, says in pairs { ["ry = 5"] = "by ry = 5 rad, which is 286 degrees", ["z = -20"] = "by z = -20 m, more than a "
+    .. "tenth of the structure's size" } do
+    local function told(value)
+      local text = scene { more = ("model:settle { node = a, %s }"):format(value), make = "static {}" }
+      local _, printed = check(text)
+      return printed:find("model:settle moves node 1 " .. says .. " (scene.lua:11)", 1, true) ~= nil
+    end
+    expect(told(by), "a settlement of %s is told", by)
+    expect(not told "ry = 0.1, z = -0.02", "settlements of 0.1 rad and 20 mm are not")
+  end
+  local function breaks(limit) return { more = ("model:fracture { %s }"):format(limit) } end
+  suspicious("a strain in per cent", breaks "axial_strain = 20",
+    "model:fracture has axial_strain = 20, which is 2000 %: nothing breaks by it (",
+    "model:fracture", breaks "axial_strain = 0.3")
+  suspicious("a shear strain in per cent", breaks "shear_strain = 2",
+    "model:fracture has shear_strain = 2, which is 200 %", "model:fracture", breaks "shear_strain = 0.2")
+  suspicious("hinges in degrees", breaks "hinge_rotation_x = 4",
+    "model:fracture has hinge_rotation_x = 4 rad, which is 229 degrees",
+    "model:fracture", breaks "hinge_rotation_x = 0.07, curvature_y = 400")
+  suspicious("an elongation in mm", breaks "elongation = 50", "model:fracture has elongation = 50 m, more than the "
+    .. "structure's size", "model:fracture", breaks "elongation = 0.05")
+  local function flies(velocity) return { more = "member(joint(-9, 0, 1), joint(-9, 0, 2)) "
+    .. "model:velocity(model:members()[4], " .. velocity .. ")" } end
+  suspicious("km/h for m/s", flies "{ 0, 440, 0 }", "model:velocity gives 440 m/s to node 5 and others, which is 1584 "
+    .. "km/h (", "model:velocity",
+    flies "{ 0, 440 / 3.6, 0 }")
+  for _, axis in ipairs { "x", "y" } do
+    suspicious("gravity along " .. axis, { gravity = axis == "x" and "{ -9.81, 0, 0 }" or "{ 0, -9.81, 0 }" },
+      ("gravity acts along %s, and the structure stands along z: all 2 supports are at its lowest z, and a member "
+      .. "rises from each ("):format(axis), "model:gravity", {})
+  end
+end)
+
+case("floors given twice are told whichever two ways give them", function()
+  local line = "model:load { member = model:members()[2], q = { 0, 0, -3e3 } } "
+  local nodes = "for _, n in ipairs { b, c } do model:load { node = n, force = { 0, 0, %g } } end "
+  local dense = "20090" -- 1224 kg beside the 785 kg of steel: 1.2e4 N
+  suspicious("density and loads on members", { density = dense, more = line }, "densities of members beyond those of "
+    .. "their materials, which weigh 1.2e+04 N, and loads on members along gravity, 1.2e+04 N, act together",
+    "model:load", { density = dense, more = line:gsub("3e3", "1e3") })
+  suspicious("density and loads on nodes", { density = dense, more = nodes:format(-5e3) },
+    "densities of members beyond those of their materials, which weigh 1.2e+04 N, and loads on nodes along gravity, "
+    .. "1e+04 N, act together", "model:load",
+    { density = "9000", more = nodes:format(-5e3) })
+  suspicious("density and masses", { density = dense, more = "model:mass { node = b, mass = 1200 }" }, "densities of "
+    .. "members beyond those of their materials, which weigh 1.2e+04 N, and point masses, which weigh 1.177e+04 N",
+    "model:mass", { density = dense, more = "model:mass { node = b, mass = 200 }" })
+  line = line:gsub("3e3", "2e3")
+  suspicious("loads on members and on nodes", { more = line .. nodes:format(-4e3) }, "loads on members along gravity, "
+    .. "8000 N, and loads on nodes along gravity, 8000 N, act together", "model:load",
+    { more = line .. nodes:format(-3e3) })
+end)
+
 local floor = "model:load { member = model:members()[2], q = { 0, 0, %s } } model:mass { node = b, mass = 600 } "
   .. "model:mass { node = c, mass = 600 }"
 case("floors as loads and masses, idle declarations and odd settings are warned of at their line", function()

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "model/warnings.h"
 #include "script/checks/damping_check.h"
+#include "script/checks/implausible_values.h"
 #include "script/checks/load_warnings.h"
 #include "script/checks/plan.h"
 #include "effects/all_effects.h"
@@ -231,6 +232,8 @@ std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, b
     if (loads)
         for (Warning& w : huge_loads(record, solution)) list.push_back(std::move(w));
     for (Warning& w : near_euler(record, solution)) list.push_back(std::move(w));
+    if (all)
+        for (Warning& w : implausible_values(s)) list.push_back(std::move(w));
     if (all)
         for (Warning& w : unsafe_eq14(record, solution)) list.push_back(std::move(w));
     return list;

@@ -1,0 +1,220 @@
+#include "effects/passed_through.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/segments.h"
+#include "core/text.h"
+#include "effects/contact.h"
+#include "effects/declared.h"
+#include "effects/kinds.h"
+#include "model/member_text.h"
+
+namespace hinge {
+namespace {
+
+constexpr int steps_between = 16;       ///< steps between looks at the nodes
+constexpr double part_of_element = 8;   ///< of the shortest element: a motion after which bars are compared
+constexpr double deep = 0.5;            ///< of the sum of half depths: bars that come so near have met
+constexpr double between_places = 0.2;  ///< of the same sum: the way between two places that are compared
+constexpr int most_places = 400;
+constexpr std::size_t most_meetings = 10000;  ///< that are counted
+
+bool share_a_node(const MemberData& a, const MemberData& b) {
+    for (const int i : a.node)
+        for (const int j : b.node)
+            if (i == j) return true;
+    return false;
+}
+
+std::string place_text(const Vec3& at) {
+    return "{" + number_text(at.x(), 3) + ", " + number_text(at.y(), 3) + ", " + number_text(at.z(), 3) + "} m";
+}
+
+}  // namespace
+
+bool PassedThrough::is_needed(const Structure& structure) {
+    const auto& rules = contact_rules(structure.model());
+    const bool all_have_one =
+        std::any_of(rules.begin(), rules.end(), [](const ContactRule& r) { return r.groups.empty(); });
+    return structure.large() && structure.model().members().size() > 1 && !all_have_one;
+}
+
+PassedThrough::PassedThrough(const Workspace& w) : w_(w), start_(w.state.displacement), last_(start_) {
+    double shortest = std::numeric_limits<double>::infinity();
+    thinnest_ = shortest;
+    for (const Element& e : w.structure.elements()) {
+        shortest = std::min(shortest, e.length);
+        thinnest_ = std::min(thinnest_, e.radius);
+    }
+    enough_ = std::max(shortest / part_of_element, thinnest_);
+    const auto& members = w.structure.model().members();
+    std::map<int, std::vector<int>> at;  // members at each linked node
+    const std::vector<NodeLink> links = node_links(w.structure.model());
+    for (const NodeLink& link : links) at[link.a], at[link.b];
+    if (links.empty()) return;
+    for (std::size_t m = 0; m < members.size(); ++m)
+        for (const int node : members[m].node)
+            if (const auto here = at.find(node); here != at.end()) here->second.push_back(int(m));
+    for (const NodeLink& link : links)
+        for (const int a : at[link.a])
+            for (const int b : at[link.b]) linked_.emplace_back(std::min(a, b), std::max(a, b));
+    std::sort(linked_.begin(), linked_.end());
+}
+
+Vec3 PassedThrough::place(int node, const std::vector<Vec3>& displacement) const {
+    return w_.structure.position()[node] + displacement[node];
+}
+
+double PassedThrough::moved_since_last() const {
+    double most = 0;
+    for (std::size_t n = 0; n < last_.size(); ++n) {
+        const double moved = (w_.state.displacement[n] - last_[n]).squaredNorm();
+        if (moved > most) most = moved;
+    }
+    return std::sqrt(most);
+}
+
+void PassedThrough::add_step(double time) {
+    if (++since_ < steps_between) return;
+    since_ = 0;
+    if (!(moved_since_last() > enough_)) return;
+    compare(time, found_);
+    last_ = w_.state.displacement;
+}
+
+void PassedThrough::list_bars(std::vector<Bar>& bars) const {
+    const auto& elements = w_.structure.elements();
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+        if (w_.state.broken[i]) continue;
+        const Element& e = elements[i];
+        Bar bar{int(i), Vec3::Constant(std::numeric_limits<double>::infinity()), {}, 0};
+        bar.high = -bar.low;
+        for (const int n : e.node) {
+            for (const Vec3& x : {place(n, last_), place(n, w_.state.displacement)})
+                bar.low = bar.low.cwiseMin(x), bar.high = bar.high.cwiseMax(x);
+            bar.moved = std::max(bar.moved, (w_.state.displacement[n] - last_[n]).norm());
+        }
+        bar.low.array() -= e.radius, bar.high.array() += e.radius;
+        bars.push_back(bar);
+    }
+}
+
+/// Sorts the boxes along the longest side of the scene and compares those that overlap.
+void PassedThrough::compare(double time, Found& found) const {
+    std::vector<Bar> bars;
+    list_bars(bars);
+    if (bars.empty()) return;
+    Vec3 low = bars[0].low, high = bars[0].high;
+    for (const Bar& b : bars) low = low.cwiseMin(b.low), high = high.cwiseMax(b.high);
+    Eigen::Index axis = 0;
+    (high - low).maxCoeff(&axis);
+    std::sort(bars.begin(), bars.end(), [&](const Bar& a, const Bar& b) { return a.low[axis] < b.low[axis]; });
+    for (std::size_t i = 0; i < bars.size(); ++i)
+        for (std::size_t j = i + 1; j < bars.size() && bars[j].low[axis] <= bars[i].high[axis]; ++j) {
+            const Bar &a = bars[i], &b = bars[j];
+            if (!(a.moved + b.moved > 0) || (a.low.array() > b.high.array()).any() ||
+                (b.low.array() > a.high.array()).any())
+                continue;
+            compare(a, b, time, found);
+        }
+}
+
+/// Compares two bars at places along the straight way of their nodes since the last time.
+void PassedThrough::compare(const Bar& bar_a, const Bar& bar_b, double time, Found& found) const {
+    const Element &a = w_.structure.elements()[bar_a.element], &b = w_.structure.elements()[bar_b.element];
+    const std::pair<int, int> pair = std::minmax(a.member, b.member);
+    if (pair.first == pair.second || found.size() >= most_meetings || found.count(pair) > 0 ||
+        !may_meet(pair.first, pair.second))
+        return;
+    const double sum = a.radius + b.radius;
+    const auto at = [&](int node, double part) {
+        return Vec3((1 - part) * place(node, last_) + part * place(node, w_.state.displacement));
+    };
+    const auto begins_apart = contact::distance(place(a.node[0], start_), place(a.node[1], start_),
+                                                place(b.node[0], start_), place(b.node[1], start_));
+    if (!(begins_apart > sum)) return;
+    const int places =
+        int(std::clamp(std::ceil((bar_a.moved + bar_b.moved) / (between_places * sum)), 1.0, double(most_places)));
+    for (int i = 1; i <= places; ++i) {
+        const double part = double(i) / places;
+        const Vec3 a0 = at(a.node[0], part), a1 = at(a.node[1], part);
+        const contact::Closest closest = contact::closest_points(a0, a1, at(b.node[0], part), at(b.node[1], part));
+        if (!(closest.distance < deep * sum)) continue;
+        found[pair] = {time, a0 + closest.s * (a1 - a0)};
+        return;
+    }
+}
+
+/// Whether these members can be in each other's way, and no rule holds them apart.
+bool PassedThrough::may_meet(int member_a, int member_b) const {
+    const auto& members = w_.structure.model().members();
+    const MemberData &a = members[member_a], &b = members[member_b];
+    return !share_a_node(a, b) && contact_rule(contact_rules(w_.structure.model()), a, b) < 0 &&
+           !std::binary_search(linked_.begin(), linked_.end(), std::pair(member_a, member_b));
+}
+
+void PassedThrough::check_run(double time, std::vector<RunWarning>& list) const {
+    Found all = found_;
+    // what has moved since the last look, unless it is less than any two bars need to meet
+    if (moved_since_last() > between_places * thinnest_) compare(time, all);
+    if (all.empty()) return;
+    const auto first = std::min_element(all.begin(), all.end(),
+                                        [](const auto& a, const auto& b) { return a.second.time < b.second.time; });
+    const Model& model = w_.structure.model();
+    const auto [a, b] = first->first;
+    const long others = long(all.size()) - 1;
+    const auto group = [&](int m) {
+        const auto& groups = model.members()[m].groups;
+        return groups.empty() ? std::string() : "'" + model.groups()[groups[0]] + "'";
+    };
+    const bool named = !group(a).empty() && !group(b).empty();
+    const std::string rule = !named ? "model:contact {}"
+                             : group(a) == group(b)
+                                 ? "model:contact { groups = { " + group(a) + " } }"
+                                 : "model:contact { between = { " + group(a) + ", " + group(b) + " } }";
+    list.push_back(
+        {member_text(model, a) + " and " + member_text(model, b) + " passed through each other by t = " +
+             number_text(first->second.time, 4) + " s near " + place_text(first->second.at) +
+             (others > 0 ? ", and " + count_text(others, "more pair") + " of members later" : "") + ": " +
+             (contact_rules(model).empty() ? "the model has no contact" : "no rule of model:contact is for them"),
+         "declare " + rule + ", or model:contact {} for all members", a});
+}
+
+bool PassedThrough::makes_sense() const {
+    const std::size_t nodes = w_.structure.position().size();
+    const int members = int(w_.structure.model().members().size());
+    return start_.size() == nodes && last_.size() == nodes &&
+           std::all_of(found_.begin(), found_.end(), [&](const auto& f) {
+               return f.first.first >= 0 && f.first.first < f.first.second && f.first.second < members;
+           });
+}
+
+namespace {
+
+class PassedThroughEffect : public Effect, public RunChecker {
+public:
+    PassedThroughEffect(Workspace& w, Host& host) : Effect("passed through", w, host, {.mean_forces = true}), of_(w) {}
+    void after_commit(const Step& step) override { of_.add_step(step.end()); }
+    void check_run(std::vector<RunWarning>& list) const override { of_.check_run(w_.state.time, list); }
+    void save(Writer& to) const override { to(of_); }
+    void restore(Reader& from) override { from(of_); }
+    bool restored(std::span<const State* const>) override { return of_.makes_sense(); }
+
+private:
+    PassedThrough of_;
+};
+
+}  // namespace
+
+EffectKind passed_through_kind() {
+    return {.name = "passed through",
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::contact || !PassedThrough::is_needed(w.structure)) return nullptr;
+                return std::make_unique<PassedThroughEffect>(w, host);
+            },
+            .dynamic_only = true};
+}
+
+}  // namespace hinge
