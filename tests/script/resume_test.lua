@@ -33,7 +33,8 @@ if p.wall then
   model:contact {}
 end
 local run = model:dynamic { dt = tonumber(p.dt) or 5e-3, duration = p.wall and 0.7 or 2, step_control = 0,
-  energy_tolerance = p.strict and 1e-6 or p.loose and 0 or nil, iterations = p.loose and 1 or nil, checkpoint = { file = "swing.checkpoint", every = 100 } }
+  energy_tolerance = p.strict and 1e-6 or p.loose and 0 or nil, iterations = p.loose and 1 or nil,
+  checkpoint = { file = "swing.checkpoint", every = 100 } }
 local tip = run:probe { node = free, "uz" }
 run:finish()
 print(run.verdict, run.time, run.energy_error, run.energy_error_of_state, run.worst_energy_error, run.reason,
