@@ -82,6 +82,39 @@ case("Python: precedence and associativity of operators, as python3 prints them"
   near(python "2**3**2", 512, 0, "powers go from the right")
 end)
 
+case("Python: lists are joined, and values are taken from them", function()
+  for expression, wanted in pairs { ["([1, 2] + [3, 4, 5])[3]"] = 4, ["len([1, 2] + [3])"] = 3, ["[1, 2, 3][-1]"] = 3,
+    ["sum([1, 2] + [3])"] = 6, ["max([1, 7] + [3])"] = 7, ["(1, 2)[0] + 10"] = 11 } do
+    local good, x = pcall(python, expression)
+    if good then near(x, wanted, 1e-12, expression)
+    else expect(tostring(x):find("frame.py", 1, true), "%s is refused at its line: %s", expression, tostring(x)) end
+  end
+  near(python "([1, 2] + [3, 4, 5])[3]", 4, 0, "two lists")
+end)
+
+case("axes of members: y is the part of `up` across the member, x follows", function()
+  local axes = require "hinge.import.frame".axes
+  for _, r in ipairs { { { 1, 0, 0 }, { 0, 0, 1 } }, { { 0, 0, 1 }, { 1, 0, 0 } }, { { 0.6, 0, 0.8 }, { 0, 0, 1 } },
+    { { 0.48, 0.6, 0.64 }, { 0.3, -0.2, 0.9 } }, { { 0, 0.6, -0.8 }, { 1, 2, 3 } }, { { 0.6, 0, 0.8 }, nil },
+    { { 0, 0, 1 }, nil } } do
+    local z, up = r[1], r[2]
+    local x, y = axes(z, up)
+    local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
+    near(dot(y, z), 0, 1e-12, "y is across the member")
+    near(dot(y, y), 1, 1e-12, "of length 1")
+    near(dot(x, y), 0, 1e-12, "x is across y")
+    near(dot(x, z), 0, 1e-12, "and across the member")
+    local wanted = up or (math.abs(z[3]) < 0.99 and { 0, 0, 1 } or { 1, 0, 0 })
+    local along = dot(wanted, z)
+    local size = math.sqrt(dot(wanted, wanted) - along ^ 2)
+    near(dot(y, wanted), size, 1e-12, "y is as near to `up` as it can be")
+    -- right-handed: x = y x z
+    near(dot(x, { y[2] * z[3] - y[3] * z[2], y[3] * z[1] - y[1] * z[3], y[1] * z[2] - y[2] * z[1] }), 1, 1e-12,
+      "right-handed")
+  end
+  equal(axes({ 1, 0, 0 }, { 2, 0, 0 }), nil, "`up` along the member")
+end)
+
 case("Tcl: precedence and associativity of operators, as tclsh prints them", function()
   for expression, wanted in pairs {
     ["{2**3**2}"] = 512, ["{(2**3)**2}"] = 64, ["{2*3**2}"] = 18, ["{10 - 2 - 3}"] = 5, ["{100 / 5 / 2}"] = 10,

@@ -10,6 +10,8 @@ local support = require "support"
 local checks = support.checks "sums of results"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
+local folder = support.temporary_folder()
+require "hinge.core".own_output(folder, {}, true)
 local steel = hinge.material { E = 210e9, nu = 0.3, density = 7850 }
 local heb = hinge.section.named "HEB 200"
 local soft = hinge.section.solid { width = 0.04, depth = 0.06 }
@@ -144,7 +146,41 @@ case("levels are those of level members and the lowest node; drifts are over the
     frame:member { p, q, section = heb, material = steel }
     frame:member { q, frame:node { 5, 0, 3 + 5 * rise }, section = heb, material = steel }
     frame:load { node = q, force = { 1, 0, 0 } }
-    equal(pcall(results.storeys, frame:static { steps = 1 }:finish(), { model = frame }), level, "a rise of " .. rise)
+    local good, floors = pcall(results.storeys, frame:static { steps = 1 }:finish(), { model = frame })
+    equal(good, level, "a rise of " .. rise)
+    if good then near(floors.rows[1].to, 3 + 2.5 * rise, 1e-9, "the floor is at the middle of its beam") end
+  end
+end)
+
+case("the table and the plot of storeys have the directions in which something happens", function()
+  local function storeys(F)
+    local model = hinge.model { displacement = "small" }
+    local foot, low, top = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { 0, 0, 7 }
+    model:fix(foot)
+    model:member { foot, low, section = heb, material = steel, up = { 1, 0, 0 } }
+    model:member { low, top, section = heb, material = steel, up = { 1, 0, 0 } }
+    model:load { node = top, force = F }
+    return results.storeys(model:static { steps = 1 }:finish(), { model = model, levels = { 0, 3, 7 } })
+  end
+  for _, r in ipairs { { { 8e3, 0, 0 }, true, false }, { { 0, 8e3, 0 }, false, true },
+    { { 8e3, -2e3, 0 }, true, true } } do
+    local found = storeys(r[1])
+    local text = found:text()
+    equal(text:find("shear x", 1, true) ~= nil, r[2], "x in the table: " .. text)
+    equal(text:find("shear y", 1, true) ~= nil, r[3], "y in the table")
+    found:plot("shear.svg", { quantity = "shear" })
+    local data, commands = support.read(folder .. "/shear.dat"), support.read(folder .. "/shear.gp")
+    equal(data:find("largest, x", 1, true) ~= nil, r[2], "x in the plot")
+    equal(data:find("largest, y", 1, true) ~= nil, r[3], "y in the plot")
+    expect(support.has(commands, "set xrange [0:9.2]"), "1.15 times 8 kN: %s", commands:match "set xrange[^\n]*")
+    if r[2] then expect(data:find "8 0\n8 3\n8 3\n8 7\n", "an upright line for each storey: %s", data) end
+    found:plot "drift.svg"
+    local largest = 0
+    for _, row in ipairs(found.rows) do
+      largest = support.largest_of(largest, math.abs(row.drift_x), math.abs(row.drift_y))
+    end
+    local to = tonumber(support.read(folder .. "/drift.gp"):match "set xrange %[0:([%d.e-]+)%]")
+    near(to, 115 * largest, 1e-6 * to, "drift in per cent")
   end
 end)
 
