@@ -226,12 +226,12 @@ end)
 -- Envelopes -----------------------------------------------------------------------------------------------------------
 
 -- Two columns of one piece under a load along them between two stations, and moments.
-local function column(cases)
+local function column(cases, section)
   local model = hinge.model { displacement = "small", plasticity = false }
   local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 4 }
   model:fix(foot, "x,y,z,rz")
   model:fix(head, "x,y")
-  local member = model:member { foot, head, section = ipe, material = steel(), up = { 1, 0, 0 } }
+  local member = model:member { foot, head, section = section or ipe, material = steel(), up = { 1, 0, 0 } }
   cases(model, member, head)
   return model
 end
@@ -265,6 +265,28 @@ case("an envelope has a peak of N and of moments between two stations, on the sa
         near(bound[name], N / (ipe.area * 355e6), 1e-6, "N at the load, between two stations: " .. N)
       end
     end
+  end
+end)
+
+case("a moment between two stations of an envelope goes with the larger N of both, of either sign", function()
+  local heb = hinge.section.named "HEB 300"
+  for _, sign in ipairs { -1, 1 } do
+    -- N goes from sign times 900 kN at the head to 2400 kN at the foot; the moment is largest 1.24 m above the foot
+    local model = column(function(model, member, head)
+      model:load { node = head, force = { 0, 0, sign * 900e3 } }
+      model:load { member = member, q = { 0, 0, sign * 375e3 } }
+      model:load { member = member, force = { 100e3, 0, 0 }, at = 0.31 }
+    end, heb)
+    local run = model:static { steps = 1 }:finish()
+    local row = results.utilisation(results.envelope { run, model = model }, with(en, { model = model })).rows[1]
+    local M = 100e3 * 0.31 * 0.69 * 4
+    local function ratio(N)
+      return (eurocode.section(heb, profile.of(heb), 355e6, { N = N, Mx = M, My = 0, Mz = 0, Qx = 0, Qy = 0 },
+        { gamma_M0 = 1, gamma_M1 = 1, interaction = "standard" }))["6.2.9 Mx"]
+    end
+    -- stations stand every half metre: 2025 kN at 1 m, 1837.5 kN at 1.5 m
+    near(row["6.2.9 Mx"], ratio(sign * 2025e3), 1e-3 * row["6.2.9 Mx"], "beside 2025 kN, sign " .. sign)
+    expect(ratio(sign * 2025e3) > 1.05 * ratio(sign * 1837.5e3), "which is more than beside 1837.5 kN")
   end
 end)
 
