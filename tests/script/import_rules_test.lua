@@ -45,6 +45,22 @@ case("CSV: release_a and release_b are each at their own end", function()
   expect(not pcall(frame, "x", ""), "a displacement is refused")
 end)
 
+case("CSV: plastic moduli, and nu where G is missing", function()
+  local function section_of(columns, values, materials)
+    local read = import.csv { nodes = write("nodes.csv", "name,x,y,z\n1,0,0,0\n2,6,0,0\n"),
+      members = write("members.csv", "name,a,b,section,material\nm,1,2,S,steel\n"),
+      sections = write("sections.csv", "name,area,Ix,Iy,J" .. columns .. "\nS,0.01,1e-4,1e-5,1e-6" .. values .. "\n"),
+      materials = write("materials.csv", materials or "name,E,G\nsteel,2.1e11,8e10\n"),
+      supports = write("supports.csv", "node,x,y,z,rx,ry,rz\n1,1,1,1,1,1,1\n"),
+      loads = write("loads.csv", "case,member,qz\ndead,m,-8000\n") }
+    return (select(3, import.build(read))).m
+  end
+  local member = section_of(",Zx,Zy", ",7e-4,2e-4")
+  near(member.section.Zx, 7e-4, 1e-12, "Zx")
+  near(member.section.Zy, 2e-4, 1e-12, "Zy")
+  near(member.material.G, 8e10, 1, "G")
+end)
+
 -- Python and Tcl ------------------------------------------------------------------------------------------------------
 
 -- The x of node 2 of a script of OpenSees whose coordinate is an expression.
