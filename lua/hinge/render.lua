@@ -47,6 +47,24 @@ local function read_frames(frames, what)
   return found
 end
 
+local much = 2 -- how much larger than that of one frame the box of all may be before it is told
+
+local function size_of(box) -- m
+  return math.sqrt((box[2] - box[1]) ^ 2 + (box[4] - box[3]) ^ 2 + (box[6] - box[5]) ^ 2)
+end
+
+-- Tells that the structure is small in all pictures, since something comes from far away or flies there.
+local function tell_small(found, all)
+  local least
+  for _, f in ipairs(found) do
+    if f.box and size_of(f.box) > 0 and (not least or size_of(f.box) < size_of(least)) then least = f.box end
+  end
+  if not least or size_of(all) <= much * size_of(least) then return end
+  io.stderr:write(("hinge: all pictures show %.3g x %.3g x %.3g m, so that nothing leaves them, and one of them "
+    .. "would do with %.3g x %.3g x %.3g m; --groups NAMES draws those that matter larger\n"):format(all[2] - all[1],
+    all[4] - all[3], all[6] - all[5], least[2] - least[1], least[4] - least[3], least[6] - least[5]))
+end
+
 -- One view for all frames: the box that holds what each of them shows, one scale of displacements and one of diagrams.
 -- Whether the frames are of statics is noted. Returns false where a signal came.
 local function look_at(frames, what)
@@ -62,13 +80,14 @@ local function look_at(frames, what)
   for _, f in ipairs(found) do
     what.statics = what.statics or f.statics
     for _, name in ipairs(f.groups) do known[name] = true end
-    all, largest = all or f.box, math.max(largest, f.largest)
+    all, largest = all or f.box and table.move(f.box, 1, 6, 1, {}), math.max(largest, f.largest)
     for c = 1, f.box and 6 or 0 do all[c] = (c % 2 == 1 and math.min or math.max)(all[c], f.box[c]) end
   end
   local some = next(known) ~= nil
   for _, name in ipairs(some and what.view.groups or {}) do
     if not known[name] then check.unknown("--groups", "group", name, check.keys(known)) end
   end
+  if all then tell_small(found, all) end
   what.view.box, what.view.largest = all, largest > 0 and largest or nil
   return true
 end

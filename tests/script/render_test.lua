@@ -226,6 +226,20 @@ case("a picture has one scale for all frames and shows what its options say", fu
   end
 end)
 
+case("pictures in which the structure is small say so, and what draws it larger", function()
+  local far = scene:gsub("duration = 0%.6", "duration = 2"):gsub("%% 10 ==", "%% 100 ==")
+  equal(hinge_on("run -q", far, "--out far"), 0, "the scene")
+  status, printed, complaint = render("far -j 1" .. small)
+  equal(status, 0, complaint)
+  -- the bar falls by 19.6 m beside a column of 3 m
+  local x, z = complaint:match "^hinge: all pictures show ([%d.]+) x [%d.e-]+ x ([%d.]+) m, so that nothing leaves them"
+  near(tonumber(x) or 0 / 0, 3, 0.2, "the width that all pictures show, m: " .. complaint)
+  near(tonumber(z) or 0 / 0, 20, 3, "and the height")
+  expect(complaint:find("--groups NAMES", 1, true), "what to do: %s", complaint)
+  status, printed, complaint = render("far -j 1 --groups column" .. small)
+  equal(complaint, "", "the column alone")
+end)
+
 -- Other formats, where there is ffmpeg.
 local function there(program) return support.run("command -v " .. program) == 0 end
 local encoders = there "ffmpeg" and support.output "ffmpeg -hide_banner -encoders 2>/dev/null" or ""
