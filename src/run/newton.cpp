@@ -102,7 +102,11 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
 /// itself: that has rounding's sign. An equilibrium is judged with hinges that keep more; so is an iteration.
 bool Newton::is_unstable(double off_balance, double hinge_stiffness) {
     if (!tangent_.more_negative_modes(modes_at_start_)) return false;
-    if (w_.yielding.empty()) return true;
+    const auto is_one_way = [&](const PlasticIncrement& y) {
+        const int member = w_.structure.elements()[std::size_t(y.element)].member;
+        return w_.structure.model().members()[std::size_t(member)].carries != Carries::both;
+    };
+    if (w_.yielding.empty() || std::any_of(w_.yielding.begin(), w_.yielding.end(), is_one_way)) return true;
     const bool so = !tangent_.renew(1, hinge_stiffness) || tangent_.more_negative_modes(modes_at_start_);
     return !tangent_.renew(off_balance, hinge_stiffness) || so;
 }
