@@ -2,6 +2,7 @@
 --
 -- A relation: name, why its tolerance is what it is, fits(scene), and check(hinge, scene), which returns the largest
 -- deviation over its tolerance (above 1: it does not hold) and what deviates, or nil and why it could not be asked.
+-- acts(scene): the scene without what the relation leaves out.
 local scenes = require "relation_scenes"
 local built = require "relation_model"
 local runs = require "relation_runs"
