@@ -71,7 +71,7 @@ function hinge.model(options) end
 ---them. A hinge between the ends is in the middle, and forms when the largest moment of the span reaches the plastic
 ---one (src/beam/pair_bow.h). chord: on the chord alone, as in the paper. Two elements a member then carry too much in
 ---compression: a pinned column 2.27 times Euler's load, a clamped one whose head sways 1.22 times; four elements 1.10
----times each. member needs formulation
+---times each. A run warns where that misses more than 10 % of a moment. member needs formulation
 ---asi-gauss, displacement large and shift plastic; without them the default is chord
 ---@field p_delta? "chord"|"member"
 ---interaction of N, Mx and My for sections that do not say theirs (hinge.section.general). exact (default): that of
