@@ -98,7 +98,8 @@ for seed = options.first, options.first + options.count - 1 do
         if options.tell then print(("seed %d, %s: not asked: %s"):format(seed, relation.name, what)) end
       else
         of.asked = of.asked + 1
-        for kind in pairs(scenes.kinds(relation.acts and relation.acts(s) or s)) do of.by[kind] = (of.by[kind] or 0) + 1 end
+        local acts = relation.acts and relation.acts(s) or s
+        for kind in pairs(scenes.kinds(acts)) do of.by[kind] = (of.by[kind] or 0) + 1 end
         if off <= 1 then
           of.held = of.held + 1
           of.worst = largest_of(of.worst, off)
