@@ -2578,8 +2578,8 @@ function model:member(options) end
 ---element says whether it is slack. The nodes of an element take half each of a load along it, slack or not. So where
 ---the member is slack between two held ends, half of the load of an element presses on the end there: N is -q l / 2 in
 ---the place of 0 (l: length of an element), and at the other end (1 - 1/(2 n)) q L in the place of q L with n elements:
----0.75 of it with two, 0.94 with eight. Statics warns where that is more than 5 % of the largest axial force, and says
----how many elements it takes
+---0.75 of it with two, 0.94 with eight. A run warns where that is more than 5 % of the largest axial force (in
+---dynamics where the member is at rest), and says how many elements it takes
 ---@field carries? "both"|"tension"|"compression"
 ---joints of its ends, made by hinge.joint; a is the end at the first node. Default: rigid
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
