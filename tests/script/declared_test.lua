@@ -541,7 +541,7 @@ case("calls refuse arguments and fields that they would not read", function()
     function() model:fix { foot, tip, what = "x" } end)
   model:load { node = tip, force = { 0, 0, -1 } }
   local run = model:static { steps = 1 }:finish()
-  refused("run:momentum: takes no argument, got also 'g'", function() run:momentum "g" end)
+  refused("run:momentum: group: no group 'g'; the model has 'arms'", function() run:momentum "g" end)
   for name, call in pairs {
     ["model:counts"] = function() model:counts(1) end, ["model:close"] = function() model:close(1) end,
     ["model:nodes"] = function() model:nodes(1) end, ["group:members"] = function() model:group "arms":members(1) end,

@@ -284,12 +284,12 @@ case("a member of few elements that is struck between its joints and yields is t
     model:contact { between = { "beam", "mass" }, stiffness = 2e6 }
     return model:dynamic { dt = 1e-4, duration = 0.08, record = false }:finish()
   end
-  for elements, told in pairs { [2] = "60 %", [4] = "6 %", [8] = false } do
+  for elements, told in pairs { [2] = true, [4] = true, [8] = false } do
     local run = blow(elements, {})
     expect(run.energy.plastic > 0, "it yields")
     if told then
       local _, text = one(run, few, elements .. " elements")
-      expect(text:find("with " .. elements .. " elements", 1, true) and text:find("off by " .. told, 1, true)
+      expect(text:find("with " .. elements .. " elements", 1, true) and text:find("far off", 1, true)
         and text:find("elements = 8", 1, true), "text: %s", text)
     else
       none(run, few, elements .. " elements")

@@ -152,13 +152,13 @@ bool drawn_elsewhere() { return drawer >= 0; }
 
 void draw(lua_State* L, const DrawingOrder& order) {
     if (!drawn_elsewhere()) return draw_here(L, order);
-    std::string said;
-    if (!send_text(drawer, to_bytes(order)) || !receive_text(drawer, said) || said.empty())
+    std::string reply;
+    if (!send_text(drawer, to_bytes(order)) || !receive_text(drawer, reply) || reply.empty())
         throw OutsideError("the process that draws for the sandbox has ended; is there enough memory?");
-    if (said[0] == wrong_input) throw InputError(said.substr(1));
-    if (const std::size_t end = said.find('\0'); said[0] == unwritten && end != std::string::npos)
-        throw WriteError(said.substr(1, end - 1), said.substr(end + 1));
-    if (said[0] != done) throw OutsideError(said.substr(1));
+    if (reply[0] == wrong_input) throw InputError(reply.substr(1));
+    if (const std::size_t end = reply.find('\0'); reply[0] == unwritten && end != std::string::npos)
+        throw WriteError(reply.substr(1, end - 1), reply.substr(end + 1));
+    if (reply[0] != done) throw OutsideError(reply.substr(1));
 }
 
 void start_drawer(lua_State* L) {
