@@ -81,7 +81,7 @@ end
 local down = model:dynamic { from = leans, dt = 2e-3, duration = 1.3 }:finish()
 print(("dynamics, 20 kN/m: the head of an inner column has sunk by 10 mm at %.0f degrees C"):format(warmest))
 for _, run in ipairs { leans, down } do
-  print(("t = %.1f s: hinges have dissipated %.1f MJ"):format(run.time, run.energy.plastic / 1e6))
+  print(("t = %.1f s: hinges have dissipated %.1g MJ"):format(run.time, run.energy.plastic / 1e6))
 end
 local view = { width = 700, height = 520, view = "front", box = { -2, 22, -1, 1, 0, 14 } }
 hinge.strip({ { leans, view }, { down, view } }, 2, "fire.png")

@@ -6,7 +6,8 @@
 // force of its springs, p = k (d - d_p). So rotating and flying as a whole is not damped by it, however fast, and
 // neither are the rotations of plastic hinges (state/elastic_rate.h). With the whole rate a hinge would stand beside a
 // dashpot of the element's bending and shear stiffness, and that is the stiffer the shorter the element is. Yield is
-// decided by p alone. A broken element is not damped at all, nor is the mass that is left of it.
+// decided by p alone, so p_v may do work on the flow; a dashpot that has made energy takes the whole rate (gave). A
+// broken element is not damped at all, nor is the mass that is left of it.
 //
 // The part of alpha takes the nodes' velocities relative to the supports of their body (whole elements and connectors
 // join it): along x, y and z each the mean velocity of those of its supports that are held in that direction, zero
@@ -22,6 +23,7 @@
 // are broken. Its part of C is a block of its node.
 #include "effects/damping.h"
 
+#include <algorithm>
 #include <map>
 
 #include "effects/declared.h"
@@ -76,6 +78,8 @@ public:
         for (std::size_t e = 0; e < damping_.size(); ++e)
             if (damps(damping_[e])) damped_.push_back(int(e));
         of_element_.resize(damped_.size());
+        by_stiffness_.resize(damped_.size(), Vec12::Zero());
+        by_stiffness_before_ = by_stiffness_;
         before_.assign(w.structure.position().size(), Vec6::Zero());
         now_ = before_;
         std::map<int, OffsetMass> masses;
@@ -143,18 +147,23 @@ public:
     /// Impulses that contact gave since `solved` have changed the velocities: with the forces of before, half a step of
     /// damping would do work on the bodies.
     void before_commit(const Step&) override {
+        count_taken();
         before_ = now_;
         flowed_ = rates_;
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
-    void acceleration_found() override { before_ = now_; }
+    void acceleration_found() override { before_ = now_, by_stiffness_before_ = by_stiffness_; }
 
-    void save(Writer& to) const override { to(before_, built_, flowed_); }
-    void restore(Reader& from) override { from(before_, built_, flowed_); }
+    void save(Writer& to) const override { to(before_, built_, flowed_, taken_, by_stiffness_before_); }
+    void restore(Reader& from) override { from(before_, built_, flowed_, taken_, by_stiffness_before_); }
     bool restored(std::span<const State* const>) override {
         find_footings();
         const int n = int(damping_.size());
         return before_.size() == now_.size() && built_.size() == masses_.size() &&
+               by_stiffness_before_.size() == by_stiffness_.size() &&
+               std::all_of(
+                   taken_.begin(), taken_.end(),
+                   [this](const auto& t) { return std::binary_search(damped_.begin(), damped_.end(), t.first); }) &&
                std::all_of(flowed_.begin(), flowed_.end(),
                            [n](const ElasticRate& r) { return r.element >= 0 && r.element < n; });
     }
@@ -211,10 +220,33 @@ private:
         rates_.clear();
         if (time == w_.state.time) rates_ = flowed_;
         else
-            for (const PlasticIncrement& y : w_.yielding)
-                if (damping_[y.element].of_stiffness != 0)
-                    rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
-                                                  damping_[y.element].of_stiffness));
+            for (const PlasticIncrement& y : w_.yielding) {
+                if (damping_[y.element].of_stiffness == 0 || gave(y.element)) continue;
+                rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
+                                              damping_[y.element].of_stiffness));
+            }
+    }
+    /// Whether the dashpot of an element has done more work than it has taken: forces by elastic rates do work on the
+    /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
+    /// elastic motion. From then on the dashpot takes the whole rate, which always dissipates.
+    bool gave(int element) const {
+        const auto at = taken_.find(element);
+        return at != taken_.end() && at->second < 0;
+    }
+    /// Counts what the dashpots of elements that flow, or have flowed, take in the step.
+    void count_taken() {
+        for (const ElasticRate& r : rates_) taken_.try_emplace(r.element, 0.0);
+        for (auto& [element, taken] : taken_) {
+            const std::size_t i =
+                std::size_t(std::lower_bound(damped_.begin(), damped_.end(), element) - damped_.begin());
+            const Element& e = w_.structure.elements()[element];
+            Vec12 way;
+            for (int end : {0, 1})
+                way.segment<6>(6 * end) << w_.trial.displacement[e.node[end]] - w_.state.displacement[e.node[end]],
+                    w_.rotation_step[e.node[end]];
+            if (taken >= 0) taken += 0.5 * (by_stiffness_before_[i] + by_stiffness_[i]).dot(way);
+        }
+        by_stiffness_before_ = by_stiffness_;
     }
     const ElasticRate* flow_of(int element) const {
         if (rates_.empty()) return nullptr;
@@ -228,7 +260,7 @@ private:
         for (std::size_t i = 0; i < footings_.size(); ++i)
             velocities_[i] = footings_[i].mean([&](int n, int c) { return w_.trial.velocity[n][c]; });
         w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
-            for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i]);
+            for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i], by_stiffness_[i]);
         });
         for (Vec6& n : now_) n.setZero();
         for (std::size_t i = 0; i < damped_.size(); ++i)
@@ -241,8 +273,9 @@ private:
     }
 
     /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
-    Vec12 force_of(int index) const {
+    Vec12 force_of(int index, Vec12& by_stiffness) const {
         const Element& e = w_.structure.elements()[index];
+        by_stiffness.setZero();
         if (w_.state.broken[index] || w_.rests(e.node[0])) return Vec12::Zero();
         const ElementDamping& c = damping_[index];
         const ElementFrame place = element_frame(w_.structure, index, w_.trial);
@@ -263,14 +296,17 @@ private:
             const Vec6 rate = to_nodes.transpose() * v;
             const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
             const ElasticRate* flow = flow_of(index);
-            force += to_nodes * (c.of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
+            by_stiffness = to_nodes * (c.of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
+            force += by_stiffness;
         }
         return force;
     }
 
     std::vector<ElementDamping> damping_;
-    std::vector<int> damped_;        ///< elements
-    std::vector<Vec12> of_element_;  ///< of those
+    std::vector<int> damped_;                                ///< elements
+    std::vector<Vec12> of_element_;                          ///< of those
+    std::vector<Vec12> by_stiffness_, by_stiffness_before_;  ///< the part of beta, and where the last step ended
+    std::map<int, double> taken_;  ///< J, by the part of beta of elements that flow or have flowed
     std::vector<AtNode> masses_;
     std::vector<Quat> built_;  ///< of those: orientation that they have in the effective stiffness
     Bodies bodies_;            ///< where supports move

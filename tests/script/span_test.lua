@@ -295,4 +295,31 @@ case("a held beam whose sag would pull it is warned of with two elements, and no
   end
 end)
 
+case("dynamics warns of it, too, and neither does where an end is free or the beam is struck", function()
+  local function told(o)
+    local model = hinge.model { elements_per_member = 2 }
+    local a, b = model:node { 0, 0, 0 }, model:node { 10, 0, 0 }
+    model:fix(a, "xyz rx")
+    model:fix(b, o.free and "yz" or "xyz")
+    local member = model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = steel,
+      up = { 0, 0, 1 } }
+    local q = -1e3 * (o.blow and 30 or 1)
+    model:load { member = member, q = { 0, 0, q },
+      history = o.blow and { { 0, 1 }, { 0.02, 0 } } or { { 0, 0 }, { 2, 1 } } }
+    model:damping { alpha = 10 }
+    local run = model:dynamic { dt = o.blow and 1e-3 or 5e-3, duration = o.blow and 0.02 or 3, record = false,
+      energy_tolerance = 0.1 }:finish()
+    equal(run.verdict, "completed", run.reason)
+    local static = model:static { steps = 4 }:finish()
+    return table.concat(run.warnings, "; "):find("sags under the loads", 1, true) ~= nil,
+      table.concat(static.warnings, "; "):find("sags under the loads", 1, true) ~= nil
+  end
+  local dynamic, static = told {}
+  expect(dynamic and static, "held: dynamics %s, statics %s", dynamic, static)
+  dynamic, static = told { free = true }
+  expect(not dynamic and not static, "a free end: dynamics %s, statics %s", dynamic, static)
+  dynamic = told { blow = true }
+  expect(not dynamic, "a blow")
+end)
+
 checks.done()
