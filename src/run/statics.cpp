@@ -97,12 +97,13 @@ bool Statics::is_on_path(double increment) const {
     if (increment / 2 < StepHalving::smallest) return true;
     if (path_->kind() != Control::load) return !stability_.has_left_path(*path_);
     if (instability()) return true;
-    // A long step may end at a stable equilibrium beyond a snap. Where its own tangent does not lead there, shorter
-    // steps show whether the path does.
-    constexpr double long_step = 1.0 / 8;
+    // A step may end at a stable equilibrium beyond a snap. Where its own tangent does not lead there, shorter ones
+    // show whether the path does.
+    constexpr double shortest = 1.0 / 8;  // of a step that was asked for
     if (!stability_.has_more_modes())
         return settings().past_unstable ||
-               !(increment > long_step * std::abs(settings().target) && stability_.may_have_leapt(increment));
+               !(std::abs(increment) * settings().steps > shortest * std::abs(settings().target) &&
+                 stability_.may_have_leapt(increment));
     return increment <= instability_bracket * std::abs(w_.factor) || stability_.follows_tangent(increment);
 }
 

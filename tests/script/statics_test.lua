@@ -176,8 +176,10 @@ end)
 case("under load control the truss fails at its limit load, whatever the number of steps", function()
   -- Under load control it fails where the limit load is, whatever the step jumps over.
   -- With 4e5 N Newton's iteration finds the truss hanging down, stable, beyond the snap: that is no answer.
-  for _, load in ipairs { 2e5, 4e5, 5.5e5, 6e5, 1e6 } do
-    for _, steps in ipairs { 1, 2, 3, 5 } do
+  for _, row in ipairs { { 2e5, 1, 2, 3, 5 }, { 4e5, 1, 2, 3, 5 }, { 5.5e5, 1, 2, 3, 5 }, { 6e5, 1, 2, 3, 5 },
+    { 1e6, 1, 2, 3, 5 }, { 5.5e6, 10 }, { 6e6, 10, 20 } } do
+    local load = row[1]
+    for _, steps in ipairs { table.unpack(row, 2) } do
   local     run = truss(load):static { steps = steps }:finish()
       expect(run.verdict == "failed" and math.abs(run.factor * load / (1e5 * most) - 1) < 1e-3,
         "truss, %g N in %d steps: %s at %g N, not %g", load, steps, run.verdict, run.factor * load, 1e5 * most)
