@@ -26,9 +26,11 @@
 #include <algorithm>
 #include <map>
 
+#include "core/text.h"
 #include "effects/declared.h"
 #include "effects/joined_bodies.h"
 #include "effects/kinds.h"
+#include "model/member_text.h"
 #include "state/elastic_rate.h"
 #include "state/lone_elements.h"
 #include "state/node_mass.h"
@@ -71,7 +73,7 @@ struct Footing {
     }
 };
 
-class RayleighDamping : public Effect, public Force, public BreakListener {
+class RayleighDamping : public Effect, public Force, public BreakListener, public RunChecker {
 public:
     RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
         : Effect(damping_effect, w, host, {.mean_forces = true}), damping_(std::move(damping)) {
@@ -153,6 +155,19 @@ public:
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
     void acceleration_found() override { before_ = now_, by_stiffness_before_ = by_stiffness_; }
+
+    void check_run(std::vector<RunWarning>& list) const override {
+        int first = -1, count = 0;
+        for (const auto& [element, taken] : taken_)
+            if (taken < 0 && count++ == 0) first = w_.structure.elements()[element].member;
+        if (count == 0) return;
+        list.push_back(
+            {"the damping by beta of " + count_text(count, "element") + ", the first of " +
+                 member_text(w_.structure.model(), first) +
+                 ", acts on plastic hinges, too: without that it would have made energy, since the hinges turn " +
+                 "to and fro from step to step",
+             "for blows damp by alpha alone, or give a smaller beta", first});
+    }
 
     void save(Writer& to) const override { to(before_, built_, flowed_, taken_, by_stiffness_before_); }
     void restore(Reader& from) override { from(before_, built_, flowed_, taken_, by_stiffness_before_); }
@@ -237,6 +252,7 @@ private:
     void count_taken() {
         for (const ElasticRate& r : rates_) taken_.try_emplace(r.element, 0.0);
         for (auto& [element, taken] : taken_) {
+            if (taken < 0) continue;
             const std::size_t i =
                 std::size_t(std::lower_bound(damped_.begin(), damped_.end(), element) - damped_.begin());
             const Element& e = w_.structure.elements()[element];
@@ -244,7 +260,7 @@ private:
             for (int end : {0, 1})
                 way.segment<6>(6 * end) << w_.trial.displacement[e.node[end]] - w_.state.displacement[e.node[end]],
                     w_.rotation_step[e.node[end]];
-            if (taken >= 0) taken += 0.5 * (by_stiffness_before_[i] + by_stiffness_[i]).dot(way);
+            taken += 0.5 * (by_stiffness_before_[i] + by_stiffness_[i]).dot(way);
         }
         by_stiffness_before_ = by_stiffness_;
     }
