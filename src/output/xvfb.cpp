@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "core/errors.h"
+#include "core/programs.h"
 
 namespace hinge::output {
 namespace {
@@ -39,20 +40,6 @@ struct Server {
 };
 
 std::shared_ptr<Server> current;  // guarded by the module's one lock
-
-std::string find_program(const std::string& name) {
-    const char* path = std::getenv("PATH");
-    const std::string folders = path ? path : "/usr/bin:/bin";
-    for (std::size_t at = 0; at <= folders.size();) {
-        const std::size_t end = std::min(folders.find(':', at), folders.size());
-        std::string candidate = folders.substr(at, end - at) + "/" + name;
-        if (end > at && ::access(candidate.c_str(), X_OK) == 0) return candidate;
-        at = end + 1;
-    }
-    throw OutsideError(
-        "pictures need a display, and neither DISPLAY nor Xvfb is at hand; "
-        "get one with: apt-get install xvfb");
-}
 
 struct Pipes {
     int number[2] = {-1, -1};  ///< Xvfb writes the display's number into [1]
@@ -187,6 +174,10 @@ std::string virtual_display() {
         if (current->pid > 0) return current->display;
     }
     const std::string program = find_program("Xvfb");
+    if (program.empty())
+        throw OutsideError(
+            "pictures need a display, and neither DISPLAY nor Xvfb is at hand; "
+            "get one with: apt-get install xvfb");
     Pipes pipes;
     if (!pipes.complete())
         throw OutsideError("cannot start Xvfb for pictures: no file descriptors left; raise the limit (ulimit -n)");

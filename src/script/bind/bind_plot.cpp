@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "core/files.h"
+#include "core/programs.h"
 #include "script/files/folders.h"
 #include "script/files/walls.h"
 #include "script/lua/objects.h"

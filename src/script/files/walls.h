@@ -43,7 +43,4 @@ bool refuse_calls() noexcept;
 /// The loader of this program, which other programs of the system have too; "" for a static one.
 std::string program_loader();
 
-/// The program of that name on PATH; "" where there is none.
-std::string find_program(const std::string& name);
-
 }  // namespace hinge::script
