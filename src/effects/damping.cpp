@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/text.h"
 #include "effects/declared.h"
@@ -41,6 +42,10 @@ namespace {
 /// A point mass that has rotated by 20 mrad since, the cosine of whose half this is, is renewed in the effective
 /// stiffness. What is missed until then is the part of that angle that alpha dt is.
 constexpr double rotation_lag_cosine = 1 - 5e-5;
+
+/// So many solutions of a step find what share of an element's deformation flows (theta of state/elastic_rate.h); then
+/// it stays. Where hinges just flow, or just not, Newton's method would else go to and fro between the two.
+constexpr int shares_follow = 4;
 
 bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
 
@@ -101,6 +106,7 @@ public:
                 flowed_.push_back({e, true});
     }
 
+    void begin(const Step&) override { solutions_ = 0; }
     void add_forces(double time, std::vector<Vec6>& resisting) override {
         find_rates(time);
         find_forces();
@@ -151,7 +157,7 @@ public:
     void before_commit(const Step&) override {
         count_taken();
         before_ = now_;
-        flowed_ = rates_;
+        flowed_ = w_.elastic_rates;
         if (!w_.kind.explicit_steps && w_.impulses != impulses_) host_.accelerations_anew();
     }
     void acceleration_found() override { before_ = now_, by_stiffness_before_ = by_stiffness_; }
@@ -232,14 +238,31 @@ private:
     /// Of the elements that flow on the way to the trial pose. Where a step begins, and the acceleration is found, what
     /// flowed in the step before flows on.
     void find_rates(double time) {
-        rates_.clear();
-        if (time == w_.state.time) rates_ = flowed_;
-        else
-            for (const PlasticIncrement& y : w_.yielding) {
-                if (damping_[y.element].of_stiffness == 0 || gave(y.element)) continue;
-                rates_.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
-                                              damping_[y.element].of_stiffness));
-            }
+        std::vector<ElasticRate>& rates = w_.elastic_rates;
+        if (time == w_.state.time) {
+            rates = flowed_;
+            return;
+        }
+        const bool held = ++solutions_ > shares_follow;
+        const std::vector<ElasticRate> before = std::exchange(rates, {});
+        std::size_t next = 0;
+        const auto keep_before = [&](int end) {
+            for (; next < before.size() && before[next].element < end; ++next)
+                if (held) add_rate({before[next].element}, &before[next]);
+        };
+        for (const PlasticIncrement& y : w_.yielding) {
+            if (damping_[y.element].of_stiffness == 0 || gave(y.element)) continue;
+            keep_before(y.element);
+            static const ElasticRate none = {};
+            const bool was = next < before.size() && before[next].element == y.element;
+            add_rate(y, !held ? nullptr : was ? &before[next] : &none);
+            next += was;
+        }
+        keep_before(int(damping_.size()));
+    }
+    void add_rate(const PlasticIncrement& y, const ElasticRate* as) {
+        w_.elastic_rates.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
+                                                damping_[y.element].of_stiffness, as));
     }
     /// Whether the dashpot of an element has done more work than it has taken: forces by elastic rates do work on the
     /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
@@ -250,7 +273,7 @@ private:
     }
     /// Counts what the dashpots of elements that flow, or have flowed, take in the step.
     void count_taken() {
-        for (const ElasticRate& r : rates_) taken_.try_emplace(r.element, 0.0);
+        for (const ElasticRate& r : w_.elastic_rates) taken_.try_emplace(r.element, 0.0);
         for (auto& [element, taken] : taken_) {
             if (taken < 0) continue;
             const std::size_t i =
@@ -264,13 +287,6 @@ private:
         }
         by_stiffness_before_ = by_stiffness_;
     }
-    const ElasticRate* flow_of(int element) const {
-        if (rates_.empty()) return nullptr;
-        const auto at = std::lower_bound(rates_.begin(), rates_.end(), element,
-                                         [](const ElasticRate& r, int e) { return r.element < e; });
-        return at != rates_.end() && at->element == element ? &*at : nullptr;
-    }
-
     /// C v at the trial pose, N and N m of each node.
     void find_forces() {
         for (std::size_t i = 0; i < footings_.size(); ++i)
@@ -311,7 +327,7 @@ private:
             const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
             const Vec6 rate = to_nodes.transpose() * v;
             const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
-            const ElasticRate* flow = flow_of(index);
+            const ElasticRate* flow = find_rate(w_.elastic_rates, index);
             by_stiffness = to_nodes * (c.of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
             force += by_stiffness;
         }
@@ -327,11 +343,12 @@ private:
     std::vector<Quat> built_;  ///< of those: orientation that they have in the effective stiffness
     Bodies bodies_;            ///< where supports move
     bool supports_move_ = false;
-    std::vector<Footing> footings_;   ///< of those bodies; empty where no support moves
-    std::vector<Vec3> velocities_;    ///< m/s, of the supports of each body at the trial pose
-    long impulses_ = 0;               ///< Workspace::impulses, where the forces of this step were found
-    std::vector<Vec6> before_, now_;  ///< of each node: where the last step ended, and where this one is tried to end
-    std::vector<ElasticRate> flowed_, rates_;  ///< the same of damped elements that flow, rising
+    std::vector<Footing> footings_;    ///< of those bodies; empty where no support moves
+    std::vector<Vec3> velocities_;     ///< m/s, of the supports of each body at the trial pose
+    long impulses_ = 0;                ///< Workspace::impulses, where the forces of this step were found
+    std::vector<Vec6> before_, now_;   ///< of each node: where the last step ended, and where this one is tried to end
+    int solutions_ = 0;                ///< of this step so far
+    std::vector<ElasticRate> flowed_;  ///< of damped elements that flowed in the last step, rising
 };
 
 std::vector<PlanLine> damping_plan(const Structure& s, const RunKind&) {

@@ -9,6 +9,7 @@
 #include "core/failure.h"
 #include "core/thread_pool.h"
 #include "state/breaking.h"
+#include "state/elastic_rate.h"
 #include "state/element_assembly.h"
 
 namespace hinge {
@@ -96,6 +97,7 @@ struct Workspace {
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
     std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
+    std::vector<ElasticRate> elastic_rates;     ///< of those that are damped by them (effects/damping.cpp), rising
     std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
     std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
     std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the

@@ -360,7 +360,7 @@ void EnergyMomentum::renew_effective_stiffness() {
         sort_rebuild();
         std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
-        damped_.add(given, w_.yielding);
+        damped_.add(given);
         // the tangent's initial-stress part reads the forces of the state: those where the step begins, since a first
         // iteration stretches what rotates far by more than Newton can take
         build(middle_, given);

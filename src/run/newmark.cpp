@@ -194,7 +194,7 @@ void Newmark::renew_effective_stiffness() {
         sort_rebuild();
         std::vector<ElementTangent> given =
             given_tangents(w_.structure, w_.state, w_.trial, w_.assembly, rebuild_, w_.yielding);
-        damped_.add(given, w_.yielding);
+        damped_.add(given);
         for (std::size_t i = 0; i < tangents_.size(); ++i)
             if (const int e = w_.yielding[i].element; is_to_be_built(e)) built_[e] = tangents_[i];
         w_.force.swap(w_.state.force);  // the tangent's initial-stress part reads the forces of now

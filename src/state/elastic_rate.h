@@ -12,6 +12,7 @@
 #pragma once
 
 #include <algorithm>
+#include <vector>
 
 #include "state/hinges.h"
 
@@ -35,6 +36,13 @@ struct ElasticRate {
     }
 };
 
+/// That of an element in a rising list, or null.
+inline const ElasticRate* find_rate(const std::vector<ElasticRate>& rates, int element) {
+    const auto at = std::lower_bound(rates.begin(), rates.end(), element,
+                                     [](const ElasticRate& r, int e) { return r.element < e; });
+    return at != rates.end() && at->element == element ? &*at : nullptr;
+}
+
 /// True for flow that is only known to go on: that of the step before, where nothing has moved yet (flowing_on).
 inline bool only_begins(const PlasticIncrement& y) {
     return y.flow.yields() && std::max(y.flow.lambda[0], y.flow.lambda[1]) <= 1e-300;
@@ -45,9 +53,10 @@ inline bool only_begins(const PlasticIncrement& y) {
 /// from step to step. It acts as an inertia of beta k dt / 2 across the hinge, and is of first order in dt.
 constexpr double rests_on_mean = 50;
 
-/// Of the flow `y` between the state and the pose. `beta`: of damping, s.
+/// Of the flow `y` between the state and the pose. `beta`: of damping, s. `as`: takes `mean` from there, for an element
+/// that may flow in this iteration and not in the next, whose share theta would turn to and fro with it.
 inline ElasticRate elastic_rate(const Structure& structure, const State& state, const Configuration& pose,
-                                const PlasticIncrement& y, double dt, double beta) {
+                                const PlasticIncrement& y, double dt, double beta, const ElasticRate* as = nullptr) {
     ElasticRate of{y.element};
     const beam::Stiffness k = stiffness_now(structure, state, y.element);
     const Vec6& P = y.flow.plastic;
@@ -57,9 +66,13 @@ inline ElasticRate elastic_rate(const Structure& structure, const State& state, 
     const Vec6 D =
         moved ? Vec6(element_deformation(structure, y.element, pose) - element_deformation(structure, y.element, state))
               : Vec6(Vec6::Zero());
-    if (square > 0) {
+    if (as) {
+        of.mean = as->mean;
+    } else if (square > 0) {
         const double both = kP.dot(D), theta = moved && both > square ? square / both : 1;
         of.mean = std::sqrt(theta / square) * kP;
+    }
+    if (!of.mean.isZero(0)) {
         const Element& e = structure.elements()[y.element];
         Vec12 v;
         v << state.velocity[e.node[0]], state.velocity[e.node[1]];
