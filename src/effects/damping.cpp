@@ -248,7 +248,7 @@ private:
         std::size_t next = 0;
         const auto keep_before = [&](int end) {
             for (; next < before.size() && before[next].element < end; ++next)
-                if (held) add_rate({before[next].element}, &before[next]);
+                if (held) add_rate({before[next].element, {}}, &before[next]);
         };
         for (const PlasticIncrement& y : w_.yielding) {
             if (damping_[y.element].of_stiffness == 0 || gave(y.element)) continue;

@@ -97,7 +97,6 @@ struct Workspace {
     std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
     std::vector<Vec6> force;                    ///< p of each element at the trial pose
     std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
-    std::vector<ElasticRate> elastic_rates;     ///< of those that are damped by them (effects/damping.cpp), rising
     std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
     std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
     std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
@@ -108,8 +107,9 @@ struct Workspace {
     /// Steps with one solution need the current offset masses: an outdated mass loses velocity at every step, by as
     /// much in a short step as in a long one.
     bool solved_at_once = false;
-    std::vector<Vec6> steady = {};  ///< the part of F that does not change with time: weights at nodes
-    std::vector<Vec6> held = {};    ///< statics: loads of an earlier run, in full at any load factor; or empty
+    std::vector<ElasticRate> elastic_rates = {};  ///< of elements that flow and are damped by them, rising
+    std::vector<Vec6> steady = {};                ///< the part of F that does not change with time: weights at nodes
+    std::vector<Vec6> held = {};  ///< statics: loads of an earlier run, in full at any load factor; or empty
     /// The acceleration is being found where the state is: forces are those with which its last step ended.
     bool at_state = false;
     Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
