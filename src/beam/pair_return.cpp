@@ -18,9 +18,9 @@ constexpr int most_descents = 400;    ///< of the case that is not convex
 /// Rounds of a law whose strength follows its flow, each a descent; after so many a coarser tolerance will do.
 constexpr int most_held = 60, many_held = 20;
 constexpr double coarse_round = 1e-6;
-/// Rounds of a return in all, some 0.1 s: beyond that it counts as not found, and the step is halved or ends by name.
-/// Those that are found take 3 to 600.
-constexpr int most_work = 6000;
+/// Evaluations of the surface and rounds of a return in all, some 15 ms: beyond that it counts as not found, and the
+/// step is halved or ends by name. Those that are found take 1 to 8,000.
+constexpr int most_work = 20000;
 /// Where F has fallen by less than this part of U(trial) in so many rounds, and a round changes little, its floor is
 /// flat: flow that moves from one element to the other, or round a section alike in both planes, is worth no energy.
 constexpr double flat_fall = 1e-5, flat_change = 1e-3;
@@ -147,9 +147,10 @@ private:
 
     At round(const At& from, const Stiffness (&k)[2]) const {
         ElementFlow next[2];
-        if (++work_ > most_work) return next[0].converged = next[1].converged = false, at(next[0], next[1]);
+        if (work_ > most_work) return next[0].converged = next[1].converged = false, at(next[0], next[1]);
         for (int i : {0, 1})
             next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], conditions_[i], from.of[i]);
+        work_ += 1 + next[0].looks + next[1].looks;
         return at(next[0], next[1]);
     }
 
@@ -300,7 +301,7 @@ private:
     const Vec6 (&d_)[2];
     const SectionLaw& law_;
     SectionConditions conditions_[2];
-    mutable int work_ = 0;  ///< rounds so far
+    mutable int work_ = 0;  ///< evaluations and rounds so far
     double tolerance_;
     inline static const ElementFlow no_flow_{};
 };

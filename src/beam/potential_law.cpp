@@ -166,6 +166,7 @@ ElementFlow PotentialLaw::find_round(const Vec6& trial, const Stiffness& k, cons
         if (!held.first && follows_rotation_) ends[i].turned.factor = of.factor;
     }
     out.converged = find_ends(trial, k, ends, n, before);
+    out.looks = ends[0].looks + ends[1].looks;
     bool same = true;
     for (int i = 0; i < n; ++i) {
         const SoFar now = add_flow(ends[i], i, out);
@@ -193,7 +194,8 @@ ElementFlow PotentialLaw::find(const Vec6& trial, const Stiffness& k, const doub
     ElementFlow last;
     for (int round = 0; round < most_rounds; ++round) {
         bool settled = false;
-        const ElementFlow out = find_round(trial, k, sections, n, at, round == 0 ? before : &last, held, &settled);
+        ElementFlow out = find_round(trial, k, sections, n, at, round == 0 ? before : &last, held, &settled);
+        out.looks += last.looks;
         if (!out.converged || settled) return out;
         last = out;
     }

@@ -44,6 +44,7 @@ struct PotentialLaw::End {
     Vec4 e = Vec4::Zero();
     mutable Vec4 known_at = Vec4::Zero();  ///< the e, not zero, of which the search knows D(e) and its derivatives
     mutable Work known;                    ///< those
+    mutable int looks = 0;                 ///< evaluations of D(e) so far
 
     End() = default;
     End(double r, const Vec4& per_strength, const Stiffness& of)

@@ -15,6 +15,8 @@ constexpr double falls = 0.95;         ///< then what is missed must fall to thi
 /// changes so small a part of the flow, misses no more than `flow_tolerance`: it is not looked at again.
 constexpr double last_step = 1e-8, quick_fall = 1e-3, small_way = 1e-5;
 constexpr int most_steps = 100, most_sweeps = 200;
+/// Evaluations in a search for both ends that has not found them: some 5 ms. Those that find them take up to 5,000.
+constexpr int most_looks = 10000;
 constexpr double leaves = 0.05;  ///< of its flow at first: an end whose flow shrinks to that may not flow
 constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, before each is looked for in turn
 constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
@@ -102,6 +104,7 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
                 return end.knows(e = next, at), Search::found;
             }
             Work there = work_at(next, end.own);
+            ++end.looks;
             along_ray(end, trial, next, there);
             harden(end, next, there);
             const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.value,
@@ -196,6 +199,7 @@ private:
         }
     }
     void look() {
+        ++ends_[0].looks;
         const Vec6 plastic = ends_[0].plastic() + ends_[1].plastic(), relieved = k_.times(plastic),
                    p = trial_ - relieved;
         G_ = 0.5 * plastic.dot(relieved) - trial_.dot(plastic);
@@ -230,7 +234,7 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
         if (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving())) return true;
         for (int i : {0, 1}) ends[i].e = start[i];
     }
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < most_sweeps && ends[0].looks + ends[1].looks < most_looks; ++sweep) {
         for (int i : {1, 0}) {
             End& end = ends[i];
             if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;

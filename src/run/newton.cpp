@@ -172,7 +172,7 @@ void Newton::place_dependent_nodes(const ConfigurationView& from) {
 }
 
 /// The set of hinges may differ at the two ends of the step, and Newton's method then swings between them: a step that
-/// makes the balance worse is taken by half, and by half again. False where the forces are not finite.
+/// makes the balance worse is taken by half, and by half again. False where the forces are not finite, or not found.
 bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) {
     const Configuration before = w_.trial;
     const std::vector<Vec3> turned_before = w_.rotation_step;
@@ -189,8 +189,10 @@ bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) 
         forces_.recover();
         at.residual = forces_.residual();
         const double norm = at.residual.norm;
+        const bool lost = w_.assembly.unreturned() >= 0;  // so far out: what there is of forces means nothing
+        if (lost && (at.number == 1 || at.halvings == most_halvings || whole_steps)) return false;
         if (at.number == 1 || at.halvings == most_halvings || whole_steps || !std::isfinite(norm) ||
-            norm <= (1 - 1e-3 * share) * at.last_norm)
+            (!lost && norm <= (1 - 1e-3 * share) * at.last_norm))
             break;
     }
     at.idle = at.halvings >= halvings_of_idle ? at.idle + 1 : 0;

@@ -27,6 +27,7 @@ Statics::Statics(std::shared_ptr<const Structure> structure, State start, Static
       halving_(path_->step_rule()) {
     w_.rotation_step.assign(structure_->position().size(), Vec3::Zero());
     state_.factor = w_.factor = 0;
+    assembly_.stop_at_unreturned();
     assembly_.update_active(state_);
     forces_.recover();
     forces_.find_reactions(0);

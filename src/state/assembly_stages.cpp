@@ -313,6 +313,7 @@ template <bool p_delta>
     for (int i = 0; i < lane_count; ++i) {
         if (!(b.whole >> i & 1)) continue;
         if (!(asked >> i & 1) && f[0][i] <= 1 && (section_count == 1 || f[1][i] <= 1)) continue;
+        if (stops_at_unreturned_ && found.unreturned >= 0) return;
         const Element& e = structure_.elements()[element + i];
         Vec6 trial;
         for (int c = 0; c < 6; ++c) trial[c] = p[c][i];

@@ -81,6 +81,10 @@ public:
     /// from the elastic part, whatever the tolerance.
     void set_return_tolerance(double tolerance) { return_tolerance_ = tolerance; }
 
+    /// Whether run leaves out other returns near one that has not converged, which may take long as well: its results
+    /// are then of no use. Statics.
+    void stop_at_unreturned() { stops_at_unreturned_ = true; }
+
     int sections(double* r) const;  ///< positions that can yield: both ends, or the middle (conventional)
     long updates() const { return updates_; }
 
@@ -165,6 +169,7 @@ private:
     std::vector<int> rotated_;
     std::vector<int> far_;
     int folded_ = -1, unreturned_ = -1;
+    bool stops_at_unreturned_ = false;
     double return_tolerance_ = 1e-9, dt_ = 0;
     double rotation_limit_ = 1e300;
     bool watching_ = false;
