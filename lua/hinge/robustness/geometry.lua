@@ -155,12 +155,19 @@ end
 
 local function apart(a, b) return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2) end
 
--- The other columns that reach the level of a joint.
+-- The place of a column, which may lean, at a height.
+local function place_at(c, z)
+  local t = math.max(0, math.min(1, (z - c.low.z) / (c.high.z - c.low.z)))
+  return { x = c.low.x + t * (c.high.x - c.low.x), y = c.low.y + t * (c.high.y - c.low.y) }
+end
+
+-- Where the other columns that reach the level of a joint are at this level.
 local function columns_at(geo, removed, joint)
   local list = {}
   for _, c in ipairs(geo.columns) do
+    local place = place_at(c, joint.z)
     if not removed[c.members[1]] and c.low.z < joint.z + same_place and c.high.z > joint.z - same_place
-      and apart(c, joint) > same_place then list[#list + 1] = c end
+      and apart(place, joint) > same_place then list[#list + 1] = place end
   end
   return list
 end
