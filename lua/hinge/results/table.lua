@@ -109,7 +109,7 @@ local function shower(rows, key, unit, decimals, most)
   local factor = unit and unit.factor or 1
   decimals = decimals or math.min(most or 9, decimals_of(factor * largest_of(rows, key)))
   return function(value)
-    if math.type(value) == "integer" then return tostring(value) end
+    if math.type(value) == "integer" and not unit then return tostring(value) end
     return type(value) == "number" and plain(factor * value, decimals) or value and tostring(value)
   end
 end
@@ -263,7 +263,7 @@ end
 
 local function csv_cell(value, unit)
   if value == nil then return "" end
-  if math.type(value) == "integer" then return tostring(value) end
+  if math.type(value) == "integer" and not unit then return tostring(value) end
   if type(value) == "number" then return ("%.9g"):format(value * (unit and unit.factor or 1)) end
   return quote.csv(tostring(value))
 end
