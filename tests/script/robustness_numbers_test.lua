@@ -10,6 +10,7 @@ local runs = require "hinge.robustness.runs"
 local checks = support.checks "numbers of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
+require "hinge.core".own_output(support.temporary_folder(), {}, true)
 local g, fy, E = 9.80665, 325e6, 206e9
 local L = 5
 local box = hinge.section.box { width = 0.15, depth = 0.3, thickness = 0.01 }
@@ -348,6 +349,56 @@ case("verdict and reason by rotation, by forces of joints, without limits, and w
     local h = { largest = 0 }
     for name, value in pairs(r[1]) do h[name] = value end
     equal(runs.is_unrated(h), r[2], "held against nothing")
+    h.largest = 1e-4 * h.largest
+    equal(runs.is_unrated(h, 1e4), r[2], "under a part of the loads")
+  end
+end)
+
+case("joints that turn without a limit are counted, each once, and their largest rotation is told", function()
+  -- springs at both ends of both beams, and P so small that nothing else yields; the elastic run has a part of 1e-4
+  -- of the loads, in which the joints turn by less than what counts as a turn
+  local spring = 5e6
+  local ends = { a = hinge.joint { Mx = { stiffness = spring } }, b = hinge.joint { Mx = { stiffness = 2 * spring } } }
+  for _, procedure in ipairs { "linear static", "nonlinear static", "nonlinear dynamic" } do
+    local how = { P = 5e3, mass = true, ends = ends }
+    local row = row_of(how, { limit = { beams = 1 }, procedures = { procedure }, omega_n = 1.2 })
+    equal(row.verdict, "holds", procedure .. ": a limit of the group of the beams: " .. row.reason)
+    equal(row.joints_unrated, 0, "all have a limit")
+    how.extra = function(model)
+      local a, b = model:node { 0, 9, 0 }, model:node { 1, 9, 0 }
+      model:fix(a)
+      model:member { a, b, section = box, group = "other", material = hinge.material { E = E, density = 0.05,
+        yield_stress = fy } }
+    end
+    row = row_of(how, { limit = { other = 1 }, procedures = { procedure }, omega_n = 1.2 })
+    equal(row.joints_unrated, 4, procedure .. ": joints")
+    equal(row.verdict, "not rated", row.reason)
+    expect(row.reason:find "^4 joints without a limit of rotation turn by up to [%d.e-]+ rad; ", "says %s", row.reason)
+    if procedure == "nonlinear static" then
+      near(tonumber(row.reason:match "up to ([%d.e-]+)"), row.joint_rotation, 1e-3 * row.joint_rotation, "rad")
+    end
+  end
+end)
+
+case("options have their ranges, and an error of failed rows says how many and where", function()
+  for name, r in pairs { duration = { 1, 0 }, dt = { 1e-4, 0 }, over = { 0, -1 }, fall = { 0.1, 0 },
+    follow = { 0.1, 0 }, damping = { 0, -0.1 }, steps = { 10, 9 }, m = { 1, 0.9 }, omega_ld = { 1, 0.9 },
+    omega_n = { 1, 0.9 } } do
+    local function call(value)
+      return pcall(row_of, { P = 1e3, elastic = true }, { procedures = { "linear static" }, [name] = value })
+    end
+    expect(call(r[1]), "%s = %g", name, r[1])
+    expect(not call(r[2]), "%s = %g is refused", name, r[2])
+  end
+  expect(not pcall(row_of, { P = 1e3 }, { procedures = { "linear static" }, steps = 1001 }), "steps")
+  for _, where in ipairs { false, "loss" } do
+    local good, message = pcall(row_of, { P = 100e3, mass = true }, { procedures = { "linear static",
+      "nonlinear dynamic" }, duration = 0.01, dt = 1e-4, folder = where or nil, allow_failed = false, fall = 0.8 })
+    expect(not good and support.has(tostring(message), "hinge.robustness: 1 of 2 rows failed, the first one in case 1 "
+      .. "(nonlinear dynamic): the joint above has not turned, or not for long enough, by t = 0.01 s, the end of the "
+      .. "run; give a longer duration; allow_failed = true returns the result all the same"
+      .. (where and "; the report is written" or "")), "says %s", tostring(message))
+    if not where then expect(not tostring(message):find("report is written", 1, true), "no folder, no report") end
   end
 end)
 

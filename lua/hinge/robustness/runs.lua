@@ -161,8 +161,10 @@ local least_turn = 1e-6 -- rad: a joint that turns less rests, but for rounding
 function runs.is_removed(case, h) return case.removed[h.member.index] and not h.between_nodes end
 
 --- Whether a row of a joint is held against nothing: it turns, no rotation is its limit, and it has either no strength
---- or has come to it.
-function runs.is_unrated(h) return not h.ratio and (h.yielded or not h.strength) and not (h.largest <= least_turn) end
+--- or has come to it. times: the loads over those of an elastic run, 1 unless given.
+function runs.is_unrated(h, times)
+  return not h.ratio and (h.yielded or not h.strength) and not ((times or 1) * h.largest <= least_turn)
+end
 
 -- Adds an axis or a force of a joint to the numbers of a row; `seen`: joints that are counted already.
 local function add_joint(r, h, seen)

@@ -9,7 +9,7 @@ local statics = {}
 
 local tries = 12 -- iterations before a step is halved: where the load has its end, all of them are in vain
 local between = { "deflection", "beam_rotation", "column_rotation", "joint_rotation", "beam_ratio", "column_ratio",
-  "joint_ratio", "ratio" }
+  "joint_ratio", "ratio", "unrated_rotation", "pin_rotation" }
 
 -- The state where the load factor is `factor`, straight between two steps.
 local function state_between(a, b, factor)
@@ -149,7 +149,7 @@ local function add_joint(of, h, times)
   if h.moment and h.ratio and not (times * h.ratio <= (of.rotation or 0)) then
     of.rotation, of.limit = times * h.ratio, h.limit
   end
-  if runs.is_unrated(h) then of.unrated = math.max(of.unrated or 0, times * h.largest) end
+  if runs.is_unrated(h, times) then of.unrated = math.max(of.unrated or 0, times * h.largest) end
 end
 
 -- The joint with the largest value of each kind, as { ratio =, member =, place =, limit = }; how many are not rated and
