@@ -109,6 +109,24 @@ case("in large displacement a cut has the force at the head of a column that ben
   end
 end)
 
+case("a column that broke has no part in the shear force of its storey", function()
+  local model = hinge.model { displacement = "small" }
+  local heads, columns = {}, {}
+  for i = 1, 2 do
+    local foot = model:node { 4 * i, 0, 0 }
+    heads[i] = model:node { 4 * i, 0, 3 }
+    model:fix(foot)
+    columns[i] = model:member { foot, heads[i], section = heb, material = steel }
+  end
+  model:member { heads[1], heads[2], section = heb, material = steel }
+  model:case("push"):load { node = heads[1], force = { 5e3, 0, 0 } }
+  model:remove { member = columns[2], at = 0 }
+  local gone = model:dynamic { dt = 1e-6, duration = 1e-6, loads = {}, step_control = 0, energy_tolerance = 0 }:finish()
+  local run = model:static { from = gone, steps = 1, loads = { push = 1 } }:finish()
+  local row = results.storeys(run, { model = model }).rows[1]
+  near(row.shear_x, 5e3, 1e-3, "the other column has all of it, N")
+end)
+
 -- A frame of two storeys and two columns on ground that moves in x and y, and masses.
 local function shaken()
   local model = hinge.model { displacement = "small", mass = "cubic" }

@@ -154,6 +154,9 @@ case("joints, spans and bays of what goes are those of a list by hand", function
     { 13, 6.501, 4, false }, { 5, -20, 4, true }, { 5, 3, 3.71, true }, { 5, 3, 3.69, false }, { 5, 3, 30, true } } do
     equal(geometry.is_near(c, p[1], p[2], p[3]), p[4], "is near: " .. joined(p))
   end
+  local good, message = pcall(geometry.cases, "test", geo, { "brase" }, "lowest")
+  expect(not good and tostring(message):find("field 'remove': unknown group 'brase' (did you mean 'brace'?); there are "
+    .. "A, B, C, D, F, H, brace, post, ramp, steep", 1, true), "says: %s", tostring(message))
   local alone = geometry.cases("test", geo, { "brace" }, "lowest")[1]
   equal(alone.name .. alone.group, "brace (x = 13 m, y = 6.5 m, z = 4 to 7 m)brace", "a group by its name")
 end)

@@ -9,6 +9,7 @@ local hinge = require "hinge"
 local robustness = require "hinge.robustness"
 local factors = require "hinge.robustness.factors"
 local geometry = require "hinge.robustness.geometry"
+local runs = require "hinge.robustness.runs"
 local checks = support.checks "factors of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -54,6 +55,13 @@ case("the limit of rotation: the largest level that is given, by group, and the 
   } do
     equal(factors.limit_of(r[1], member), r[2], "limit " .. tostring(r[1]))
   end
+  local seen = {}
+  factors.limit_of(function(h)
+    seen[#seen + 1] = ("%g %g %g, end %d at %g, node %d, %s %d: %g %g %s"):format(h.x, h.y, h.z, h["end"], h.at,
+      h.node.index, h.group, h.member.index, h.demand, h.largest, h.broken)
+  end, member)
+  equal(table.concat(seen, "; "), "0 0 3, end 1 at 0, node 1, beams 1: 0 0 false; 5 0 3, end 2 at 1, node 2, beams 1: "
+    .. "0 0 false", "what a function is asked")
 end)
 
 -- Demand over capacity ------------------------------------------------------------------------------------------------
@@ -212,6 +220,52 @@ case("loads without inertia are told above 1.5 times the weight of all masses", 
       found = found or text:find("loads without mass have no inertia", 1, true) ~= nil
     end
     equal(found, told, ("masses of %g of the loads: %s"):format(part, row.verdict))
+  end
+end)
+
+-- Verdicts ------------------------------------------------------------------------------------------------------------
+
+case("verdict and reason by rotation, by forces of joints, without limits, and what was not compared", function()
+  local function judged(of)
+    local row = { without_limit = 0, pins = 0, pin_rotation = 0, joints_unrated = 0, unrated_rotation = 0 }
+    for name, value in pairs(of) do row[name] = value end
+    local verdict, reason = runs.judge_rotation(row)
+    return verdict .. ": " .. reason
+  end
+  for _, r in ipairs {
+    { { ratio = 1 }, "holds: " },
+    { { ratio = 1.001, limit = 0.04, worst = 7, worst_axis = "x" },
+      "exceeds the limit of rotation: member 7 has 1.001 of its limit 0.04 rad" },
+    { { ratio = 0 / 0, limit = 0.04, worst = 7 }, "exceeds the limit of rotation: member 7 has " },
+    { { ratio = 2, limit = 0.04, worst = 7, worst_joint = "joint at end a of member 7", worst_axis = "y" },
+      "exceeds the limit of rotation: the joint at end a of member 7 has 2 of its limit 0.04 rad" },
+    { { ratio = 1.5, worst_joint = "joint J", worst_axis = "tension" },
+      "exceeds the capacity: the joint J has 1.5 of the tension at which it breaks" },
+    { { ratio = 1.5, worst_joint = "joint J", worst_axis = "shear" },
+      "exceeds the capacity: the joint J has 1.5 of the shear at which it breaks" },
+    { { ratio = 0.5, joints_unrated = 1, unrated_rotation = 0.012 },
+      "not rated: 1 joint without a limit of rotation turns by up to 0.012 rad; " },
+    { { joints_unrated = 2, unrated_rotation = 0.012 },
+      "not rated: 2 joints without a limit of rotation turn by up to 0.012 rad; " },
+    { { ratio = 0.5, without_limit = 1 }, "holds: 1 plastic hinge without a limit, not compared" },
+    { { ratio = 0.5, without_limit = 3, pins = 1, pin_rotation = 2e-6 },
+      "holds: 3 plastic hinges without a limit, not compared; 1 pin, which turns by up to 2e-06 rad now, not "
+        .. "compared" },
+    { { pins = 2, pin_rotation = 0.01 }, "holds: 2 pins, which turn by up to 0.01 rad now, not compared" },
+    { { pins = 2, pin_rotation = 9e-7 }, "holds: " },
+  } do
+    local text = judged(r[1])
+    equal(text:sub(1, #r[2]), r[2], "says")
+    if r[2]:find "holds" then equal(text, r[2], "and no more") end
+  end
+  for _, r in ipairs { { {}, false }, { { largest = 2e-6 }, true }, { { largest = 9e-7 }, false },
+    { { largest = 1, strength = 5 }, false }, { { largest = 1, strength = 5, yielded = true }, true },
+    { { largest = 1, ratio = 0.1, yielded = true }, false } } do
+    local h = { largest = 0 }
+    for name, value in pairs(r[1]) do h[name] = value end
+    equal(runs.is_unrated(h), r[2], "held against nothing")
+    h.largest = 1e-4 * h.largest
+    equal(runs.is_unrated(h, 1e4), r[2], "under a part of the loads")
   end
 end)
 

@@ -6,7 +6,6 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local support = require "support"
 local hinge = require "hinge"
 local robustness = require "hinge.robustness"
-local runs = require "hinge.robustness.runs"
 local checks = support.checks "numbers of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -310,50 +309,6 @@ end)
 
 -- Verdicts ------------------------------------------------------------------------------------------------------------
 
-case("verdict and reason by rotation, by forces of joints, without limits, and what was not compared", function()
-  local function judged(of)
-    local row = { without_limit = 0, pins = 0, pin_rotation = 0, joints_unrated = 0, unrated_rotation = 0 }
-    for name, value in pairs(of) do row[name] = value end
-    local verdict, reason = runs.judge_rotation(row)
-    return verdict .. ": " .. reason
-  end
-  for _, r in ipairs {
-    { { ratio = 1 }, "holds: " },
-    { { ratio = 1.001, limit = 0.04, worst = 7, worst_axis = "x" },
-      "exceeds the limit of rotation: member 7 has 1.001 of its limit 0.04 rad" },
-    { { ratio = 0 / 0, limit = 0.04, worst = 7 }, "exceeds the limit of rotation: member 7 has " },
-    { { ratio = 2, limit = 0.04, worst = 7, worst_joint = "joint at end a of member 7", worst_axis = "y" },
-      "exceeds the limit of rotation: the joint at end a of member 7 has 2 of its limit 0.04 rad" },
-    { { ratio = 1.5, worst_joint = "joint J", worst_axis = "tension" },
-      "exceeds the capacity: the joint J has 1.5 of the tension at which it breaks" },
-    { { ratio = 1.5, worst_joint = "joint J", worst_axis = "shear" },
-      "exceeds the capacity: the joint J has 1.5 of the shear at which it breaks" },
-    { { ratio = 0.5, joints_unrated = 1, unrated_rotation = 0.012 },
-      "not rated: 1 joint without a limit of rotation turns by up to 0.012 rad; " },
-    { { joints_unrated = 2, unrated_rotation = 0.012 },
-      "not rated: 2 joints without a limit of rotation turn by up to 0.012 rad; " },
-    { { ratio = 0.5, without_limit = 1 }, "holds: 1 plastic hinge without a limit, not compared" },
-    { { ratio = 0.5, without_limit = 3, pins = 1, pin_rotation = 2e-6 },
-      "holds: 3 plastic hinges without a limit, not compared; 1 pin, which turns by up to 2e-06 rad now, not "
-        .. "compared" },
-    { { pins = 2, pin_rotation = 0.01 }, "holds: 2 pins, which turn by up to 0.01 rad now, not compared" },
-    { { pins = 2, pin_rotation = 9e-7 }, "holds: " },
-  } do
-    local text = judged(r[1])
-    equal(text:sub(1, #r[2]), r[2], "says")
-    if r[2]:find "holds" then equal(text, r[2], "and no more") end
-  end
-  for _, r in ipairs { { {}, false }, { { largest = 2e-6 }, true }, { { largest = 9e-7 }, false },
-    { { largest = 1, strength = 5 }, false }, { { largest = 1, strength = 5, yielded = true }, true },
-    { { largest = 1, ratio = 0.1, yielded = true }, false } } do
-    local h = { largest = 0 }
-    for name, value in pairs(r[1]) do h[name] = value end
-    equal(runs.is_unrated(h), r[2], "held against nothing")
-    h.largest = 1e-4 * h.largest
-    equal(runs.is_unrated(h, 1e4), r[2], "under a part of the loads")
-  end
-end)
-
 case("joints that turn without a limit are counted, each once, and their largest rotation is told", function()
   -- springs at both ends of both beams, and P so small that nothing else yields; the elastic run has a part of 1e-4
   -- of the loads, in which the joints turn by less than what counts as a turn
@@ -424,6 +379,31 @@ case("a frame in which nothing can yield is refused, and so are loads that belon
   equal(refused({ P = 1 }, plastic(true)), "accepted", "with it")
   local loaded = { P = 1e3, extra = function(model, head) model:load { node = head, force = { 0, 0, -1 } } end }
   expect(refused(loaded, { procedures = { "linear static" } }):find("give each of them a case", 1, true), "a load")
+end)
+
+case("a plan has a row for each case and procedure, none of them run, and writes nothing", function()
+  local core = require "hinge.core"
+  local planning = core.planning
+  core.planning = function() return true end
+  local result = robustness { remove = { 3, 4 },
+    limit = 0.06, quiet = true, fall = 0.8, duration = 1e-2, dt = 1e-3, folder = "planned",
+    build = function()
+      return (mechanism { P = 1e3, mass = true, extra = function(model)
+        local a, b = model:node { 0, 9, 0 }, model:node { 1, 9, 0 }
+        model:fix { a, b }
+        model:member { a, b, section = box, material = hinge.material { E = E, density = 0.05, yield_stress = fy } }
+      end })
+    end }
+  core.planning = planning
+  local rows = {}
+  for i, row in ipairs(result.rows) do
+    rows[i] = ("%d %s: %s%s %g"):format(row.case, row.procedure, row.verdict, row.reason, row.seconds)
+  end
+  equal(table.concat(rows, "; "), "1 nonlinear dynamic: not run 0; 1 nonlinear static: not run 0; "
+    .. "1 linear static: not run 0; 2 nonlinear dynamic: not run 0; 2 nonlinear static: not run 0; "
+    .. "2 linear static: not run 0", "rows")
+  equal(result.counts["linear static"]["not run"], 2, "counted")
+  equal(support.is_there(core.out_dir() .. "/planned"), false, "no folder")
 end)
 
 checks.done()
