@@ -314,6 +314,19 @@ end)
 
 -- Utilisation ---------------------------------------------------------------------------------------------------------
 
+case("an envelope is as far used as the worse of its runs, where the other sign is the larger one", function()
+  local model = beams()
+  local runs = {}
+  for i, factor in ipairs { 1, -4 } do runs[i] = model:static { steps = 1, loads = { up = factor } }:finish() end
+  for _, standard in ipairs { "EN 1993-1-1", "AISC 360" } do
+    local options = { model = model, standard = standard }
+    local bound = results.utilisation(results.envelope { runs[1], runs[2], model = model }, options)
+    for i, row in ipairs(results.utilisation(runs[2], options).rows) do
+      near(bound.rows[i].utilisation, row.utilisation, 1e-6, "of " .. standard)
+    end
+  end
+end)
+
 case("the table and the plot of utilisations: order, remarks, columns of each check, bars", function()
   local model = beams()
   local a, b = model:node { 0, 20, 0 }, model:node { 4, 20, 0 }
