@@ -142,6 +142,9 @@ case("ASCE 7, each kind by hand", function()
   local crash = combinations { model = model, standard = "ASCE 7-16", kind = "extraordinary", omit = false,
     cases = { dead = "D", live = "L", crash = "A" } }
   are(crash, { "dead", "live", "crash" }, { "0.9 0.5 1", "1.2 0.5 1" }, "an extraordinary event")
+  local snow = combinations { model = model_with("dead", "live", "snow", "crash"), standard = "ASCE 7-16",
+    kind = "extraordinary", omit = false, cases = { dead = "D", live = "L", snow = "S", crash = "A" } }
+  are(snow, { "dead", "live", "snow", "crash" }, { "0.9 0.5 0.2 1", "1.2 0.5 0.2 1" }, "an extraordinary event in snow")
 end)
 
 case("earthquakes: both signs, a part of the other direction, the vertical part in the dead load", function()

@@ -260,6 +260,15 @@ case("a base plate's anchor bolts without a length, its flange's class, and its 
     100 + 2 * m + 0.625 * 27), 1e-9, "table 6.6, others")
   near(near_end.tension_row.lengths.circular * 1e3, support.smallest_of(2 * pi * m, pi * m + 200, pi * m + 140), 1e-9,
     "circular")
+  -- 1.2 hole diameters, of 22 mm, from the plate's side and end
+  for width, good in pairs { [0.253] = true, [0.2525] = false } do
+    equal(pcall(plain, { plate = { length = 0.4, width = width, thickness = 0.018, yield_stress = 235e6 } }), good,
+      ("bolts %g mm from the side"):format((width - 0.2) / 2 * 1e3))
+  end
+  for length, good in pairs { [0.323] = true, [0.3225] = false } do
+    equal(pcall(plain, { plate = { length = length, width = 0.34, thickness = 0.018, yield_stress = 235e6 } }), good,
+      ("bolts %g mm from the end"):format((length - 0.27) / 2 * 1e3))
+  end
   -- class 2 of the column's flange: c / tf = (200 - 9) / 2 / tf, less the fillet; HEA 200 in S460 has 7.88, and 7.15
   for _, r in ipairs { { "HEA 200", 235e6, true }, { "HEA 200", 460e6, false }, { "HEB 200", 460e6, true } } do
     equal(pcall(plain, { column = { section = hinge.section.named(r[1]), yield_stress = r[2] } }), r[3],

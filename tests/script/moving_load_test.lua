@@ -89,10 +89,15 @@ case("the impulse on a beam that nothing holds is force times crossing time", fu
   for _, o in ipairs { { axles = one, total = F }, { axles = two, total = 1.6 * F } } do
     local model, _, members = beam(3, { model = { displacement = "small" } }, nil, true)
     local traffic = moving_load { model = model, members = members, axles = o.axles, speed = 40, start = 0.05,
-      direction = { 0, 3, 0 } }
+      direction = { -1, 2, 2 } }
     local run = model:dynamic { dt = 1e-3, duration = traffic.leaves + 0.05, record = false }:finish()
     local wanted = o.total * L / 40
-    near(run:momentum().linear[2], wanted, 1e-6 * wanted, "momentum")
+    for i, part in ipairs { -1 / 3, 2 / 3, 2 / 3 } do
+      near(run:momentum().linear[i], part * wanted, 1e-6 * wanted, "momentum, part " .. i)
+    end
+    equal(traffic:positions(0.05)[1], 0, "at the beginning of the line")
+    equal(traffic:positions(0.05 - 1e-9)[1], false, "just before it")
+    near(traffic:positions(traffic.leaves)[#o.axles] or -1, L, 1e-9, "the last one at its end")
     local at_half = traffic:positions(0.05 + 10 / 40)
     near(at_half[1], 10, 1e-9, "position of the first axle")
     if at_half[2] then near(at_half[2], 5.7, 1e-9, "position of the second axle") end
