@@ -251,6 +251,16 @@ case("web cleats of Steel buildings in Europe, part 5, example 4.4", function()
   local outer, inner = 2.5 * 40 / 66 * 430 * 80 / 1.25, 2.5 * (70 / 66 - 0.25) * 430 * 80 / 1.25
   near(stronger.shear_of["bolts at the column"], 2 * (outer + 5 * inner), 1,
     "each hole bears as much as it can, the one towards an end less")
+  -- effective length of a leg: 2 e1, at most what is clear between the fillets plus a hole; each pitch, as much at most
+  local tw = fin.beam.section.web
+  local most = 0.109 - tw - 2 * 0.01 - 2 * 0.011 + 22 * mm
+  for _, r in ipairs { { 6, 0.43, 0.07 }, { 6, 0.42, 0.065 }, { 4, 0.335, 0.085 }, { 6, 0.37, 0.06 } } do
+    local rows, depth, pitch = r[1], r[2], r[3]
+    local _, made = hinge.joint.web_cleats(with(cleats, { cleats = { depth = depth },
+      bolts = { rows = rows, pitch = pitch } }))
+    near(made.legs.lengths.mode_1, support.smallest_of(depth - (rows - 1) * pitch, most)
+      + (rows - 1) * support.smallest_of(pitch, most), 1e-9, ("depth %g m, pitch %g m"):format(depth, pitch))
+  end
 end)
 
 case("the gap closes", function()

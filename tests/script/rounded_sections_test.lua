@@ -232,6 +232,15 @@ case("a section without a radius has the same bits as with r = 0", function()
   end
 end)
 
+case("the flange of a channel is thinner than half its depth, and no more is asked", function()
+  local function channel(flange)
+    local good, made = pcall(hinge.section.channel, { depth = 0.2, width = 0.1, web = 0.01, flange = flange })
+    return good and "made" or tostring(made)
+  end
+  equal(channel(0.07), "made", "more than a third")
+  expect(channel(0.1):find("half the depth at the web", 1, true), "half: %s", channel(0.1))
+end)
+
 case("a radius that does not fit is refused", function()
   local function refused(f, options, ...)
     local ok, message = pcall(f, options)
