@@ -57,11 +57,14 @@ case("the limit of rotation: the largest level that is given, by group, and the 
   end
   local seen = {}
   factors.limit_of(function(h)
-    seen[#seen + 1] = ("%g %g %g, end %d at %g, node %d, %s %d: %g %g %s"):format(h.x, h.y, h.z, h["end"], h.at,
-      h.node.index, h.group, h.member.index, h.demand, h.largest, h.broken)
+    seen[#seen + 1] = ("%g %g %g, end %d at %g, node %d, %s %d: %g %s"):format(h.x, h.y, h.z, h["end"], h.at,
+      h.node.index, h.group, h.member.index, h.element, h.broken)
+    for _, name in ipairs { "rotation_x", "rotation_y", "rotation", "largest", "demand", "elongation", "work", "f_y",
+      "utilisation" } do equal(h[name], 0, name .. " of what has not yielded") end
+    equal(h.before, false, "not before")
   end, member)
-  equal(table.concat(seen, "; "), "0 0 3, end 1 at 0, node 1, beams 1: 0 0 false; 5 0 3, end 2 at 1, node 2, beams 1: "
-    .. "0 0 false", "what a function is asked")
+  equal(table.concat(seen, "; "), "0 0 3, end 1 at 0, node 1, beams 1: 1 false; 5 0 3, end 2 at 1, node 2, beams 1: "
+    .. "1 false", "what a function is asked")
 end)
 
 -- Demand over capacity ------------------------------------------------------------------------------------------------
@@ -220,6 +223,41 @@ case("loads without inertia are told above 1.5 times the weight of all masses", 
       found = found or text:find("loads without mass have no inertia", 1, true) ~= nil
     end
     equal(found, told, ("masses of %g of the loads: %s"):format(part, row.verdict))
+  end
+end)
+
+case("the formulas of the factors are refused for concrete, unless the factors are given", function()
+  local function build()
+    local model, heads = hinge.model { displacement = "small" }, {}
+    local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
+    local concrete = hinge.section.concrete { width = 0.3, depth = 0.3, concrete = 30e6, steel = 500e6,
+      bars = { { -0.1, 0.1, area = 3e-4 }, { 0.1, 0.1, area = 3e-4 }, { -0.1, -0.1, area = 3e-4 },
+        { 0.1, -0.1, area = 3e-4 } } }
+    for i = 0, 2 do
+      local foot = model:node { 5 * i, 0, 0 }
+      heads[i] = model:node { 5 * i, 0, 3 }
+      model:fix(foot)
+      model:fix(heads[i], "y,rx,rz")
+      model:member { foot, heads[i], section = i == 0 and concrete or post, material = i == 0
+        and hinge.material { E = 30e9, density = 0.05 } or steel, up = { 1, 0, 0 } }
+      if i > 0 then
+        model:member { heads[i - 1], heads[i], section = box, material = steel, up = { 0, 0, 1 } }
+      end
+    end
+    model:case("dead"):load { node = heads[1], force = { 0, 0, -1e3 } }
+    return model
+  end
+  local function result(options)
+    local all = { build = build, remove = { 2 }, quiet = true, loads = { dead = 1 }, limit = 0.03 }
+    for name, value in pairs(options) do all[name] = value end
+    local good, message = pcall(robustness, all)
+    return good and "made" or tostring(message)
+  end
+  for procedure, name in pairs { ["linear static"] = "omega_ld", ["nonlinear static"] = "omega_n" } do
+    local said = result { procedures = { procedure } }
+    expect(said:find("member 1 is of concrete; the formulas of the factors are for steel; give field '" .. name .. "'",
+      1, true), "%s: %s", procedure, said)
+    equal(result { procedures = { procedure }, [name] = 1.5 }, "made", procedure .. " with its factor")
   end
 end)
 
