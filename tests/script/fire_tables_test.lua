@@ -57,6 +57,7 @@ case("3.4.1.1: elongation on each side of 750 and 860 degrees", function()
     [1000] = 0.0138, [1100] = 0.0158, [-60] = -0.96e-3, [-20] = -0.48e-3 } do
     near(at(points, t), wanted, 1e-7, t .. " degrees: from 20 degrees on")
   end
+  equal(("%g %g"):format(points[1][1], points[#points][1]), "-60 1100", "as far as the factors")
   -- straight between points 5 degrees apart
   for t = 21, 740, 7 do near(at(points, t), 1.2e-5 * t + 0.4e-8 * t ^ 2 - 2.416e-4, 4e-8, t .. " degrees") end
   -- a bar that is free to lengthen, in a run
@@ -77,6 +78,9 @@ case("ISO 834: the temperature of the gas to 0.1 K", function()
   end
   equal(hinge.heat.iso834(0), 20, "at the start")
   equal(hinge.heat.iso834(-1), 20, "before")
+  local good, message = pcall(hinge.heat.iso834, "noon")
+  expect(not good and tostring(message):find("hinge.heat.iso834: field 'time' is 'noon'", 1, true)
+    or tostring(message):find("time is 'noon'", 1, true), "says: %s", tostring(message))
 end)
 
 -- 3.4.1.2
