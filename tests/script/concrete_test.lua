@@ -180,6 +180,25 @@ case("ultimate strains of EN 1992-1-1, up to C90/105: moments beside N", functio
   end
 end)
 
+case("ACI 318-19, 22.2.2: moments beside N by the block of beta_1 times the neutral axis, by hand", function()
+  -- f'c of 24, 30 and 60 MPa: 22.2.2.4.3
+  for fc_, beta_1 in pairs { [24e6] = 0.85, [30e6] = 0.85 - 0.05 * 2 / 7, [60e6] = 0.65 } do
+    local of = ultimate(fc_, "ACI 318")
+    for _, x in ipairs { 0.1, 0.2, 0.3, 0.4, 0.55 } do
+      local a = support.smallest_of(beta_1 * x, d)
+      local force = 0.85 * fc_ * b * a
+      local N, M = -force, force * (d - a) / 2
+      for _, down in ipairs { edge, d - edge } do
+        local bar = 200e9 * 0.003 * (x - down) / x
+        bar = bar > fy and fy or bar < -fy and -fy or bar
+        local own = 3 * As * (bar - (down < a and 0.85 * fc_ or 0))
+        N, M = N - own, M + own * (d / 2 - down)
+      end
+      near(-of:plastic_moments(N, math.pi) / M, 1, 0.02, ("f'c %g Pa, x %g m"):format(fc_, x)) -- as those of EN
+    end
+  end
+end)
+
 case("ultimate strains by runs, and by the block of ACI 318", function()
   for _, of in ipairs { ultimate "C30/37", ultimate("C90/105"), ultimate(30e6, "ACI 318") } do
     for _, N in ipairs { 2e5, -5e5, -2e6 } do
@@ -200,6 +219,10 @@ case("strains: what does not go together", function()
   end
   refused("strains = 'plastic' alone", { strains = "EN 1992-1-1", effectiveness = 0.9 })
   refused("must be one of", { strains = "EN" })
+  refused("bar 1: give either 'diameter' (m) or 'area' (m^2); both are given", { bars = { { 0, 0, diameter = 0.02,
+    area = 3e-4 } } })
+  local none, words = pcall(section, 2, 2, { bars = { { 0, 0 } } })
+  expect(not none and tostring(words):find "bar 1: give either 'diameter' %(m%) or 'area' %(m^2%)$", "says: %s", words)
   local function general(strength, more)
     local reinforcement = with({ concrete = strength, bars = { { 0.1, 0.1, area = 1e-3, tension = 500e6 } } }, more)
     return pcall(hinge.section.general, { area = 0.2, Ix = 1e-3, Iy = 1e-3, J = 1e-3, reinforcement = reinforcement,
@@ -238,6 +261,10 @@ case("stiffness is a factor on E I, and not on N or the mass", function()
     local wanted = 1e3 * L ^ 3 / (3 * material.E * factor * b * d ^ 3 / 12) + 1e3 * L / (G * of.shear_area_y)
     near(uz / wanted, 1, 1e-9, "deflection, stiffness " .. tostring(given))
     equal(of.area, gross.area, "area")
+    near(of.Ix, factor * b * d ^ 3 / 12, 1e-12, "I_x")
+    near(of.Iy, factor * d * b ^ 3 / 12, 1e-12, "I_y")
+    equal(of.J, gross.J, "J")
+    equal(of.shear_area_x .. " " .. of.shear_area_y, gross.shear_area_x .. " " .. gross.shear_area_y, "shear areas")
   end
 end)
 

@@ -139,6 +139,21 @@ case("SAP2000: a frame in kN and mm, row by row", function()
     .. "3 materials, 2 load cases, 8 loads\n  mass of the members 574.12 kg, point masses 0 kg", "the summary")
 end)
 
+case("SAP2000: each release that is not read is noted with its line and its end", function()
+  for key, at in pairs { PI = "I", V2J = "J", V3I = "I", V2I = "I", PJ = "J", V3J = "J" } do
+    local _, notes = import.s2k { file = write("frame.s2k", (sap:gsub("Frame=3   TI=Yes", "Frame=3   TI=Yes   " .. key
+      .. "=Yes"))) }
+    equal(#notes, 1, key)
+    equal(notes[1] and notes[1].reason, ("end %s: releases of P, V2 and V3 are not read"):format(at), key)
+  end
+  local _, notes = import.s2k { file = write("frame.s2k", (sap:gsub("Frame=3   TI=Yes", "Frame=3   PartialFix=Yes"))) }
+  equal(notes[1] and notes[1].reason, "a spring of a partial release is not read: the end is released", "a spring")
+  for _, key in ipairs { "AdvanceAxes", "MirrorAbt2", "MirrorAbt3" } do
+    _, notes = import.s2k { file = write("frame.s2k", (sap:gsub("Angle=30", "Angle=30   " .. key .. "=Yes"))) }
+    equal(notes[1] and notes[1].reason, "of the local axes the angle alone is read", key)
+  end
+end)
+
 case("releases and self weight in full: own nodes, springs of 1000 times the member, gravity or loads", function()
   local frame = import.s2k { file = write("frame.s2k", sap) }
   local good, message = pcall(in_full, "w", frame, {})
@@ -269,6 +284,11 @@ case("ETABS: a frame in kN and cm, row by row", function()
   for key, wanted in pairs { area = A, Ix = I, Iy = I, J = 2 * I } do near(pipe[key], wanted, 1e-9 * wanted, key) end
   near(pipe.plastic.Zx, (D ^ 3 - d ^ 3) / 6, 1e-9, "Zx of the pipe")
   equal(#notes, 0, tostring(notes))
+  for _, key in ipairs { "ANG", "LENGTHOFFI", "LENGTHOFFJ" } do -- with its line
+    local good, message = pcall(import.e2k, { file = write("frame.e2k", (etabs:gsub("ANG 90", key .. " upwards"))) })
+    expect(not good and tostring(message):find(("frame.e2k:29: %s is 'upwards'; must be a number"):format(key), 1,
+      true), "says: %s", tostring(message))
+  end
 end)
 
 -- CSV -----------------------------------------------------------------------------------------------------------------

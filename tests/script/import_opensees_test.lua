@@ -90,6 +90,12 @@ case("OpenSees: a plane frame in m and kN, row by row, in Tcl and in Python", fu
     local frame, notes = import.tcl { file = write(name, text), units = { length = "m", force = "kN" } }
       same_lines(dump(frame), plane_as_text, name)
     equal(#notes, 0, tostring(notes))
+    local assumed = {}
+    for i, entry in ipairs(notes.assumed) do assumed[i] = ("%d %s"):format(entry.line, entry.reason:match "^[^;:]*") end
+    table.sort(assumed)
+    equal(table.concat(assumed, "; "), name == "plane.tcl"
+      and "1 a plane frame; 10 the element has no shear strain; 8 Linear is not read"
+      or "10 the element has no shear strain; 2 a plane frame; 8 Linear is not read", "what is assumed in " .. name)
   end
 end)
 

@@ -227,8 +227,8 @@ case("loads without inertia are told above 1.5 times the weight of all masses", 
 end)
 
 case("the formulas of the factors are refused for concrete, unless the factors are given", function()
-  local concrete = hinge.section.concrete { width = 0.3, depth = 0.3, concrete = 30e6, steel = 500e6, strains = "plastic",
-    bars = { { -0.1, 0.1, area = 3e-4 }, { 0.1, 0.1, area = 3e-4 }, { -0.1, -0.1, area = 3e-4 },
+  local concrete = hinge.section.concrete { width = 0.3, depth = 0.3, concrete = 30e6, steel = 500e6,
+    strains = "plastic", bars = { { -0.1, 0.1, area = 3e-4 }, { 0.1, 0.1, area = 3e-4 }, { -0.1, -0.1, area = 3e-4 },
       { 0.1, -0.1, area = 3e-4 } } }
   local function build()
     local model, heads = hinge.model { displacement = "small" }, {}

@@ -142,6 +142,7 @@ case("an elastic frame turns at T / 2 at twice statics, and is followed for a pe
   near(elastic({ follow = 0.5, dt = T / 200 }).followed, row.time + T / 2, 3 * T / 200, "for half a period")
   equal(row.broken, 0, "broken")
   equal(row.verdict, "holds", row.reason)
+  equal(row.at_rest, nil, "what the row needs for itself alone is taken out")
   local short = elastic { follow = 100, dt = T / 100 }
   equal(short.reason, ("the joint above has not turned, or not for long enough, by t = %.4g s, the end of the run; "
     .. "give a longer duration"):format(10 * row.period), "ten periods without a duration")
@@ -308,6 +309,22 @@ case("linear statics: DCR under Omega_LD and 2 times the loads, of all or of tho
 end)
 
 -- Verdicts ------------------------------------------------------------------------------------------------------------
+
+case("linear statics: the shear of a joint under 2 times the loads over that at which it breaks", function()
+  local P, V = 100e3, 120e3 -- each end of both beams has P / 2
+  for _, scaled in ipairs { false, true } do
+    for _, capacity in ipairs { V, 0.7 * V } do
+      local row = row_of({ P = P, scaled = scaled, ends = { a = hinge.joint { shear = capacity,
+        Mx = { stiffness = 1e11, strength = 10 * Mp } } } }, { procedures = { "linear static" }, m = 4 })
+      near(row.force_dcr, P / capacity, 1e-4, "DCR by force")
+      near(row.joint_dcr, (0.9 * 4 + 1.1) * P * L / 8 / (10 * Mp) * 2, 0.02, "DCR of its moment") -- P L / 4 of two ends
+      equal(row.verdict, P < capacity and "holds" or "exceeds the capacity", row.reason)
+      if P > capacity then
+        expect(row.reason:find("^the joint at end a of member %d has a DCR of 1.19"), "says %s", row.reason)
+      end
+    end
+  end
+end)
 
 case("joints that turn without a limit are counted, each once, and their largest rotation is told", function()
   -- springs at both ends of both beams, and P so small that nothing else yields; the elastic run has a part of 1e-4
