@@ -221,6 +221,14 @@ case("strains: what does not go together", function()
   refused("must be one of", { strains = "EN" })
   refused("bar 1: give either 'diameter' (m) or 'area' (m^2); both are given", { bars = { { 0, 0, diameter = 0.02,
     area = 3e-4 } } })
+  for field, value in pairs { count = 0, diameter = -1, y = "middle" } do
+    local layer = { y = "top", count = 2, diameter = 0.02 }
+    layer[field] = value
+    local good, told = pcall(hinge.section.concrete, { width = b, depth = d, concrete = fc, steel = fy, cover = 0.03,
+      layers = { layer } })
+    expect(not good and tostring(told):find("layer 1: field '" .. field .. "' is ", 1, true)
+      or tostring(told):find("layer 1: " .. field .. " is ", 1, true), "says: %s", told)
+  end
   local none, words = pcall(section, 2, 2, { bars = { { 0, 0 } } })
   expect(not none and tostring(words):find "bar 1: give either 'diameter' %(m%) or 'area' %(m^2%)$", "says: %s", words)
   local function general(strength, more)
