@@ -148,6 +148,7 @@ case("eq 4.25: steel in a fire, by its increments, through all branches of the s
     times[i] = ("%g"):format(point[1])
   end
   equal(table.concat(times, " "), "0 30 60 90 100", "times of the points")
+  expect(not pcall(hinge.heat.unprotected, { section_factor = 100, duration = 100, shadow = 1.01 }), "a shadow above 1")
   local good, message = pcall(hinge.heat.unprotected, { section_factor = 100, duration = 100,
     fire = function(t) return t < 12 and 20 or nil end })
   expect(not good and tostring(message):find("'fire' returned nil at t = 12.5 s", 1, true), "says: %s",

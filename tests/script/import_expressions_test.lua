@@ -98,4 +98,27 @@ case("functions of Python and of Tcl have the values of their definition", funct
   end
 end)
 
+case("loads after the braces of a pattern, an open index and modules that are no part of a frame", function()
+  local head = "model basic -ndm 3 -ndf 6\nnode 1 -99 0 0\nnode 2 1 0 0\ngeomTransf Linear 1 0 0 1\n"
+    .. "element elasticBeamColumn 1 1 2 1 1 1 1 1 1 1\n"
+  local function refused(text)
+    local good, message = pcall(import.tcl, { file = write("f.tcl", head .. text), units = { length = "m",
+      force = "N" } })
+    return good and "read" or tostring(message)
+  end
+  equal(refused "pattern Plain 1 Linear { load 2 1 0 0 0 0 0 }\n", "read", "a load in the braces")
+  local behind = refused "pattern Plain 1 Linear { }\nload 2 1 0 0 0 0 0\n"
+  expect(behind:find("f.tcl:7: the load stands outside of a pattern", 1, true), "behind them: %s", behind)
+  expect(refused("set x(1) 2\nset y $x(1\n"):find("f.tcl:7: the index of x is not closed", 1, true), "an index: %s",
+    refused "set x(1) 2\nset y $x(1\n")
+  for _, line in ipairs { "from os import path", "import os", "import os.path as p", "from opsvis import *" } do
+    local _, notes = import.tcl { file = write("f.py", line .. "\nfrom openseespy.opensees import *\n"
+      .. "from math import sqrt, pi\nmodel('basic', '-ndm', 3, '-ndf', 6)\nnode(1, 0, 0, 0)\n"
+      .. "node(2, sqrt(4) * pi, 0, 0)\ngeomTransf('Linear', 1, 0, 0, 1)\n"
+      .. "element('elasticBeamColumn', 1, 1, 2, 1, 1, 1, 1, 1, 1, 1)\n"), units = { length = "m", force = "N" } }
+    equal(#notes, 0, line .. ": nothing is missing")
+    equal(notes.skipped[1] and notes.skipped[1].text, line, "what is skipped")
+  end
+end)
+
 checks.done()

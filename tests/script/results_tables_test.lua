@@ -324,6 +324,9 @@ case("an envelope is as far used as the worse of its runs, where the other sign 
     for i, row in ipairs(results.utilisation(runs[2], options).rows) do
       near(bound.rows[i].utilisation, row.utilisation, 1e-6, "of " .. standard)
     end
+    equal(bound.states, 2, "states")
+    local good, message = pcall(results.utilisation, runs[1], { model = model, standard = standard, every = 0 })
+    expect(not good and tostring(message):find("'every' is 0", 1, true), "every = 0: %s", tostring(message))
   end
 end)
 
@@ -372,6 +375,12 @@ case("the table and the plot of utilisations: order, remarks, columns of each ch
   equal(joined { drawn.x_label, drawn.title, bars.style, drawn.lines[1].x, drawn.x_range[1] },
     "utilisation, EN 1993-1-1 T bars 1 0", "the plot")
   near(drawn.x_range[2], 1.25 * support.largest_of(1, two.utilisation), 1e-12, "its range")
+  local alike = results.utilisation(run, { model = model, members = { two.member, one.member }, standard = "AISC 360" })
+  for _, row in ipairs(alike.rows) do row.utilisation = 0.5 end
+  alike:plot(job, "a.svg")
+  equal(table.concat(drawn.series[1].y, ", "), "member 1 (A), member 2 (B)", "equal ones in the order of the members")
+  local node_, words = pcall(results.members, run, { members = { a } })
+  expect(not node_ and tostring(words):find("members[1] is ", 1, true), "a node is no member: %s", tostring(words))
   found:plot(job, "a.svg", { top = 1 })
   equal(#drawn.series[1].x, 1, "the first one alone")
   local good, message = pcall(found.plot, found, job, "a.svg", {}, 3)
