@@ -92,6 +92,8 @@ another
   equal(joined { order "hidden", order "F", order "G", order "name", order "more", order() }, "231 132 312 213 123 123",
     "sorted")
   equal(#found.rows, 3, "the rows are as they were")
+  found.rows[1].name = "z"
+  equal(order "name", "213", "rows without a text are the last, behind z")
 end)
 
 -- Members -------------------------------------------------------------------------------------------------------------
@@ -351,6 +353,8 @@ case("the table and the plot of utilisations: order, remarks, columns of each ch
     "the largest first: %s", table.concat(lines, "\n"))
   expect(lines[2]:find(("%.3f  %s +1 push %%+ 3 up"):format(two.utilisation, two.check:gsub("%p", "%%%0"))),
     "its numbers: %s", lines[2])
+  expect(support.has(found:text { columns = { "law", "slenderness" } }, ("%.3f"):format(two.law)), "three decimals: %s",
+    found:text { columns = { "law", "slenderness" } })
   equal(lines[5], "EN 1993-1-1:2005, classes 1 and 2, annex B, of the resultants of the run", "the standard")
   equal(lines[6], lengths.remark(nil), "what is said of lengths")
   local keys, names = {}, {}

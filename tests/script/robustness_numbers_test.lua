@@ -346,8 +346,10 @@ case("joints that turn without a limit are counted, each once, and their largest
     equal(row.joints_unrated, 4, procedure .. ": joints")
     equal(row.verdict, "not rated", row.reason)
     expect(row.reason:find "^4 joints without a limit of rotation turn by up to [%d.e-]+ rad; ", "says %s", row.reason)
+    local told = tonumber(row.reason:match "up to ([%d.e-]+)")
+    expect(told < 0.01, "it is a small one: %s", row.reason)
     if procedure == "nonlinear static" then
-      near(tonumber(row.reason:match "up to ([%d.e-]+)"), row.joint_rotation, 1e-3 * row.joint_rotation, "rad")
+      near(told, row.joint_rotation, 1e-3 * row.joint_rotation, "rad")
     end
   end
 end)
@@ -394,6 +396,11 @@ case("a frame in which nothing can yield is refused, and so are loads that belon
   end
   expect(refused({ P = 1 }, plastic(false)):find("nothing can yield in the model", 1, true), "no plasticity")
   equal(refused({ P = 1 }, plastic(true)), "accepted", "with it")
+  local linear, own = plastic(false), plastic(false)
+  linear.procedures = { "linear static" }
+  equal(refused({ P = 1 }, linear), "accepted", "linear statics needs no yield")
+  own.criterion = function() return "fine" end
+  equal(refused({ P = 1 }, own), "accepted", "a criterion of one's own may judge it")
   local loaded = { P = 1e3, extra = function(model, head) model:load { node = head, force = { 0, 0, -1 } } end }
   expect(refused(loaded, { procedures = { "linear static" } }):find("give each of them a case", 1, true), "a load")
 end)
