@@ -2072,8 +2072,9 @@ function section.round(options) end
 ---A rectangle of reinforced concrete. It yields where N, Mx and My come to an ultimate state of its strains: concrete
 ---crushes at its edge, or all bars yield; concrete carries nothing in tension. The surface is a smooth and convex one
 ---through these states, up to 1.8 % beyond them in 95 of 100 sections, 4.4 % in the worst of 202 (ACI 318: 6.2 % and
----9.6 %). A moment that is small beside the others may be up to 7 % less than that of the states. Its strengths are its
----own, so that its material has none: hinge.material.concrete. Shear, torsion, bond, and the loss of strength by crushing are not in it.
+---9.6 %). A moment that is small beside the others may be up to 7 % less than that of the states. Its strengths are
+---its own, so that its material has none: hinge.material.concrete. Shear, torsion, bond, and the loss of strength by
+---crushing are not in it.
 ---```lua
 ---local column = hinge.section.concrete { width = 0.4, depth = 0.4, concrete = "C30/37", steel = "B500B", cover = 0.04,
 ---  layers = { { y = "top", count = 3, diameter = 0.02 }, { y = 0, count = 2, diameter = 0.02 },
