@@ -27,6 +27,15 @@ local released = there({ "model:member", "hinge.joint" },
 local rigid = there({ "model:rigid_link", "model:diaphragm" }, "a node moves with another one as a rigid body")
 local shaken = there({ "hinge.ground", "model:move", "hinge.record.read" },
   "hinge.ground turns accelerations into displacements, and model:move applies them to supports")
+local joints = there({ "hinge.joint", "model:joint", "run:hinges" },
+  "ends = { a = hinge.joint {...} } of a member, or model:joint between two nodes; run:hinges rates them")
+local zone = there({ "joint.panel_zone", "model:joint" }, "the web of a column between the beams that meet there")
+local dampers = there({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes")
+local robust = there({ "hinge.robustness", "model:remove" }, "frames that lose columns, by three procedures")
+local push = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement")
+local pressure = there({ "hinge.pressure", "model:load" }, "a pressure on an area or a face becomes loads of members")
+local lengths = there({ "results.utilisation", "model:imperfection" },
+  "the option lengths of hinge.results.utilisation; a run of second order needs none")
 local used = there({ "results.utilisation", "run:read" },
   "hinge.results.utilisation checks members of steel by EN 1993-1-1 or AISC 360; f_y is 1 where fully plastic")
 local base = there({ "results.base", "node:reaction" }, "reactions, loads, weight and what is left of them")
@@ -46,13 +55,26 @@ return {
   ["own weight"] = there({ "model:gravity" }, "gravity acts on the density of members and on point masses"),
   ["dead load"] = there({ "model:case", "model:load", "model:gravity" }, "a load case holds loads under a name"),
   ["load combination"] = there({ "model:combination", "model:case" }, "factors of load cases under a name"),
-  pushover = there({ "model:static" }, "control = { node = n, \"ux\", to = 0.3 } drives one displacement"),
-  mode = modes, eigenvalue = modes, ["natural period"] = modes, ["natural frequency"] = modes,
+  pushover = push, ["capacity curve"] = push, ["displacement control"] = push,
+  wind = pressure, snow = pressure,
+  connection = joints, ["semi rigid"] = joints, ["joint rotation"] = joints, ["moment rotation"] = joints,
+  ["partial strength"] = joints, ["panel zone"] = zone, ["end plate"] = there({ "joint.end_plate" }, joints.how),
+  ["base plate"] = there({ "joint.base_plate" }, joints.how),
+  ["plastic hinge"] = there({ "run:hinges" }, "rotation, work and first yield of each hinge and joint, against limits"),
+  ["progressive collapse"] = robust, ["column removal"] = robust, ["alternate path"] = robust,
+  ["demand capacity ratio"] = robust, dcr = robust,
+  ["incremental dynamic analysis"] = there({ "hinge.study" }, "a scenario with many values of a parameter"),
+  ["p delta"] = there({ "hinge.model_options" }, "displacement = \"large\", the default, has it; option p_delta"),
+  ["buckling length"] = lengths, ["effective length"] = lengths,
+  reinforcement = there({ "section.concrete" }, "concrete with bars"),
+  rebar = there({ "section.concrete" }, "concrete with bars"),
+  mode = modes, ["modal analysis"] = modes, eigenvalue = modes,
+  ["natural period"] = modes, ["natural frequency"] = modes,
   hardening = hardens, ["kinematic hardening"] = hardens, ["strain rate"] = hardens,
   rbs = standard, ["reduced beam section"] = standard, wuf = standard, ["moment connection"] = standard,
   ["asce 41"] = standard, ["fema 356"] = standard, ["aisc 342"] = standard, ["ufc 4 023 03"] = standard, gsa = standard,
   nist = standard, ["lignos krawinkler"] = standard, ["acceptance criteria"] = standard, ["shear tab"] = standard,
-  softening = falls, degradation = falls, ["hinge property"] = falls, ["moment rotation"] = falls,
+  softening = falls, degradation = falls, ["hinge property"] = falls,
   fibre = no_law, fiber = no_law,
   temperature = temperature, fire = temperature, creep = temperature,
   support = support, restraint = support, ["boundary condition"] = support,
@@ -65,7 +87,7 @@ return {
   utilisation = used, utilization = used, ["code check"] = used, ["design check"] = used, ["unity check"] = used,
   ["member check"] = used, eurocode = used, ["eurocode 3"] = used, aisc = used, ["lateral torsional buckling"] = used,
   ["base shear"] = base, ["base reaction"] = base, envelope = extremes, ["extreme forces"] = extremes,
-  isolator = missing({ "model:connector" }, "curves, dashpots and functions of a connector act between two nodes"),
+  isolator = dampers, ["base isolation"] = dampers, damper = dampers,
   link = there({ "model:connector" }, "springs, dashpots, curves and functions between two nodes"),
   restart = there({ "run:checkpoint", "run:resume", "hinge.resume" }, "a run goes on from its checkpoint, bit by bit"),
   ipe = named, hea = named, heb = named, hem = named, upn = named, hss = named, chs = named, rhs = named, shs = named,

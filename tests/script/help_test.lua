@@ -116,6 +116,9 @@ case("what the reference has is not denied", function()
     utilisation = "results.utilisation", eurocode = "results.utilisation", drift = "results.storeys",
     ["storey drift"] = "results.storeys", ["interstorey drift"] = "results.storeys", slab = "model:diaphragm",
     floor = "model:diaphragm", ["base shear"] = "results.base", envelope = "results.envelope",
+    ["panel zone"] = "joint.panel_zone", connection = "hinge.joint", damper = "model:connector",
+    ["column removal"] = "hinge.robustness", ["p delta"] = "hinge.model_options", wind = "hinge.pressure",
+    ["effective length"] = "results.utilisation", isolator = "model:connector",
     ["natural period"] = "run:modes", ["load combination"] = "model:combination", fire = "model:heat" } do
     local known = words[word]
     expect(known and not known.missing and known.see[1] == name, "'%s' leads to %s", word, name)
