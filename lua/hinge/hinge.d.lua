@@ -3610,11 +3610,12 @@ function model:dynamic(options) end
 ---this every 100 steps, or 20 times in a short run, and at the end. A perfect structure that can buckle while only
 ---rounding starts it (a straight column, a symmetric arch or truss): dynamics of up to 500 nodes looks for that up to
 ---40 times in a run, from 5 % of Euler's load in a member or 1 % of the size in displacement on. Members that passed
----through each other without a contact rule for them (dynamics; not those that share a node or overlapped at the
----start). Bodies that fell below the lowest support where no ground is for them. An elastic stress that no material
----bears where no yield stress is declared: a strain of 1 % from E = 50 GPa, 3 % from 5 GPa, 30 % from 0.5 GPa; members
----stretched to more than 1.6 times their length. Members of less than eight elements that were struck between their
----joints and yielded. `hinge run` prints the warnings; they are in summary.json
+---through each other without a contact rule for them, in statics with large displacement whatever the rules (not those
+---that share a node or overlapped at the start). Bodies that fell below the lowest support, and columns that fell over
+---to below their own, where no ground is for them. An elastic stress that no material bears where no yield stress is
+---declared: a strain of 1 % from E = 50 GPa, 3 % from 5 GPa, 30 % from 0.5 GPa; members stretched to more than 1.6
+---times their length. Members of less than eight elements that were struck between their joints and yielded.
+---`hinge run` prints the warnings; they are in summary.json
 ---@field warnings string[]
 ---@field energy hinge.energy
 ---@field dt number s, of the next step; nil in statics
@@ -4032,17 +4033,18 @@ function mode:displacement(node) end
 ---@return hinge.snapshot
 function mode:snapshot(amplitude, time) end
 
----The plastic hinges, and the joints. Hinges are all sections that have ever been fully plastic, in this run and in the
----runs before (`from`). Of a joint (hinge.joint, model:joint) each axis that is a spring has a row, and each force at
----which it breaks; pins and rigid axes have none. They come by storey, member and place in the member. Where two
----elements of a member meet there is one hinge: the rotation is that of both. The list keeps the values of now; it does
----not follow the run. limit compares the largest rotation so far of each hinge (demand) with a limit in rad. It is a
----number, or the levels { IO =, LS =, CP = } (immediate occupancy, life safety, collapse prevention; one or more,
----rising). It may be a table of these by group: a member's first group in it counts. It may be a function of the hinge
----that returns one of these, or nil for no limit. The limit is that of rotation alone: a brace that yields by its axial
----force has no rotation, and an elongation. The rotation of a joint is the whole of it, with the elastic part. Its own
----limits (`capacity`, `tension`, `shear` of hinge.joint) are compared too, with `limit` or without: the one that it has
----come nearest to gives its ratio.
+---The plastic hinges, and the joints. Hinges are all sections that have ever been fully plastic, in this run and in
+---the runs before (`from`). Of a joint (hinge.joint, model:joint) each axis that is a spring has a row, and each
+---force at which it breaks; pins and rigid axes have none. A connector (model:connector) has a row for each direction
+---with a capacity. They come by storey, member and place in the member. Where two elements of a member meet there is
+---one hinge: the rotation is that of both. The list keeps the values of now; it does not follow the run. limit
+---compares the largest rotation so far of each hinge (demand) with a limit in rad. It is a number, or the levels { IO
+---=, LS =, CP = } (immediate occupancy, life safety, collapse prevention; one or more, rising). It may be a table of
+---these by group: a member's first group in it counts. It may be a function of the hinge that returns one of these,
+---or nil for no limit. The limit is that of rotation alone: a brace that yields by its axial force has no rotation,
+---and an elongation. The rotation of a joint is the whole of it, with the elastic part. Its own limits (`capacity`,
+---`tension`, `shear` of hinge.joint) are compared too, with `limit` or without: the one that it has come nearest to
+---gives its ratio.
 ---```lua
 ---local pushed = model:static { steps = 5 }:finish()
 ---local found = pushed:hinges { group = "arm", limit = { IO = 0.01, LS = 0.03, CP = 0.04 } }
@@ -4121,14 +4123,18 @@ function hinges:write(filename) end
 ---@field ratio? number demand over limit; of a joint largest over capacity, or largest_force over strength
 ---the level that its demand keeps to: "IO", "LS", "CP", "beyond CP" or "beyond capacity"; nil without levels
 ---@field level? string
----"joint at end a of member 3", "joint between nodes 4 and 9"; nil: a hinge. This and what follows: of joints
+---"joint at end a of member 3", "joint between nodes 4 and 9", "connector 2 between nodes 4 and 9"; nil: a hinge. This
+---and what follows: of joints, and of connectors with a capacity
 ---@field joint? string
----@field axis? "x"|"y"|"z"|"tension"|"shear" of the section, or the force at which the joint breaks
----@field between_nodes? boolean made by model:joint
+---of the section; or the force at which the joint breaks; of a connector "force_x" to "moment_z", along and about its
+---own axes, each that has a capacity
+---@field axis? "x"|"y"|"z"|"tension"|"shear"|string
+---@field connector? integer its number, in the order of declaration; nil: it is no connector
+---@field between_nodes? boolean made by model:joint or model:connector
 ---@field moment? number N m, now, about the axis, on the node
 ---@field largest_moment? number N m, of either sign
----@field force? number N, now: tension or shear
----@field largest_force? number N
+---@field force? number N, now: tension or shear; of connectors without a sign, N or N m; 0 where it has broken
+---@field largest_force? number N; of a connector N or N m, of either sign
 ---@field stiffness? number N m/rad, elastic
 ---@field strength? number N m, the largest moment of its curve; N, at which it breaks; nil: elastic
 ---@field capacity? number rad, at which it breaks
@@ -4362,8 +4368,14 @@ function envelope:plot(job, filename, options) end
 ---6.3.3 with annex B. AISC 360-16, LRFD: D2(a), E3, F2, F3, F6, F7, F8, F11, G2, G4 to G6, H1.1, H3. Sections: H, box,
 ---pipe, rectangle, round bar, of steel. Other members, and those whose plates are too slender, have a remark "not
 ---checked: ..." and no utilisation. The formulas were compared with published examples. Rupture at holes, torsional
----buckling of compressed H sections, warping and joints are not checked; run:hinges rates joints. An envelope in place
----of runs takes extremes of different times together.
+---buckling of compressed H sections and warping are not checked. An envelope in place of runs takes extremes of
+---different times together.
+---
+---Joints have rows of their own, whatever the standard: the moment about each axis over its strength ("joint Mx"); with
+---interaction = "linear" the share of tension is added ("joint Mx + tension", EN 1993-1-8, 6.2.7.1 (3)); the rotation
+---over the capacity ("joint rotation x"), and the forces at which the joint or a connector breaks ("joint tension",
+---"joint shear", "connector force z"). One that has broken by a limit of its own has its largest values. A joint
+---without a strength about an axis has a remark.
 ---```lua
 ---local used = hinge.results.utilisation(run, { model = model, standard = "EN 1993-1-1",
 ---  lengths = { kx = 2, ky = 2 } })
@@ -4406,7 +4418,8 @@ function results.utilisation(runs, options) end
 ---@field C1? number EN 1993-1-1: by the shape of the moments between lateral supports; default 1
 ---@field Cb? number AISC 360: the same
 
----A table of utilisations, the largest first. A row has utilisation, check (the clause or equation that governs), x (m;
+---A table of utilisations, the largest first. A row of a joint has joint (its name, as in run:hinges) and the member
+---that it is at. A row has utilisation, check (the clause or equation that governs), x (m;
 ---nil: the member as a whole), when (s, or a name), law (the largest √f_y of the section's own law), slenderness (of
 ---plates, over their limit), remark, checks ({ [name] = { value =, x =, when = } }) and each check by its name.
 ---@class hinge.results_utilisation: hinge.results_table
@@ -4807,6 +4820,7 @@ function hinge.study(scenario, options) end
 ---@field results table<string, number|string|boolean>
 ---@field energy_error? number of the last run, as a part of its largest energy
 ---@field steps? integer of the last run
+---@field warnings? string[] run.warnings of its last run; nil: none. `hinge study` prints the first of all
 ---@field seconds number from start to end
 ---@field memory number bytes, the most that its process held
 ---@field folder string its folder, within the study's

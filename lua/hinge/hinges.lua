@@ -8,7 +8,13 @@ local hinges = {}
 local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collapse prevention
 local is_level = { IO = true, LS = true, CP = true }
 local listed = 20 -- hinges that print shows
-local is_force = { tension = true, shear = true } -- `axis` of what is no rotation
+
+-- `axis` of what is no rotation, of joints and of connectors: unit and words.
+local forces = { tension = { "N", "tension" }, shear = { "N", "shear" } }
+for _, axis in ipairs { "x", "y", "z" } do
+  forces["force_" .. axis] = { "N", "force along " .. axis }
+  forces["moment_" .. axis] = { "N m", "moment about " .. axis }
+end
 
 local List = {}
 local class = check.class(List, "hinge.hinge_list")
@@ -100,7 +106,7 @@ end
 -- nearest to counts, as one of the script's does.
 local function compare_joint(hinge)
   local limit, value = hinge.capacity, hinge.largest
-  if is_force[hinge.axis] then limit, value = hinge.strength, hinge.largest_force end
+  if forces[hinge.axis] then limit, value = hinge.strength, hinge.largest_force end
   if not limit then return end
   local ratio = value / limit
   if hinge.ratio and not (ratio > hinge.ratio) then return end
@@ -116,7 +122,7 @@ local function rate(list, limit_of, limited)
   local worst, over, without = nil, 0, 0
   local function size(hinge) return limited and (hinge.ratio or -1) or hinge.demand end
   for _, hinge in ipairs(list) do
-    local own = not is_force[hinge.axis] and limit_of(hinge)
+    local own = not forces[hinge.axis] and limit_of(hinge)
     if own then compare(hinge, own) end
     if hinge.joint then compare_joint(hinge) end
     if not hinge.ratio then without = without + 1 end
@@ -130,7 +136,7 @@ end
 -- Whether a joint of the list breaks at some rotation or force.
 local function any_own_limit(list)
   for _, hinge in ipairs(list) do
-    if hinge.capacity or is_force[hinge.axis] then return true end
+    if hinge.capacity or forces[hinge.axis] then return true end
   end
   return false
 end
@@ -162,7 +168,9 @@ local function place_text(hinge)
 end
 
 local function name_of(hinge)
-  if hinge.joint then return hinge.joint .. (is_force[hinge.axis] and ", " or ", about ") .. hinge.axis end
+  if hinge.joint then
+    return hinge.joint .. ", " .. (forces[hinge.axis] and forces[hinge.axis][2] or "about " .. hinge.axis)
+  end
   local group, storey = hinge.group and " (" .. hinge.group .. ")" or "", hinge.storey
   local at = place_text(hinge)
   return ("member %d%s%s, %s"):format(hinge.member.index, group, storey and ", storey " .. storey or "",
@@ -175,24 +183,26 @@ local function first_text(hinge)
     .. (hinge.before and ", before" or "")
 end
 
--- How many plastic hinges, and how many joints: a joint has a row for each axis and force.
+-- How many plastic hinges, joints and connectors: a joint has a row for each axis and force.
 local function counts(list)
-  local found, joints, names = 0, 0, {}
+  local found, names = { hinge = 0, joint = 0, connector = 0 }, {}
   for _, hinge in ipairs(list) do
-    if not hinge.joint then
-      found = found + 1
-    elseif not names[hinge.joint] then
-      names[hinge.joint], joints = true, joints + 1
-    end
+    local kind = hinge.connector and "connector" or hinge.joint and "joint" or "hinge"
+    if not names[hinge.joint] then found[kind] = found[kind] + 1 end
+    if hinge.joint then names[hinge.joint] = true end
   end
-  local text = check.count(found, "plastic hinge")
-  return joints > 0 and text .. " and " .. check.count(joints, "joint") or text
+  local parts = { check.count(found.hinge, "plastic hinge") }
+  for _, kind in ipairs { "joint", "connector" } do
+    if found[kind] > 0 then parts[#parts + 1] = check.count(found[kind], kind) end
+  end
+  return #parts < 3 and table.concat(parts, " and ") or ("%s, %s and %s"):format(table.unpack(parts))
 end
 
 local function worst_text(worst)
-  if is_force[worst.axis] then
-    return ("%s, %.4g N, %.3g of its limit %.4g N"):format(name_of(worst), worst.largest_force, worst.ratio,
-      worst.strength)
+  if forces[worst.axis] then
+    local unit = forces[worst.axis][1]
+    return ("%s, %.4g %s, %.3g of its limit %.4g %s"):format(name_of(worst), worst.largest_force, unit, worst.ratio,
+      worst.strength, unit)
   end
   local value = worst.limit and worst.limit == worst.capacity and worst.largest or worst.demand
   local text = ("%s, %.4g rad"):format(name_of(worst), value)
@@ -213,10 +223,11 @@ end
 -- Behind the row of a joint: what it carries.
 local function joint_text(hinge)
   if not hinge.joint then return "" end
-  local force = is_force[hinge.axis]
-  local text = force and ("  joint, %s: %.4g"):format(hinge.axis, hinge.force)
+  local force = forces[hinge.axis]
+  local text = force
+    and ("  %s, %s: %.4g"):format(hinge.connector and "connector" or "joint", force[2], hinge.force)
     or ("  joint, about %s: %.4g"):format(hinge.axis, hinge.moment)
-  return text .. (hinge.strength and (" of %.4g"):format(hinge.strength) or "") .. (force and " N" or " N m")
+  return text .. (hinge.strength and (" of %.4g"):format(hinge.strength) or "") .. " " .. (force and force[1] or "N m")
 end
 
 function class.__tostring(self)

@@ -16,6 +16,7 @@
 #include "effects/connector_curve.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
+#include "state/joint_records.h"
 
 namespace hinge {
 namespace {
@@ -113,6 +114,7 @@ public:
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
             list()[i] = at_end(i);
+            for (int k = 0; k < 6; ++k) keep_largest(list()[i].largest[k], list()[i].force[k]);
             for (int k = 0; k < 6; ++k)
                 if (std::abs(list()[i].force[k]) >= declared()[i].capacity[k]) {
                     release(i, step.end(), k);

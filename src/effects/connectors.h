@@ -50,11 +50,12 @@ struct ConnectorNow {
     Vec6 of_dashpots = Vec6::Zero();  ///< the part of it that dissipates
     Vec6 of_laws = Vec6::Zero();      ///< and that of the script's laws
     Vec6 viscous = Vec6::Zero();      ///< of damping by stiffness, not in `force`
+    Vec6 largest = Vec6::Zero();      ///< sizes of `force`, the most so far; read by results alone
     LawState law[6];
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.viscous, s.law);
+        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.viscous, s.largest, s.law);
     }
 };
 

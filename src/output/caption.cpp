@@ -113,6 +113,16 @@ std::vector<Entry> legend(const CaptionInput& told, int dots) {
     return entries;
 }
 
+/// What the dots show. It depends on what can yield, not on what has: all pictures of a film have the same words.
+const char* text_of_dots(const Snapshot& snapshot) {
+    if (is_compared(snapshot))
+        return snapshot.joints ? "rotation or force against the limit" : "rotation against the limit";
+    if (!snapshot.joints) return "plastic rotation";
+    const bool hinges =
+        std::any_of(snapshot.bars.begin(), snapshot.bars.end(), [](const Bar& bar) { return bar.N0 > 0; });
+    return hinges ? "rotation of hinges and joints" : "rotation of joints";
+}
+
 void draw_legend(Pen& pen, const CaptionInput& told, double em) {
     const View& view = told.view;
     // Beside the axes, which stand on the left. Where it is too narrow for that it has fewer dots, and all shrinks.
@@ -157,8 +167,8 @@ void draw_legend(Pen& pen, const CaptionInput& told, double em) {
         pen.text(middle, foot + 0.4 * em, e.text, text);
         x += wide;
     }
-    const char* const what = is_compared(told.snapshot) ? "rotation against the limit" : "plastic rotation";
-    if (dots >= 0) pen.text(dots, foot + 0.4 * em, what, {.size = 0.85 * em * std::max(fit, 0.75)});
+    if (dots >= 0)
+        pen.text(dots, foot + 0.4 * em, text_of_dots(told.snapshot), {.size = 0.85 * em * std::max(fit, 0.75)});
 }
 
 /// In the lower left corner, below the structure.

@@ -183,7 +183,9 @@ private:
             return std::any_of(bars_.begin(), bars_.end(), [&](const DrawnBar& b) { return test(*b.bar); });
         };
         const bool series = view_.box.has_value() && any([](const Bar& b) { return b.N0 > 0; });
-        const bool hinges = series || any([](const Bar& b) { return b.hinges && b.state != BarState::broken; });
+        const bool joints = view_.box.has_value() && snapshot_.joints;
+        const bool hinges =
+            series || joints || any([](const Bar& b) { return b.hinges && b.state != BarState::broken; });
         const bool broken = series || any([](const Bar& b) { return b.state == BarState::broken; });
         std::vector<char> groups;
         if (view_.box) groups = groups_of_view(snapshot_, view_);

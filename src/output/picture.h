@@ -87,6 +87,7 @@ struct Snapshot {
     std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
     std::vector<std::array<int, 2>> connected;    ///< points that connectors join, as declared
     std::vector<std::string> laws;                ///< of its sections; empty if all have eq 14 alone
+    bool joints = false;                          ///< dots may show joints, too: there are some that can yield
 };
 
 /// Quantity shown on the members: by their colour, or as a diagram along them.

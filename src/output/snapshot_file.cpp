@@ -209,7 +209,7 @@ std::vector<std::array<double, n>> read_rows(vtkFieldData* from, const char* nam
 // What each row of a list in the field data holds.
 constexpr const char *sections_name = "sections: kind, width, depth, web, flange [m]",
                      *loads_name = "loads: kind, point, line, place, first and second vector",
-                     *ground_name = "ground: point, normal [m]";
+                     *ground_name = "ground: point, normal [m]", *joints_name = "joints that can yield";
 
 void add_surroundings(vtkFieldData* to, const Snapshot& snapshot) {
     std::vector<std::array<double, 5>> sections;
@@ -226,6 +226,7 @@ void add_surroundings(vtkFieldData* to, const Snapshot& snapshot) {
     add_rows(to, loads_name, loads);
     add_rows(to, ground_name, ground);
     add_rows(to, "declared nodes", std::vector<std::array<double, 1>>{{static_cast<double>(snapshot.declared)}});
+    if (snapshot.joints) add_rows(to, joints_name, std::vector<std::array<double, 1>>{{1}});
 }
 
 /// A number that stands for a whole one; -1 for what does not.
@@ -243,6 +244,7 @@ void read_surroundings(vtkFieldData* from, Snapshot& snapshot) {
     for (const auto& r : read_rows<6>(from, ground_name))
         snapshot.ground.push_back({{r[0], r[1], r[2]}, {r[3], r[4], r[5]}});
     for (const auto& r : read_rows<1>(from, "declared nodes")) snapshot.declared = std::max(0, whole(r[0]));
+    for (const auto& r : read_rows<1>(from, joints_name)) snapshot.joints = r[0] != 0;
 }
 
 void add_field(vtkPolyData* data, const Snapshot& snapshot) {

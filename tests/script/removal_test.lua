@@ -192,7 +192,7 @@ model:dynamic { dt = 1e-4, duration = 4e-3 }:finish()
   equal(status, 0, "the scene: " .. complaint)
   local events, n = support.read(folder .. "/one/events.csv") or "", 0
   for line in events:gmatch "[^\n]+" do
-    local element, limit, rule = line:match '^0%.002,fracture,(%d),1,%d,"first",(%a+),,,"(.*)"$'
+    local element, limit, rule = line:match '^0%.002,fracture,(%d),1,%d,"first",(%a+),,,"(.*)",$'
     if element then
       n = n + 1
       equal(limit, "removed", "event: limit")

@@ -109,7 +109,7 @@ end)
 case("events.csv is in order, and each break has its cause", function()
   -- events.csv: in order, and each break with its cause.
   local columns = table.concat(run.events.columns, ",")
-  equal(columns, "time,event,element,member,end,group,limit,strain,of,rule", "columns of events.csv")
+  equal(columns, "time,event,element,member,end,group,limit,strain,of,rule,joint", "columns of events.csv")
   local first, last, broke = {}, -math.huge, nil
   for _, row in ipairs(run.events.rows) do
     local time = tonumber(row[1])
@@ -138,7 +138,7 @@ case("a run that goes on from a checkpoint tells the events before it too", func
   expect(page "one/events.csv" ~= "", "events.csv is empty")
   equal(page "second_half/events.csv", page "one/events.csv", "events of the run that went on")
   equal(hinge_on("run -q", scene, "rule=own --out own"), 0, "a rule of its own")
-  expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24"\n'), "a rule of its own: %s",
+  expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24",\n'), "a rule of its own: %s",
     page "own/events.csv")
 end)
 

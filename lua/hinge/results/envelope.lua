@@ -1,6 +1,7 @@
 -- hinge.results.envelope: the smallest and largest resultants of each member over the steps of a dynamic run, or over
 -- several runs.
 local check = require "hinge.check"
+local joints = require "hinge.results.joints"
 local members = require "hinge.results.members"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
@@ -57,6 +58,7 @@ function Envelope:add(run, name, ...)
     widen_stations(row.stations, along, member.length, self.parts)
     if #along == 0 then row.remark = "broken" end
   end
+  joints.widen(self.joints, joints.read(run, self.where, source.by_index(self.list)))
   self.states = self.states + 1
   local failed = source.failed(run, name)
   if failed then self.notes[#self.notes + 1] = failed end
@@ -132,8 +134,8 @@ function envelope.new(options, ...)
     if math.type(key) == "integer" then runs[key] = value else plain[key] = value end
   end
   local o = source.options(where, plain, rules, free)
-  local self = Table.new(Envelope, { where = where, o = o, parts = o.parts, of = {}, states = 0, units = o.units,
-    sort_keys = members.sort_keys() })
+  local self = Table.new(Envelope, { where = where, o = o, parts = o.parts, of = {}, joints = {}, states = 0,
+    units = o.units, sort_keys = members.sort_keys() })
   return source.collect(where, self, runs, o.names, o.every)
 end
 

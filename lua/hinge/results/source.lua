@@ -102,6 +102,13 @@ function source.members(where, run, o)
   return list
 end
 
+--- Members by their index.
+function source.by_index(list)
+  local of = {}
+  for _, member in ipairs(list) do of[member.index] = member end
+  return of
+end
+
 -- States --------------------------------------------------------------------------------------------------------------
 
 -- The load cases of a static run as text: "1.35 dead + 1.5 live".

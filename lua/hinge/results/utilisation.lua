@@ -1,8 +1,10 @@
--- hinge.results.utilisation: the checks of EN 1993-1-1 or AISC 360-16 for members of steel, over one or more runs.
+-- hinge.results.utilisation: the checks of EN 1993-1-1 or AISC 360-16 for members of steel, over one or more runs, and
+-- joints against their own strength.
 local check = require "hinge.check"
 local aisc = require "hinge.results.aisc"
 local Envelope = require "hinge.results.envelope".class
 local eurocode = require "hinge.results.eurocode"
+local joints = require "hinge.results.joints"
 local lengths = require "hinge.results.lengths"
 local profile = require "hinge.results.profile"
 local source = require "hinge.results.source"
@@ -165,6 +167,23 @@ local function row_of(self, member)
   return row
 end
 
+-- Joints of one state, or their extremes: a row each.
+local function check_joints(self, list, when)
+  for _, joint in ipairs(list) do
+    local row = self.of[joint.name]
+    if not row then
+      row = { joint = joint.name, member = joint.member, index = joint.member.index, group = joint.group, checks = {} }
+      self.of[joint.name], self.rows[#self.rows + 1] = row, row
+    end
+    local checks, without = joints.checks(joint)
+    keep(row, checks, joint.x, when)
+    row.broken = row.broken or joint.broken
+    row.refused = not next(checks) and without or nil
+    set_remark(row)
+    row.remark = row.remark or without
+  end
+end
+
 --- Adds the state that a run has now. name: what the state is called; default: its time, or its loads.
 function Utilisation:add(run, name, ...)
   local where = "utilisation:add"
@@ -182,6 +201,7 @@ function Utilisation:add(run, name, ...)
     if #along > 0 then check_state(self, row, along, when) end
     set_remark(row)
   end
+  check_joints(self, joints.read(run, self.where, source.by_index(self.list)), when)
   self.states = self.states + 1
   local failed = source.failed(run, name)
   if failed then self.notes[#self.notes + 1] = failed end
@@ -245,6 +265,7 @@ local function from_envelope(self, envelope)
     end
     set_remark(row)
   end
+  check_joints(self, envelope.joints, "extremes")
   self.states = envelope.states
   table.insert(self.notes, "the extremes of different times or cases are taken together, which is on the safe side")
 end
@@ -266,6 +287,7 @@ end
 function Utilisation:all_columns()
   local columns = {
     { key = "index", head = "member", kind = "whole" }, { key = "group", head = "group", kind = "text" },
+    { key = "joint", head = "joint", kind = "text", minor = true },
     { key = "utilisation", head = "utilisation", kind = "number", decimals = 3 },
     { key = "check", head = "check", kind = "text" }, { key = "x", head = "at x", kind = "length" },
     { key = "when", head = "when", kind = "text" }, { key = "law", head = "√f_y", kind = "number", decimals = 3 },
@@ -273,7 +295,8 @@ function Utilisation:all_columns()
     { key = "remark", head = "remark", kind = "text", minor = true },
   }
   for _, row in ipairs(self.rows) do
-    if row.remark then columns[9].minor = false end
+    if row.remark then columns[10].minor = false end
+    if row.joint then columns[3].minor = false end
   end
   for _, name in ipairs(names_of(self.rows)) do
     columns[#columns + 1] = { key = name, head = name, kind = "number", decimals = 3, minor = true }
@@ -292,7 +315,7 @@ function Utilisation:plot(...)
   for _, row in ipairs(self.rows) do
     if row.utilisation then rows[#rows + 1] = row end
   end
-  if #rows == 0 then check.fail("%s: no member has been checked", where) end
+  if #rows == 0 then check.fail("%s: no member and no joint has been checked", where) end
   table.sort(rows, function(a, b)
     return a.utilisation > b.utilisation or a.utilisation == b.utilisation and a.index < b.index
   end)
@@ -300,7 +323,8 @@ function Utilisation:plot(...)
   for i = 1, math.min(o.top, #rows) do
     local row = rows[i]
     table.insert(bars.x, row.utilisation)
-    table.insert(bars.y, ("member %d%s"):format(row.index, row.group and " (" .. row.group .. ")" or ""))
+    table.insert(bars.y, row.joint
+      or ("member %d%s"):format(row.index, row.group and " (" .. row.group .. ")" or ""))
     table.insert(bars.labels, ("%.2f, %s"):format(row.utilisation, row.check))
   end
   Table.draw(where, { series = { bars }, title = o.title, x_label = "utilisation, " .. self.o.standard,

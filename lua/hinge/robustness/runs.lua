@@ -154,6 +154,8 @@ end
 
 -- Rotations -------------------------------------------------------------------------------------------------------
 
+local rotations = { x = true, y = true, z = true } -- `axis` of a joint's rotations in run:hinges
+local beyond = 1 + 1e-9 -- the least ratio of what has broken
 local least_turn = 1e-6 -- rad: a joint that turns less rests, but for rounding
 
 --- Whether what run:hinges lists belongs to the members that are removed. A joint between nodes stays with what is left
@@ -201,6 +203,7 @@ function runs.rotations(study, case, run)
   for _, h in ipairs(list) do
     -- the step that takes the members out, from which statics goes on, has forces of its own
     if h.force and run.kind == "static" then h.ratio = math.max(h.force, 0) / h.strength end
+    if h.connector and h.failed then h.ratio = math.max(h.largest_force / h.strength, beyond) end -- it has no force now
     if not runs.is_removed(case, h) then
       if h.joint then add_joint(r, h, seen) end
       add_rotation(r, h, study.geo.members[h.member.index].kind == "column" and "column" or "beam")
@@ -241,9 +244,9 @@ end
 function runs.judge_rotation(row)
   if row.ratio and not (row.ratio <= 1) then
     local place = runs.place(row.worst_joint, row.worst)
-    if row.worst_axis == "tension" or row.worst_axis == "shear" then
+    if row.worst_joint and not rotations[row.worst_axis] then
       return "exceeds the capacity", ("the %s has %.4g of the %s at which it breaks"):format(place, row.ratio,
-        row.worst_axis)
+        row.worst_axis:gsub("force_", "force along "):gsub("moment_", "moment about "))
     end
     return "exceeds the limit of rotation", ("%s%s has %.4g of its limit %.4g rad"):format(row.worst_joint and "the "
       or "", place, row.ratio, row.limit)

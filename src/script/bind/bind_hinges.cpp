@@ -127,20 +127,24 @@ void push_joint_rating(lua_State* L, const RunRecord& r, const JointRating& j, i
     HingeRecord at;
     at.element = j.element, at.end = j.end;
     push_place(to, r, j.element, j.end, j.node, storey, place_of(structure, at));
-    to.text("joint", joint_name(structure, j.joint).c_str()), to.text("axis", joint_rating_names[j.which]);
+    const std::string name = j.connector ? connector_name(structure, j.joint) : joint_name(structure, j.joint);
+    to.text("joint", name.c_str()), to.text("axis", joint_rating_names[j.which]);
     to.number(j.is_force() ? "force" : "moment", j.force);
     to.number(j.is_force() ? "largest_force" : "largest_moment", j.largest_force);
     if (std::isfinite(j.strength)) to.number("strength", j.strength), to.number("utilisation", j.utilisation);
-    const Joint& declared = structure.model().declared<Joint>(joints_effect)[std::size_t(j.joint)];
-    const JointAxis* axes = declared.is.axis;
-    to.flag("between_nodes", declared.is_between_nodes());
-    if (declared.is.tension_weakens) to.text("interaction", "linear");
-    const auto about = [&](int k) { return axes[k].is_spring() && !j.is_force() ? j.now->rotation[k] : 0; };
+    const Joint* declared =
+        j.connector ? nullptr : &structure.model().declared<Joint>(joints_effect)[std::size_t(j.joint)];
+    to.flag("between_nodes", !declared || declared->is_between_nodes());
+    if (j.connector) to.whole("connector", j.joint + 1);
+    if (declared && declared->is.tension_weakens) to.text("interaction", "linear");
+    const auto about = [&](int k) {
+        return declared && declared->is.axis[k].is_spring() && !j.is_force() ? j.now->rotation[k] : 0;
+    };
     to.number("rotation_x", about(0)), to.number("rotation_y", about(1)), to.number("rotation_z", about(2));
     to.number("rotation", j.which == JointRating::z ? std::abs(about(2)) : std::hypot(about(0), about(1)));
     to.number("largest", j.largest), to.number("demand", j.demand);
     if (std::isfinite(j.capacity)) to.number("capacity", j.capacity);
-    if (!j.is_force()) to.number("stiffness", axes[j.which].stiffness);
+    if (!j.is_force()) to.number("stiffness", declared->is.axis[j.which].stiffness);
     to.number("elongation", 0), to.number("work", j.record ? j.record->work : 0);
     to.flag("yielded", j.record && j.record->yielded);
     if (j.record && j.record->yielded) push_first_yield(to, j.record->first, j.record->statics, j.record->runs_ago > 0);
@@ -173,14 +177,16 @@ std::vector<Row> rows_of(const Structure& structure, const HingeRecords* records
     return rows;
 }
 
-/// core.hinges_of(run, function, group): a list of them, by storey, member and place in it; group: nil for all.
+/// core.hinges_of(run, function, group, joints): a list of them, by storey, member and place in it; group: nil for all;
+/// joints: true for joints and connectors alone.
 int hinges_of(lua_State* L) {
     const std::string function = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "hinges_of";
     const auto r = run_argument(L, 1, function + ": this");
     const Structure& structure = r->run->structure();
     const int group =
         lua_isnoneornil(L, 3) ? -1 : group_argument(L, 3, function + ": field 'group'", *r->model, &structure.model());
-    const HingeRecords* records = r->run->state().data.find<HingeRecords>(hinge_records);
+    const HingeRecords* records =
+        lua_toboolean(L, 4) ? nullptr : r->run->state().data.find<HingeRecords>(hinge_records);
     const std::vector<JointRating> joints = joint_ratings(*r->run);
     const std::vector<Row> rows = rows_of(structure, records, joints, group);
     lua_createtable(L, int(rows.size()), 0);

@@ -53,6 +53,7 @@ output::Snapshot with_marks(lua_State* L, int index, const output::Snapshot& sna
         output::Bar& bar = marked.bars[std::size_t(element) - 1];
         bar.rotation[end == 2 ? 1 : 0] = ratio;
         bar.hinges |= output::band_bits(end == 2 ? 2 : 1, output::band_of(ratio));
+        if (joint) marked.joints = true;
         if (joint) bar.hinges |= std::uint8_t(end == 2 ? 2 : 1);
     }
     return marked;

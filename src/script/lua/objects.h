@@ -175,16 +175,19 @@ struct ProbeBox {
     std::shared_ptr<Probe> value;
 };
 
-/// First contact, yield or fracture of an element.
+/// First contact, yield or fracture of an element; first yield of a joint about an axis, a limit of its own that it has
+/// reached in statics, its break, and the break of a connector.
 struct ElementEvent {
-    enum class What : int { contact, yield, fracture } what;
-    double at;          ///< s; in statics the load factor
-    int element, end;   ///< end 1 or 2; 0: no end, or both
-    int limit;          ///< beam::Limit reached at a break
-    double strain, of;  ///< the strain that reached it, and its limit
+    enum class What : int { contact, yield, fracture, joint_yield, joint_limit, joint_break, connector_break } what;
+    double at;         ///< s; in statics the load factor
+    int element, end;  ///< end 1 or 2; 0: no end, or both
+    int limit;         ///< beam::Limit reached at a break; of joints and connectors JointRating::Which
+    double strain,
+        of;          ///< the strain that reached it, and its limit; of joints and connectors moment, rotation or force
+    int joint = -1;  ///< joint or connector, in the order of declaration
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.what, s.at, s.element, s.end, s.limit, s.strain, s.of);
+        a(s.what, s.at, s.element, s.end, s.limit, s.strain, s.of, s.joint);
     }
 };
 
@@ -211,6 +214,7 @@ struct Recorded {
     long row_of = -1;                                      ///< the step of the last row
     std::vector<ElementEvent> happenings;                  ///< in order
     std::vector<std::uint8_t> yielded_seen, touched_seen;  ///< of each element, as in the state
+    std::vector<std::uint8_t> joints_seen;                 ///< of each joint, then of each connector: what has happened
     KeptRows kept_rows;
     long resumed_at = 0;            ///< steps, when it last went on from a checkpoint
     double largest_energy = 0;      ///< J, of the rows so far (LargestEnergy::most)
@@ -219,8 +223,8 @@ struct Recorded {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.started, s.closed, s.breaks_noted, s.broken_at, s.left_at, s.wall, s.worst_energy_error,
-          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.kept_rows,
-          s.resumed_at, s.largest_energy, s.last_energy_share, s.state_energy_share);
+          s.last_energy_error, s.initial, s.row_of, s.happenings, s.yielded_seen, s.touched_seen, s.joints_seen,
+          s.kept_rows, s.resumed_at, s.largest_energy, s.last_energy_share, s.state_energy_share);
     }
 };
 

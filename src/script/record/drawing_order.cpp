@@ -40,7 +40,7 @@ void bar(A& a, B& b) {
 
 template <class A, class S>
 void snapshot(A& a, S& s) {
-    a(s.time, s.factor, s.is_virtual, s.held, s.declared, s.groups, s.laws);
+    a(s.time, s.factor, s.is_virtual, s.held, s.declared, s.groups, s.laws, s.joints);
     arrays(a, s.points), arrays(a, s.displacement), arrays(a, s.rotation);
     arrays(a, s.memberships), arrays(a, s.connected);
     list(a, s.bars, [&](auto& b) { bar(a, b); });

@@ -1,11 +1,15 @@
 #include "script/record/element_events.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "core/files.h"
+#include "effects/connectors.h"
 #include "effects/fracture.h"
 #include "effects/removal.h"
+#include "script/record/joint_ratings.h"
 #include "script/record/recording.h"
 #include "script/files/quoting.h"
 
@@ -27,8 +31,11 @@ void each_change(std::vector<std::uint8_t>& seen, const std::vector<std::uint8_t
 int end_of(std::uint8_t bits) { return bits == hinge_at_1 ? 1 : bits == hinge_at_2 ? 2 : 0; }
 
 const char* name(ElementEvent::What what) {
-    return what == ElementEvent::What::contact ? "contact" : what == ElementEvent::What::yield ? "yield" : "fracture";
+    constexpr const char* names[] = {"contact",     "yield",       "fracture",       "joint_yield",
+                                     "joint_limit", "joint_break", "connector_break"};
+    return names[int(what)];
 }
+bool is_of_joint(const ElementEvent& h) { return h.what >= ElementEvent::What::joint_yield; }
 
 std::string number(double value) {
     char text[32];
@@ -36,25 +43,120 @@ std::string number(double value) {
     return text;
 }
 
+// Bits of RunRecord::joints_seen. The first three: it has yielded about x, y, z.
+constexpr std::uint8_t seen_beyond = 8, seen_broken = 16;
+
+/// What has happened to the joints, then to the connectors of a run so far. Those whose node has lost its last member
+/// have not broken by themselves.
+std::vector<std::uint8_t> joints_now(const Run& run) {
+    const State& state = run.state();
+    const auto* now = state.data.find<JointsNow>(joints_effect);
+    const auto* records = state.data.find<JointRecords>(joint_records);
+    const auto* connectors = state.data.find<ConnectorsNow>(connectors_effect);
+    std::vector<std::uint8_t> bits;
+    for (std::size_t i = 0; now && records && i < now->list.size() && i < records->list.size(); ++i) {
+        const JointNow& j = now->list[i];
+        std::uint8_t b = j.over < 0 ? 0 : j.broken ? seen_broken : seen_beyond;
+        for (int k = 0; k < 3; ++k)
+            if (records->list[i].axis[k].yielded) b |= std::uint8_t(1 << k);
+        bits.push_back(b);
+    }
+    for (std::size_t i = 0; connectors && i < connectors->list.size(); ++i)
+        bits.push_back(connectors->list[i].broken ? seen_broken : 0);
+    return bits;
+}
+
+/// A joint that has yielded about axis k: its moment there now, over that at which its elastic part ends.
+ElementEvent yield_of(const Run& run, int joint, int k) {
+    const JointNow& j = run.state().data.find<JointsNow>(joints_effect)->list[std::size_t(joint)];
+    const auto& curve = run.structure().model().declared<Joint>(joints_effect)[std::size_t(joint)].is.axis[k].curve;
+    const JointPlace at = joint_place(run.structure(), joint);
+    return {ElementEvent::What::joint_yield,
+            0,
+            at.element,
+            at.end,
+            k,
+            j.moment[k],
+            (k < 2 ? j.left : 1) * curve.front().second,
+            joint};
+}
+
+/// A joint that has reached its `over`: a rotation or a force.
+ElementEvent limit_of(const Run& run, int joint, ElementEvent::What what) {
+    const JointNow& j = run.state().data.find<JointsNow>(joints_effect)->list[std::size_t(joint)];
+    const JointProperties& is = run.structure().model().declared<Joint>(joints_effect)[std::size_t(joint)].is;
+    const JointPlace at = joint_place(run.structure(), joint);
+    const double value = j.over < 3 ? j.rotation[j.over] : j.over == 3 ? j.tension : j.shear;
+    const double limit = j.over < 3 ? is.axis[j.over].capacity : j.over == 3 ? is.tension : is.shear;
+    return {what, 0, at.element, at.end, j.over, value, limit, joint};
+}
+
+/// A connector that has broken by a force; nothing where its node has lost its last member.
+std::optional<ElementEvent> break_of(const Run& run, int connector) {
+    const ConnectorNow& c = run.state().data.find<ConnectorsNow>(connectors_effect)->list[std::size_t(connector)];
+    const Connector& is = run.structure().model().declared<Connector>(connectors_effect)[std::size_t(connector)];
+    const JointPlace at = connector_place(run.structure(), connector);
+    for (int k = 0; k < 6; ++k)
+        if (std::abs(c.force[k]) >= is.capacity[k])
+            return ElementEvent{ElementEvent::What::connector_break,
+                                0,
+                                at.element,
+                                at.end,
+                                JointRating::force_x + k,
+                                c.force[k],
+                                is.capacity[k],
+                                connector};
+    return std::nullopt;
+}
+
+/// What has happened first to joints and connectors since they were seen last: yield and limits, or breaks.
+template <class Add>
+void each_of_joints(const RunRecord& r, const std::vector<std::uint8_t>& now, bool breaks, Add add) {
+    const auto* there = r.run->state().data.find<JointsNow>(joints_effect);
+    const std::size_t joints = there ? there->list.size() : 0;
+    for (std::size_t i = 0; i < now.size(); ++i) {
+        const int fresh = now[i] & ~(i < r.joints_seen.size() ? r.joints_seen[i] : 0);
+        for (int k = 0; k < 3 && !breaks; ++k)
+            if (fresh & 1 << k) add(yield_of(*r.run, int(i), k));
+        if (!breaks && fresh & seen_beyond) add(limit_of(*r.run, int(i), ElementEvent::What::joint_limit));
+        if (!breaks || !(fresh & seen_broken)) continue;
+        if (i < joints) add(limit_of(*r.run, int(i), ElementEvent::What::joint_break));
+        else if (const auto broke = break_of(*r.run, int(i - joints))) add(*broke);
+    }
+}
+
+/// What has been seen stays: a joint in statics may come back below its limit.
+void see_joints(RunRecord& r, const std::vector<std::uint8_t>& now) {
+    r.joints_seen.resize(now.size());
+    for (std::size_t i = 0; i < now.size(); ++i) r.joints_seen[i] |= now[i];
+}
+
 }  // namespace
 
 void note_happenings(RunRecord& r) {
     const State& s = r.run->state();
+    const std::vector<std::uint8_t> joints = joints_now(*r.run);
     if (!r.started) {
-        r.yielded_seen = s.yielded, r.touched_seen = s.touched;
+        r.yielded_seen = s.yielded, r.touched_seen = s.touched, r.joints_seen = joints;
         return;
     }
     const double at = abscissa(*r.run);
+    const auto keep = [&](ElementEvent h) {
+        h.at = at;
+        if (r.happenings.size() < most_happenings) r.happenings.push_back(h);
+    };
     const auto add = [&](ElementEvent::What what, int element, int end, const beam::LimitReached& cause = {}) {
-        if (r.happenings.size() < most_happenings)
-            r.happenings.push_back({what, at, element, end, int(cause.which), cause.strain, cause.limit});
+        keep({what, at, element, end, int(cause.which), cause.strain, cause.limit});
     };
     each_change(r.touched_seen, s.touched, [&](int e, int, int) { add(ElementEvent::What::contact, e, 0); });
     each_change(r.yielded_seen, s.yielded, [&](int e, std::uint8_t before, std::uint8_t now) {
         if (before == 0) add(ElementEvent::What::yield, e, end_of(now));
     });
+    each_of_joints(r, joints, false, keep);
     if (r.run->breaks() != r.breaks_noted)
         for (const Break& b : r.run->broken_last()) add(ElementEvent::What::fracture, b.element, b.end, b.cause);
+    each_of_joints(r, joints, true, keep);
+    see_joints(r, joints);
 }
 
 namespace {
@@ -82,8 +184,23 @@ std::vector<std::string> event_columns(const Run& run) {
             "limit",
             "strain",
             "of",
-            "rule"};
+            "rule",
+            "joint"};
 }
+
+namespace {
+
+/// Fills limit, strain, of and joint of an event of a joint or a connector.
+void add_joint_fields(const Structure& s, const ElementEvent& h, std::vector<std::string>& fields) {
+    constexpr const char* about[] = {"x", "y", "z"};
+    const bool rotation = h.limit < 3 && h.what != ElementEvent::What::joint_yield;
+    fields[6] =
+        h.limit < 3 ? std::string(rotation ? "rotation_" : "moment_") + about[h.limit] : joint_rating_names[h.limit];
+    fields[7] = number(h.strain), fields[8] = number(h.of);
+    fields[10] = h.what == ElementEvent::What::connector_break ? connector_name(s, h.joint) : joint_name(s, h.joint);
+}
+
+}  // namespace
 
 std::vector<std::string> event_fields(const Run& run, const ElementEvent& h) {
     const Structure& s = run.structure();
@@ -95,7 +212,8 @@ std::vector<std::string> event_fields(const Run& run, const ElementEvent& h) {
                                        std::to_string(e.member + 1),
                                        h.end > 0 ? std::to_string(h.end) : "",
                                        groups.empty() ? "" : s.model().groups()[groups[0]]};
-    fields.resize(10);
+    fields.resize(11);
+    if (is_of_joint(h)) add_joint_fields(s, h, fields);
     if (h.what != ElementEvent::What::fracture) return fields;
     const bool limit = h.limit != int(beam::Limit::rule);
     const Removal* removal = limit ? nullptr : removed_by(s, h);
@@ -114,7 +232,7 @@ namespace {
 std::string line_of(const std::vector<std::string>& fields) {
     std::string line;
     for (std::size_t i = 0; i < fields.size(); ++i) {
-        const bool is_name = (i == 5 || i == 9) && !fields[i].empty();
+        const bool is_name = (i == 5 || i >= 9) && !fields[i].empty();
         line += (i > 0 ? "," : "") + (is_name ? csv_text(fields[i], CsvQuotes::always) : fields[i]);
     }
     return line + "\n";

@@ -1,12 +1,13 @@
-// Events of the elements of a run, in order: events.csv, and the damage in summary.json.
+// Events of the elements, joints and connectors of a run, in order: events.csv, and the damage in summary.json.
 #pragma once
 
 #include "script/record/events.h"
 
 namespace hinge::script {
 
-/// Records elements that have been in contact, yielded or broken for the first time, after a step. Before the first
-/// step: excludes events before this run.
+/// Records elements that have been in contact, yielded or broken for the first time, after a step, joints that have
+/// yielded about an axis, reached a limit of their own in statics or broken, and connectors that have broken. Before
+/// the first step: excludes events before this run.
 void note_happenings(RunRecord& record);
 
 /// The columns of events.csv, and the text of one event in each; "" for nothing.

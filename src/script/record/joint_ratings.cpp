@@ -2,22 +2,20 @@
 
 #include <cmath>
 
+#include "effects/connectors.h"
 #include "run/run.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {
 namespace {
 
-/// Sets element, end and node. A joint between nodes stands at the first element of its second node.
-void set_place(const Structure& s, const Joint& j, JointRating& r) {
-    if (j.is_between_nodes()) {
-        r.element = s.elements_at(j.to)[0], r.node = j.to;
-        r.end = s.elements()[std::size_t(r.element)].node[0] == j.to ? 1 : 2;
-        return;
-    }
-    const auto [first, past] = elements_of(s, j.member);
-    r.element = j.end == 0 ? first : past - 1, r.end = j.end + 1;
-    r.node = s.model().members()[std::size_t(j.member)].node[j.end];
+/// At the first element of a node.
+JointPlace place_at(const Structure& s, int node) {
+    const int element = s.elements_at(node)[0];
+    return {element, s.elements()[std::size_t(element)].node[0] == node ? 1 : 2, node};
+}
+void set_place(const JointPlace& place, JointRating& r) {
+    r.element = place.element, r.end = place.end, r.node = place.node;
 }
 
 /// About an axis that is a spring.
@@ -41,6 +39,27 @@ void set_force(double limit, double largest, double now, JointRating::Which whic
     r.largest = r.demand = 0;
 }
 
+void add_connectors(const Run& run, std::vector<JointRating>& list) {
+    const Structure& s = run.structure();
+    const auto& declared = s.model().declared<Connector>(connectors_effect);
+    const auto* now = run.state().data.find<ConnectorsNow>(connectors_effect);
+    for (std::size_t i = 0; now && i < declared.size() && i < now->list.size(); ++i) {
+        const ConnectorNow& c = now->list[i];
+        for (int k = 0; k < 6; ++k) {
+            if (!std::isfinite(declared[i].capacity[k])) continue;
+            JointRating r;
+            r.joint = int(i), r.connector = true, r.which = JointRating::Which(JointRating::force_x + k);
+            set_place(connector_place(s, int(i)), r);
+            r.force = c.broken ? 0 : std::abs(c.force[k]), r.largest_force = c.largest[k];
+            r.strength = declared[i].capacity[k];
+            r.utilisation = r.force / r.strength;
+            r.broken = c.broken;
+            r.failed = c.broken && (c.force.array().abs() >= declared[i].capacity.array()).any();
+            list.push_back(r);
+        }
+    }
+}
+
 }  // namespace
 
 std::string joint_name(const Structure& structure, int joint) {
@@ -50,19 +69,36 @@ std::string joint_name(const Structure& structure, int joint) {
     return "joint at end " + std::string(j.end == 0 ? "a" : "b") + " of member " + std::to_string(j.member + 1);
 }
 
+std::string connector_name(const Structure& structure, int connector) {
+    const Connector& c = structure.model().declared<Connector>(connectors_effect)[std::size_t(connector)];
+    const std::string to = std::to_string(c.b + 1), name = "connector " + std::to_string(connector + 1) + " between ";
+    return name + (c.a < 0 ? "the ground and node " + to : "nodes " + std::to_string(c.a + 1) + " and " + to);
+}
+
+JointPlace joint_place(const Structure& s, int joint) {
+    const Joint& j = s.model().declared<Joint>(joints_effect)[std::size_t(joint)];
+    if (j.is_between_nodes()) return place_at(s, j.to);
+    const auto [first, past] = elements_of(s, j.member);
+    return {j.end == 0 ? first : past - 1, j.end + 1, s.model().members()[std::size_t(j.member)].node[j.end]};
+}
+
+JointPlace connector_place(const Structure& s, int connector) {
+    return place_at(s, s.model().declared<Connector>(connectors_effect)[std::size_t(connector)].b);
+}
+
 std::vector<JointRating> joint_ratings(const Run& run) {
     std::vector<JointRating> list;
     const Structure& s = run.structure();
     const auto& declared = s.model().declared<Joint>(joints_effect);
     const auto* now = run.state().data.find<JointsNow>(joints_effect);
     const auto* records = run.state().data.find<JointRecords>(joint_records);
-    if (!now || !records) return list;
-    for (std::size_t i = 0; i < declared.size() && i < now->list.size() && i < records->list.size(); ++i) {
+    for (std::size_t i = 0; now && records && i < declared.size() && i < now->list.size() && i < records->list.size();
+         ++i) {
         const JointProperties& is = declared[i].is;
         JointRating r;
         r.joint = int(i), r.now = &now->list[i];
         r.broken = r.now->broken, r.failed = r.now->over >= 0;
-        set_place(s, declared[i], r);
+        set_place(joint_place(s, int(i)), r);
         for (int k = 0; k < 3; ++k)
             if (is.axis[k].is_spring()) set_axis(is.axis[k], records->list[i], k, r), list.push_back(r);
         if (std::isfinite(is.tension))
@@ -70,6 +106,7 @@ std::vector<JointRating> joint_ratings(const Run& run) {
         if (std::isfinite(is.shear))
             set_force(is.shear, records->list[i].shear, r.now->shear, JointRating::shear, r), list.push_back(r);
     }
+    add_connectors(run, list);
     return list;
 }
 

@@ -43,6 +43,7 @@ void add_forces(output::Bar& bar, const Run& run, int element) {
 /// A joint that has yielded is shown as a plastic hinge at its end of the element.
 void add_joints(output::Snapshot& snapshot, const Run& run) {
     for (const JointRating& j : joint_ratings(run)) {
+        if (j.record && std::isfinite(j.strength)) snapshot.joints = true;
         if (!j.record || !j.record->yielded) continue;
         output::Bar& bar = snapshot.bars[std::size_t(j.element)];
         bar.hinges |= std::uint8_t(j.end);

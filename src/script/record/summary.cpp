@@ -27,7 +27,7 @@ Json energy_json(const Run& run) {
 constexpr std::size_t most_joints = 20;  // in the summary; hinges.csv has all
 
 Json joint_json(const Structure& s, const JointRating& j) {
-    Json row = {{"joint", joint_name(s, j.joint)},
+    Json row = {{"joint", j.connector ? connector_name(s, j.joint) : joint_name(s, j.joint)},
                 {"axis", joint_rating_names[j.which]},
                 {"node", s.node_name(j.node)},
                 {j.is_force() ? "force" : "moment", j.force},
@@ -41,9 +41,10 @@ Json joint_json(const Structure& s, const JointRating& j) {
 }
 
 /// Joints: how many have yielded, broken or are beyond a limit of their own, and those that have come furthest: by
-/// their own limit, then by rotation.
-Json joints_json(const Run& run) {
+/// their own limit, then by rotation. Or connectors, of which only a force at which they break counts.
+Json joints_json(const Run& run, bool connectors) {
     std::vector<JointRating> list = joint_ratings(run);
+    std::erase_if(list, [connectors](const JointRating& j) { return j.connector != connectors; });
     std::set<int> all, yielded, broken, beyond;
     for (const JointRating& j : list) {
         all.insert(j.joint);
@@ -55,11 +56,9 @@ Json joints_json(const Run& run) {
         return a.of_own_limit() != b.of_own_limit() ? a.of_own_limit() > b.of_own_limit() : a.largest > b.largest;
     });
     if (list.size() > most_joints) list.resize(most_joints);
-    Json j = {{"count", all.size()},
-              {"yielded", yielded.size()},
-              {"broken", broken.size()},
-              {"beyond_own_limit", beyond.size()},
-              {"largest", Json::array()}};
+    Json j = {{"count", all.size()}};
+    if (!connectors) j["yielded"] = yielded.size();
+    j["broken"] = broken.size(), j["beyond_own_limit"] = beyond.size(), j["largest"] = Json::array();
     for (const JointRating& r : list) j["largest"].push_back(joint_json(run.structure(), r));
     return j;
 }
@@ -117,7 +116,8 @@ void describe_run(Json& j, const RunRecord& r) {
     j["stages"] = Json::array();
     for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
     j["damage"] = damage_by_group(run);
-    if (Json joints = joints_json(run); joints["count"] != 0) j["joints"] = std::move(joints);
+    if (Json joints = joints_json(run, false); joints["count"] != 0) j["joints"] = std::move(joints);
+    if (Json connectors = joints_json(run, true); connectors["count"] != 0) j["connectors"] = std::move(connectors);
     j["probes"] = probes_json(r);
     j["energy"] = energy_json(run);
     j["energy_error"] =

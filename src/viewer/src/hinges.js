@@ -19,25 +19,30 @@ const place = (h) => (h.end !== 0 && h.at === 0 ? "a" : h.end !== 0 && h.at > 1 
 const first_at = (h) => (h.first_kind === "static" ? `factor ${number(h.first_yield)}` : quantity(h.first_yield, "s"));
 const first = (h) => (h.first_yield === null ? "–" : first_at(h)) + (h.before ? ", in a run before" : "");
 const size = (h) => h.ratio ?? -1;
-const is_joint = (h) => Boolean(h.joint), is_force = (h) => h.axis === "tension" || h.axis === "shear";
+const is_joint = (h) => Boolean(h.joint), is_force = (h) => is_joint(h) && !["x", "y", "z"].includes(h.axis);
+const is_connector = (h) => h.joint?.startsWith("connector ");
+const axis_text = (h) => h.axis.replace("_", " about ").replace("force about", "force along");
 const beyond_limit = (h) => h.ratio > 1 || h.failed === 1;
-const unit = (h) => (is_force(h) ? "N" : "N m");
+const unit = (h) => (is_force(h) && !h.axis.startsWith("moment") ? "N" : "N m");
 /// What a joint carries, over what it can.
-const carries = (h) => (!is_joint(h) ? "" : `${is_force(h) ? h.axis : `about ${h.axis}`}: `
+const carries = (h) => (!is_joint(h) ? "" : `${is_force(h) ? axis_text(h) : `about ${h.axis}`}: `
   + quantity(is_force(h) ? h.force : h.moment, unit(h)) + (h.strength === null ? "" : ` of ${quantity(h.strength, unit(h))}`));
 
 function counts(hinges) {
-  const joints = new Set(hinges.filter(is_joint).map((h) => h.joint)).size, n = hinges.filter((h) => !is_joint(h)).length;
-  const text = n === 1 ? "1 hinge" : `${number(n)} hinges`;
-  return joints === 0 ? text : `${text} and ${joints === 1 ? "1 joint" : `${number(joints)} joints`}`;
+  const n = hinges.filter((h) => !is_joint(h)).length, parts = [n === 1 ? "1 hinge" : `${number(n)} hinges`];
+  for (const [name, is] of [["joint", (h) => is_joint(h) && !is_connector(h)], ["connector", is_connector]]) {
+    const count = new Set(hinges.filter(is).map((h) => h.joint)).size;
+    if (count > 0) parts.push(count === 1 ? `1 ${name}` : `${number(count)} ${name}s`);
+  }
+  return parts.length > 2 ? `${parts[0]}, ${parts[1]} and ${parts[2]}` : parts.join(" and ");
 }
 
 /// The worst one and its numbers.
 function worst_text(worst) {
   const at = ["a", "b"].includes(place(worst)) ? `end ${place(worst)}` : `at ${place(worst)} of its length`;
-  const name = is_joint(worst) ? `${worst.joint}, ${is_force(worst) ? "" : "about "}${worst.axis}`
+  const name = is_joint(worst) ? `${worst.joint}, ${is_force(worst) ? axis_text(worst) : `about ${worst.axis}`}`
     : `member ${worst.member}${worst.group ? ` (${worst.group})` : ""}, ${at}`;
-  if (is_force(worst)) return `${name}, ${quantity(worst.largest_force, "N")}, ${number(worst.ratio, 3)} of its limit`;
+  if (is_force(worst)) return `${name}, ${quantity(worst.largest_force, unit(worst))}, ${number(worst.ratio, 3)} of its limit`;
   const value = is_joint(worst) && worst.limit !== null && worst.limit === worst.capacity ? worst.largest : worst.demand;
   return `${name}, ${number(value, 3)} rad${worst.ratio === null ? ""
     : `, ${number(worst.ratio, 3)} of its limit ${number(worst.limit, 3)} rad`}`;

@@ -3,7 +3,7 @@
 import { abscissa, number, quantity } from "./page.js";
 import { list, force, state, state_of, broken } from "./run_data.js";
 
-/// Rows of events.csv as { at, event, element, member, end, group, limit, strain, of, rule }.
+/// Rows of events.csv as { at, event, element, member, end, group, limit, strain, of, rule, joint }.
 export function rows_of(events) {
   if (!events) return [];
   const columns = list(events.columns);
@@ -11,7 +11,7 @@ export function rows_of(events) {
     const r = Object.fromEntries(columns.map((name, i) => [name, row[i] ?? ""]));
     return { at: Number(r.time ?? r.factor), event: r.event, element: Number(r.element), member: Number(r.member),
       end: Number(r.end) || 0, group: r.group || "", limit: r.limit || "", strain: Number(r.strain), of: Number(r.of),
-      rule: r.rule || "" };
+      rule: r.rule || "", joint: r.joint || "" };
   });
 }
 
@@ -27,6 +27,15 @@ function cause(row) {
   const [name, unit] = limits[row.limit], with_unit = unit ? ` ${unit}` : "";
   return `${name} ${number(row.strain, 3)} has reached its limit ${number(row.of, 3)}${with_unit}${where}`;
 }
+
+// Which quantity of a joint or a connector has reached what: "rotation about x, 0.05 rad", "tension, 2.5e5 N".
+function of_joint(row, value) {
+  const [what, axis] = row.limit.split("_");
+  const unit = what === "rotation" ? "rad" : what === "moment" ? "N m" : "N";
+  const text = unit === "rad" ? `${number(value, 3)} rad` : quantity(value, unit, 3);
+  return `${what}${axis ? ` ${what === "force" ? "along" : "about"} ${axis}` : ""}, ${text}`;
+}
+const is_limit = (row) => ["joint_limit", "joint_break", "connector_break"].includes(row.event);
 
 function namer(frames) {
   return (row) => {
@@ -63,6 +72,10 @@ function firsts(rows, frames, name) {
     const what = row.event === "yield" ? "hinge" : row.event === "fracture" ? "break" : "contact";
     const storey = frames?.members.get(row.member)?.storey ?? -1;
     if (row.event === "yield") once("hinge", row, "hinge", `first hinge: ${name(row)}${row.end ? `, end ${row.end}` : ""}`);
+    if (row.joint) {
+      if (row.event === "joint_yield") once("joint", row, "hinge", `first joint yields: ${row.joint}, at a ${of_joint(row, row.of)}`);
+      continue;
+    }
     if (storey >= 0 && frames.floors.length > 1) {
       const before = out.length;
       once(`${what} ${storey}`, row, "storey", `storey ${storey + 1}: first ${what}, ${name(row)}`);
@@ -75,6 +88,11 @@ function firsts(rows, frames, name) {
 
 const breaks = (rows, name) => rows.filter((r) => r.event === "fracture").map((row) => ({ at: row.at, kind: "break",
   member: row.member, text: `${name(row)} breaks${row.end ? ` at end ${row.end} of element ${row.element}` : ""}: ${cause(row)}` }));
+
+// Joints that reach a limit of their own, and joints and connectors that break by it.
+const joint_limits = (rows) => rows.filter(is_limit).map((row) => ({ at: row.at, kind: "break", member: row.member,
+  text: `${row.joint} ${row.event === "joint_limit" ? "is beyond its capacity" : "breaks"}: ${of_joint(row, row.strain)}, has reached `
+    + `its limit, ${of_joint(row, row.of).split(", ").pop()}` }));
 
 // Columns that break under compression: which other column of the storey has taken up most since the frame before.
 function load_paths(rows, frames) {
@@ -154,14 +172,16 @@ function wakings(summary) {
 export function story_of(run) {
   const { frames, summary } = run, rows = rows_of(run.events), name = namer(frames);
   const entries = [...first_contact(rows, name), ...firsts(rows, frames, name), ...breaks(rows, name),
-    ...load_paths(rows, frames), ...collapses(frames), ...wakings(summary)].filter((e) => Number.isFinite(e.at));
+    ...joint_limits(rows), ...load_paths(rows, frames), ...collapses(frames), ...wakings(summary)].filter((e) => Number.isFinite(e.at));
   const i = summary?.instability;
   if (i && typeof i.factor === "number") entries.push({ at: i.factor, kind: "collapse", member: list(i.members)[0] || 0,
     text: `unstable: no more than this load factor is carried${i.node ? `; ${i.node} gives way` : ""}` });
   const met = rows.filter((r) => r.event === "contact"), bent = rows.filter((r) => r.event === "yield");
+  const joints = new Set(rows.filter((r) => r.event === "joint_yield").map((r) => r.joint)).size;
   entries.sort((a, b) => a.at - b.at);
   if (summary && !["running", "unfinished"].includes(summary.verdict)) {
-    const counts = [met.length ? `have been in contact: ${by_group(met)}` : "", bent.length ? `have yielded: ${by_group(bent)}` : ""]
+    const counts = [met.length ? `have been in contact: ${by_group(met)}` : "", bent.length ? `have yielded: ${by_group(bent)}` : "",
+      joints ? `${joints === 1 ? "1 joint has" : `${number(joints)} joints have`} yielded` : ""]
       .filter(Boolean).join("; ");
     entries.push({ at: summary.kind === "static" ? summary.factor : summary.time, kind: "end", member: 0,
       text: `end: ${summary.verdict}${summary.reason ? `, ${summary.reason}` : ""}${counts ? ` (${counts})` : ""}` });
