@@ -165,7 +165,8 @@ function Study:done(task, outcome)
     id = one.id, number = one.number, case = one.case, parameters = one.parameters, verdict = outcome.verdict,
     reason = outcome.reason, cause = outcome.cause, results = outcome.results,
     energy_error = outcome.energy_error, steps = outcome.steps,
-    seconds = outcome.seconds, memory = outcome.memory, files = outcome.files, engine = core.engine(),
+    warnings = outcome.warnings, seconds = outcome.seconds, memory = outcome.memory, files = outcome.files,
+    engine = core.engine(),
     folder = self:place(one.number),
   }
   self.ended[one.number] = entry
@@ -195,6 +196,17 @@ function study.describe(cases)
   return counts
 end
 
+--- What warnings of runs are in cases: how many cases have some, and the first of them; nil where none has.
+function study.warned(cases)
+  local count, first = 0, nil
+  for _, c in ipairs(cases) do
+    if c.warnings and c.warnings[1] then
+      count, first = count + 1, first or c
+    end
+  end
+  return first and { cases = count, first = first.number, text = first.warnings[1] } or nil
+end
+
 --- Writes results.csv, times.csv, summary.json and the pictures of all cases that have ended.
 function study.write(of)
   local write = function(name, text) core.write_text(of.folder .. "/" .. name, text) end
@@ -203,7 +215,7 @@ function study.write(of)
   core.write_json(of.folder .. "/summary.json", {
     verdict = of.interrupted and "stopped" or "completed", hinge = core.version, script = of.script,
     study = of.said, cases = #of.cases, planned = of.planned, verdicts = study.describe(of.cases),
-    quantities = tables.columns_of(of), pictures = of.pictures,
+    quantities = tables.columns_of(of), pictures = of.pictures, warned = study.warned(of.cases),
   })
 end
 

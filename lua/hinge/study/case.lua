@@ -83,7 +83,8 @@ local function last_line(path) return (files.text(path) or ""):match "([^\n]*)\n
 function case.outcome(folder, ended)
   local summary, left = json(folder .. "/summary.json") or {}, json(folder .. "/case.json") or {}
   local kept = { verdict = summary.verdict, reason = summary.reason, cause = summary.cause,
-    results = flat(summary.results), energy_error = summary.energy_error, steps = summary.steps, files = left.files }
+    results = flat(summary.results), energy_error = summary.energy_error, steps = summary.steps, files = left.files,
+    warnings = summary.warnings }
   if ended.late then
     kept.verdict, kept.reason = "timed out", ("stopped after %g s"):format(ended.late)
   elseif ended.kind == "signal" and ended.stopped then

@@ -109,6 +109,11 @@ local function show(of, options)
     print(("%s: half of the cases at %s = %.5g"):format(curve.quantity, curve.parameter, curve.median))
   end
   for _, note in ipairs(of.notes or {}) do print("note: " .. note) end
+  local warned = study.warned(of.cases)
+  if warned then
+    print(("%s with warnings of %s run, the first is case %d: %s"):format(check.count(warned.cases, "case"),
+      warned.cases == 1 and "its" or "their", warned.first, warned.text))
+  end
   print("written to " .. of.folder)
 end
 
