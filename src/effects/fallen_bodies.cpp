@@ -1,4 +1,5 @@
-// Warns of bodies that fell below the lowest support where no ground is declared that they could land on.
+// Warns of bodies that fell below the lowest support where no ground is declared that they could land on, and of
+// columns that fell over to below their own support.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,6 +48,7 @@ public:
             of[b].has_ground = of[b].has_ground || lands(element.member);
         }
         tell(of, carried, lowest, gravity.norm(), list);
+        tell_of_columns(down, list);
     }
 
 private:
@@ -61,10 +63,54 @@ private:
     /// Depth of the lowest node that is held in a direction in which gravity acts, m.
     double lowest_support(const Vec3& gravity) const {
         double lowest = -std::numeric_limits<double>::infinity();
+        const auto take = [&](std::size_t n) {
+            lowest = std::max(lowest, w_.structure.position()[n].dot(gravity.normalized()));
+        };
         for (std::size_t n = 0; n < w_.state.held.size(); ++n)
-            if (carries(w_.state.held[n], gravity))
-                lowest = std::max(lowest, w_.structure.position()[n].dot(gravity.normalized()));
+            if (carries(w_.state.held[n], gravity)) take(n);
+        for (const NodeLink& link : node_links(w_.structure.model()))
+            if (link.a < 0) take(std::size_t(link.b));
         return lowest;
+    }
+    /// Columns that stood on a support within 45 degrees of upright and whose heads are now below it, by more than
+    /// their half depth: they went through the ground that they stood on.
+    void tell_of_columns(const Vec3& down, std::vector<RunWarning>& list) const {
+        const Model& model = w_.structure.model();
+        std::vector<char> broken(model.members().size(), 0);
+        std::vector<double> radius(model.members().size(), 0);
+        for (std::size_t e = 0; e < w_.structure.elements().size(); ++e) {
+            const Element& element = w_.structure.elements()[e];
+            radius[std::size_t(element.member)] = element.radius;
+            if (w_.state.broken[e]) broken[std::size_t(element.member)] = 1;
+        }
+        int count = 0, worst = -1;
+        double deepest = 0;
+        for (std::size_t m = 0; m < model.members().size(); ++m) {
+            if (broken[m] || lands(int(m))) continue;
+            const double depth = below_its_support(model.members()[m], down);
+            if (!(depth > radius[m])) continue;
+            ++count;
+            if (depth > deepest) deepest = depth, worst = int(m);
+        }
+        if (worst < 0) return;
+        const std::string others = count > 1 ? " and " + count_text(count - 1, "more member") : "";
+        list.push_back(
+            {member_text(model, worst) + others + " fell over, to " + number_text(deepest, 3) +
+                 " m below the support that " +
+                 (count > 1 ? "they stood on, and no ground is for them" : "it stood on, and no ground is for it"),
+             "model:ground {} catches what falls", worst});
+    }
+    /// How far the head of a column is below its support now, m; negative for what was no column on a support.
+    double below_its_support(const MemberData& member, const Vec3& down) const {
+        const auto& nodes = w_.structure.model().nodes();
+        for (const int end : {0, 1}) {
+            const std::size_t foot = std::size_t(member.node[end]), head = std::size_t(member.node[1 - end]);
+            const Vec3 up = nodes[head].position - nodes[foot].position;
+            if ((nodes[foot].fixed & 7) != 7 || (nodes[head].fixed & 7) == 7 || !(-up.dot(down) > 0.7 * up.norm()))
+                continue;
+            return (up + w_.state.displacement[head] - w_.state.displacement[foot]).dot(down);
+        }
+        return -1;
     }
     /// Whether a ground is for this member.
     bool lands(int member) const {
@@ -99,14 +145,20 @@ private:
     }
 };
 
+bool joins_ground(const Model& model) {
+    const std::vector<NodeLink> links = node_links(model);
+    return std::any_of(links.begin(), links.end(), [](const NodeLink& link) { return link.a < 0; });
+}
+
 bool is_needed(const Structure& s) {
     const Model& model = s.model();
     const auto gravity = declared_gravity(model);
     const auto& planes = model.declared<GroundPlane>(ground_effect);
     const bool for_all = std::any_of(planes.begin(), planes.end(), [](const GroundPlane& p) { return p.group < 0; });
     return gravity && !gravity->isZero(0) && !for_all &&
-           std::any_of(model.nodes().begin(), model.nodes().end(),
-                       [&](const NodeData& n) { return carries(n.fixed, *gravity); });
+           (std::any_of(model.nodes().begin(), model.nodes().end(),
+                        [&](const NodeData& n) { return carries(n.fixed, *gravity); }) ||
+            joins_ground(model));
 }
 
 }  // namespace

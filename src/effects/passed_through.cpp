@@ -34,11 +34,11 @@ std::string place_text(const Vec3& at) {
 
 }  // namespace
 
-bool PassedThrough::is_needed(const Structure& structure) {
+bool PassedThrough::is_needed(const Structure& structure, bool dynamic) {
+    if (structure.model().members().size() < 2) return false;
+    if (!dynamic) return structure.large();
     const auto& rules = contact_rules(structure.model());
-    const bool all_have_one =
-        std::any_of(rules.begin(), rules.end(), [](const ContactRule& r) { return r.groups.empty(); });
-    return structure.large() && structure.model().members().size() > 1 && !all_have_one;
+    return std::none_of(rules.begin(), rules.end(), [](const ContactRule& r) { return r.groups.empty(); });
 }
 
 PassedThrough::PassedThrough(const Workspace& w) : w_(w), start_(w.state.displacement), last_(start_) {
@@ -77,7 +77,7 @@ double PassedThrough::moved_since_last() const {
 }
 
 void PassedThrough::add_step(double time) {
-    if (++since_ < steps_between) return;
+    if (++since_ < steps_between && w_.kind.dynamic) return;
     since_ = 0;
     if (!(moved_since_last() > enough_)) return;
     compare(time, found_);
@@ -151,7 +151,8 @@ void PassedThrough::compare(const Bar& bar_a, const Bar& bar_b, double time, Fou
 bool PassedThrough::may_meet(int member_a, int member_b) const {
     const auto& members = w_.structure.model().members();
     const MemberData &a = members[member_a], &b = members[member_b];
-    return !share_a_node(a, b) && contact_rule(contact_rules(w_.structure.model()), a, b) < 0 &&
+    const bool held_apart = w_.kind.dynamic && contact_rule(contact_rules(w_.structure.model()), a, b) >= 0;
+    return !share_a_node(a, b) && !held_apart &&
            !std::binary_search(linked_.begin(), linked_.end(), std::pair(member_a, member_b));
 }
 
@@ -170,6 +171,15 @@ void PassedThrough::check_run(double time, std::vector<RunWarning>& list) const 
         return groups.empty() ? std::string() : "'" + model.groups()[groups[0]] + "'";
     };
     const bool named = !group(a).empty() && !group(b).empty();
+    if (w_.goes_by_load_factor()) {
+        list.push_back({member_text(model, a) + " and " + member_text(model, b) +
+                            " passed through each other by load factor " + number_text(first->second.time, 4) +
+                            " near " + place_text(first->second.at) +
+                            (others > 0 ? ", and " + count_text(others, "more pair") + " of members later" : "") +
+                            ": contact acts in dynamics alone",
+                        "a slow dynamic run with model:contact has them in each other's way", a});
+        return;
+    }
     const std::string rule = !named ? "model:contact {}"
                              : group(a) == group(b)
                                  ? "model:contact { groups = { " + group(a) + " } }"
@@ -196,8 +206,10 @@ namespace {
 class PassedThroughEffect : public Effect, public RunChecker {
 public:
     PassedThroughEffect(Workspace& w, Host& host) : Effect("passed through", w, host, {.mean_forces = true}), of_(w) {}
-    void after_commit(const Step& step) override { of_.add_step(step.end()); }
-    void check_run(std::vector<RunWarning>& list) const override { of_.check_run(w_.state.time, list); }
+    void after_commit(const Step& step) override { of_.add_step(w_.reached(step)); }
+    void check_run(std::vector<RunWarning>& list) const override {
+        of_.check_run(w_.kind.dynamic ? w_.state.time : w_.state.factor, list);
+    }
     void save(Writer& to) const override { to(of_); }
     void restore(Reader& from) override { from(of_); }
     bool restored(std::span<const State* const>) override { return of_.makes_sense(); }
@@ -209,12 +221,10 @@ private:
 }  // namespace
 
 EffectKind passed_through_kind() {
-    return {.name = "passed through",
-            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!built::contact || !PassedThrough::is_needed(w.structure)) return nullptr;
+    return {.name = "passed through", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                if (!built::contact || !PassedThrough::is_needed(w.structure, w.kind.dynamic)) return nullptr;
                 return std::make_unique<PassedThroughEffect>(w, host);
-            },
-            .dynamic_only = true};
+            }};
 }
 
 }  // namespace hinge

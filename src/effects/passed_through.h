@@ -11,16 +11,17 @@
 namespace hinge {
 
 /// Finds pairs of members whose axes came nearer than half the sum of their half depths although they were apart where
-/// the run began, and for which no rule of model:contact holds.
+/// the run began, and for which no rule of model:contact holds. In statics no rule does: there is no contact.
 ///
 /// Not found are pairs that share a node or are joined by a link, members that overlapped from the start, and elements
-/// that are broken. Nodes are looked at every few steps; only where one of them has moved by a part of an element are
-/// bars compared, over the straight way of their nodes since the last time. It reads the state and changes nothing.
+/// that are broken. Nodes are looked at every few steps, in statics after each; only where one of them has moved by a
+/// part of an element are bars compared, over the straight way of their nodes since the last time. It reads the state
+/// and changes nothing.
 class PassedThrough {
 public:
     explicit PassedThrough(const Workspace& w);
     /// Whether there is a pair without a rule.
-    static bool is_needed(const Structure& structure);
+    static bool is_needed(const Structure& structure, bool dynamic);
     /// After each step.
     void add_step(double time);
     /// One warning, of the first pair, with the others counted.

@@ -25,6 +25,15 @@ double most_elastic_strain(double E) {
 /// break at 0.6.
 constexpr double most_stretch = 0.6;
 
+/// m, the largest shear stress of a torque over Mz / J: of an H the thickness, of pipes and square boxes half of their
+/// width, of a square 0.675 of it; 0 where it is not known.
+double torsion_arm(const Section& s) {
+    if (s.shape == "h") return std::max(s.web, s.flange);
+    if (s.shape == "solid") return 0.675 * std::min(s.width, s.depth);
+    const bool round = s.shape == "box" || s.shape == "pipe" || s.shape == "round";
+    return round ? 0.5 * std::min(s.width, s.depth) : 0;
+}
+
 class UnrealStrains : public Effect, public RunChecker {
 public:
     UnrealStrains(Workspace& w, Host& host) : Effect("unreal strains", w, host, {.mean_forces = true}) {
@@ -34,6 +43,7 @@ public:
             const double most = elastic ? most_elastic_strain(m.material->E) : infinite;
             of_.push_back({1 / (most * e.rigidity.EA), 0.5 * m.section->depth / (most * e.rigidity.EIx),
                            0.5 * m.section->width / (most * e.rigidity.EIy),
+                           std::sqrt(3.0) * torsion_arm(*m.section) / (most * m.material->E * m.section->J),
                            w.structure.large() && m.material->E >= 5e9 && m.carries != Carries::compression});
         }
     }
@@ -77,9 +87,10 @@ public:
 
 private:
     static constexpr double infinite = std::numeric_limits<double>::infinity();
-    /// What N, Mx and My of an element have of the strain that is too much, per N and per N m.
+    /// What N, Mx, My and Mz of an element have of the strain that is too much, per N and per N m. A shear stress
+    /// counts as sqrt(3) times one in tension (von Mises).
     struct Limits {
-        double N, Mx, My;
+        double N, Mx, My, Mz;
         bool stretches;  ///< its length counts
     };
     struct Worst {
@@ -104,7 +115,7 @@ private:
             if (s.broken[i] || !(of.N > 0)) continue;
             const Vec6& p = s.force[i];
             const double part = of.N * std::abs(p[4]) + of.Mx * std::max(std::abs(p[0]), std::abs(p[1])) +
-                                of.My * std::max(std::abs(p[2]), std::abs(p[3]));
+                                of.My * std::max(std::abs(p[2]), std::abs(p[3])) + of.Mz * std::abs(p[5]);
             if (part > 1 && part > elastic.part) elastic = {part / heat_of(s.heat, int(i)).stiffness, at, int(i)};
         }
     }

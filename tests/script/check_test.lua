@@ -227,6 +227,12 @@ case("numbers in other units, and gravity along another axis, are told by check"
   suspicious("km/h for m/s", flies "{ 0, 440, 0 }", "model:velocity gives 440 m/s to node 5 and others, which is 1584 "
     .. "km/h (", "model:velocity",
     flies "{ 0, 440 / 3.6, 0 }")
+  suspicious("degrees per second for rad/s", flies "{ 0, 0, 0 }, { 0, 0, 360 }", "model:velocity turns node 5 and "
+    .. "others at 360 rad/s, which is 57.3 turns a second (", "model:velocity", flies "{ 0, 0, 0 }, { 0, 0, 6.28 }")
+  local function moves(by) return { make = "dynamic { dt = 1e-5, duration = 1 }",
+    more = ("model:move { node = a, z = { { 0, 0 }, { 1, %s } } }"):format(by) } end
+  suspicious("mm for m", moves "-25", "model:move moves node 1 by up to 25 m along z, more than the structure's size, ",
+    "model:move", moves "-0.025")
   for _, axis in ipairs { "x", "y" } do
     suspicious("gravity along " .. axis, { gravity = axis == "x" and "{ -9.81, 0, 0 }" or "{ 0, -9.81, 0 }" },
       ("gravity acts along %s, and the structure stands along z: all 2 supports are at its lowest z, and a member "

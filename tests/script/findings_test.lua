@@ -1,6 +1,6 @@
 -- What a run shows to be missing: run.warnings says it at the end, where there is something to say and only there.
 --
--- Run: lua5.4 tests/script/findings_test.lua
+-- Run: lua5.4 tests/script/findings_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
@@ -34,7 +34,9 @@ local through = "passed through each other"
 -- A bar that flies at another one, along an axis; o: axis (1 to 3), run (options), contact (rule), beam and car
 -- (groups), elements, speed, angle (between the two, rad), duration.
 local function flight(o)
-  local model = hinge.model { elements_per_member = o.elements or 2 }
+  local options_of_model = { elements_per_member = o.elements or 2 }
+  for field, value in pairs(o.model or {}) do options_of_model[field] = value end
+  local model = hinge.model(options_of_model)
   local function turned(x, y, z)
     local p = { x, y, z }
     return { p[(0 - o.axis + 1) % 3 + 1], p[(1 - o.axis + 1) % 3 + 1], p[(2 - o.axis + 1) % 3 + 1] }
@@ -94,6 +96,33 @@ case("a rule for another pair is no rule, and one for the pair or for all is", f
   none(flight { axis = 1, contact = { rule = "gap" } }, through, "gap")
   local _, same = one(flight { axis = 1, beam = "all", car = "all" }, through, "two bodies of one group")
   expect(same:find("model:contact { groups = { 'all' } }", 1, true), "text: %s", same)
+end)
+
+case("members that pass through each other are told in small displacement, and in statics with any rule", function()
+  for _, elements in ipairs { 2, 8 } do
+    one(flight { axis = 1, elements = elements, model = { displacement = "small" } }, through, "small displacement")
+  end
+  none(flight { axis = 1, contact = {}, model = { displacement = "small" } }, through, "small, with contact")
+  -- an arm whose end is lowered through a beam below it, and one that is lowered beside it
+  local function lowered(o)
+    local model = hinge.model {}
+    local a, b = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
+    model:fix { a, b }
+    model:member { a, b, section = bar, material = steel }
+    local c, d = model:node { o.x or 2, o.y or -0.5, 1 }, model:node { o.x or 2, 3, 1 }
+    model:fix(d)
+    model:member { c, d, section = bar, material = elastic, elements = 8 }
+    model:load { node = c, force = { 0, 0, -1 } }
+    if o.contact then model:contact {} end
+    return model:static { steps = o.steps or 20, control = { node = c, "uz", to = o.to or -1.5 } }:finish()
+  end
+  for _, steps in ipairs { 8, 40 } do
+    local _, text = one(lowered { steps = steps }, through, "statics")
+    expect(text:find("by load factor", 1, true) and text:find("contact acts in dynamics alone", 1, true), "%s", text)
+  end
+  one(lowered { contact = true }, through, "statics with a rule, which has no effect there")
+  none(lowered { x = 4.5 }, through, "beside the beam")
+  none(lowered { to = -0.8 }, through, "not there yet")
 end)
 
 case("bars that pass beside each other, or have not met yet, are not told", function()
@@ -158,7 +187,11 @@ local function drop(o)
   local model = hinge.model {}
   local function place(x, z) return o.down == "y" and { x, z, 0 } or { x, 0, z } end
   local a, b = model:node(place(0, 0)), model:node(place(0, 1))
-  if not o.free then model:fix(a) end
+  if o.springs then
+    model:connector { a, ground = true, stiffness = { x = 1e7, y = 1e7, z = 1e7, rx = 1e7, ry = 1e7, rz = 1e7 } }
+  elseif not o.free then
+    model:fix(a)
+  end
   model:member { a, b, section = bar, material = steel, group = "posts" }
   local c, d = model:node(place(2, o.from or 2)), model:node(place(3, o.from or 2))
   model:member { c, d, section = bar, material = steel, group = "debris" }
@@ -167,7 +200,9 @@ local function drop(o)
   if o.gravity ~= false then model:gravity(place(0, -9.81)) end
   if o.ground then model:ground(o.ground) end
   model:velocity("debris", place(0, o.speed or 0))
-  return model:dynamic { dt = 1e-3, duration = 1, record = false }:finish()
+  local options = { dt = 1e-3, duration = 1, record = false }
+  for field, value in pairs(o.run or {}) do options[field] = value end
+  return model:dynamic(options):finish()
 end
 
 case("a body that fell below the lowest support is told where no ground is for it", function()
@@ -179,6 +214,39 @@ case("a body that fell below the lowest support is told where no ground is for i
   end
   local _, text = one(drop { ground = { point = { 0, 0, -0.05 }, group = "posts" } }, fallen, "ground of another group")
   expect(text:find("no ground is for them", 1, true), "text: %s", text)
+end)
+case("a body that fell is told where the supports are springs to the ground, too, and by explicit steps", function()
+  local _, text = one(drop { springs = true }, fallen, "springs")
+  expect(text:find("by 2.9", 1, true), "text: %s", text) -- 4.905 - 2
+  none(drop { springs = true, ground = { point = { 0, 0, -0.05 } } }, fallen, "springs and a ground")
+  one(drop { run = { dt = "auto", integrator = "explicit" } }, fallen, "explicit")
+end)
+case("a column that falls over to below its support is told, along any axis; one that stops above is not", function()
+  local over = "fell over, to"
+  for _, o in ipairs { {}, { along = "y" }, { flipped = true }, { elements = 8 }, { group = "debris", told = false },
+    { duration = 0.5, told = false }, { lean = 2, told = false }, { ground = {}, told = false } } do
+    local model = hinge.model { elements_per_member = o.elements }
+    local foot, head = model:node { 0, 0, 0 }, model:node(o.lean and { 3, 0, 3 / o.lean } or { 0, 0, 3 })
+    model:fix(foot, o.along == "y" and "xyz ry rz" or "xyz rx rz")
+    local nodes = o.flipped and { head, foot } or { foot, head }
+    local mast = model:member { nodes[1], nodes[2], section = bar, material = steel, group = o.group or "mast" }
+    model:gravity { 0, 0, -9.81 }
+    if o.group then model:ground { point = { 0, 0, -0.051 }, group = o.group } end
+    if o.ground then model:ground { point = { 0, 0, -0.051 } } end
+    local spin = o.along == "y" and { 0.3, 0, 0 } or { 0, 0.3, 0 }
+    model:velocity(mast, { 1.5 * spin[2], -1.5 * spin[1], 0 }, spin)
+    local run = model:dynamic { dt = 1e-3, duration = o.duration or 1.6, record = false }:finish()
+    local what = ("along %s, %s elements, ground of %s"):format(o.along, o.elements, o.group)
+    local depth = -3 - select(3, head:displacement(run))
+    if o.told == false then
+      none(run, over, what)
+    else
+      expect(depth > 0.1, "%s: it is below its support: %g", what, depth)
+      local _, text = one(run, over, what)
+      expect(math.abs(tonumber(text:match "to ([%d.]+) m below the support") - depth) < 0.005 * depth, "%s: %s", what,
+        text)
+    end
+  end
 end)
 case("what lies on members that sag below their supports has not fallen", function()
   local model = hinge.model {}
@@ -232,6 +300,25 @@ case("an elastic stress that no material bears is told where no yield stress is 
   none(pull(0.2, hinge.material { E = 1e7, density = 1000 }), stress, "rubber")
   none(pull(0.02, hinge.material { E = 12e9, density = 500 }), stress, "timber at 2 %")
   one(pull(0.04, hinge.material { E = 12e9, density = 500 }), stress, "timber at 4 %")
+end)
+
+case("an elastic stress in torsion that no material bears is told", function()
+  local sections = { bar, hinge.section.pipe { diameter = 0.2, thickness = 0.01 }, hinge.section.named "HEB 200" }
+  for i, section in ipairs(sections) do
+    for part, told in pairs { [0.8] = false, [1.2] = true } do
+      local model = hinge.model {}
+      local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+      model:fix(a)
+      model:fix(b, "xyz rx ry")
+      model:member { a, b, section = section, material = elastic }
+      -- largest shear stress over Mz / J: that of a square is Mz / (0.208 a^3), J is 0.1406 a^4; the radius of a pipe,
+      -- the thickness of the flanges of an H
+      local arm = ({ 0.1406 / 0.208 * 0.1, 0.1, 0.015 })[i]
+      model:load { node = b, moment = { 0, 0, part * 0.01 * 210e9 / math.sqrt(3) * section.J / arm } }
+      local run = model:static { steps = 8 }:finish()
+      if told then one(run, stress, section.kind) else none(run, stress, section.kind) end
+    end
+  end
 end)
 
 case("a blow on an elastic frame is told by its stress, in dynamics by both methods", function()
@@ -323,6 +410,33 @@ case("warnings change no bit, and a run goes on from a checkpoint with them", fu
   resumed:finish()
   equal(resumed.hash, whole.hash, "resumed")
   equal(table.concat(resumed.warnings, "|"), table.concat(whole.warnings, "|"), "warnings of the resumed run")
+end)
+
+case("a study tells how many of its cases have warnings of their run, and the first of them", function()
+  local hinge_on, folder = support.scenes(arg[1])
+  local scene = [[
+local hinge = require "hinge"
+return hinge.scenario { parameters = { speed = 20 }, run = function(p)
+  local steel = hinge.material { E = 210e9, density = 7850, yield_stress = 355e6 }
+  local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
+  local model = hinge.model {}
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+  model:fix { a, b }
+  model:member { a, b, section = bar, material = steel }
+  local c, d = model:node { -1, -1, 1.5 }, model:node { -1, 1, 1.5 }
+  model:velocity(model:member { c, d, section = bar, material = steel }, { p.speed, 0, 0 })
+  local run = model:dynamic { dt = 1e-4, duration = 0.1 }:finish()
+  return { x = c:displacement(run) }
+end }
+]]
+  local status, printed, complaint = hinge_on("study -q", scene, "speed=1,20,30 --out all")
+  equal(status, 0, complaint)
+  expect(printed:find("2 cases with warnings of their run, the first is case 2: member 1 and member 2 passed through "
+    .. "each other", 1, true), "prints: %s", printed)
+  local told = support.json(support.read(folder .. "/all/summary.json") or "{}").warned or {}
+  equal(("%s %s"):format(told.cases, told.first), "2 2", "in summary.json")
+  local _, quiet = hinge_on("study -q", scene, "speed=1,2 --out none")
+  expect(not quiet:find("warnings", 1, true), "where no case has any: %s", quiet)
 end)
 
 -- Groups that grow ----------------------------------------------------------------------------------------------------

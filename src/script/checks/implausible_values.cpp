@@ -10,6 +10,7 @@
 #include "effects/fracture.h"
 #include "effects/fracture_rule.h"
 #include "effects/gravity.h"
+#include "effects/moving_supports.h"
 #include "effects/settlement.h"
 #include "model/structure.h"
 
@@ -23,6 +24,7 @@ constexpr double most_strain = 1;                         ///< of a limit of fra
 constexpr double most_hinge = 1.5;                        ///< rad, of a limit of hinges: 86 degrees
 constexpr double most_curvature = 1000;                   ///< 1/m: a bar of 1 mm is wound to a circle of that radius
 constexpr double most_speed = 300;                        ///< m/s; airliners fly at 250
+constexpr double most_spin = 100;                         ///< rad/s: 16 turns a second
 
 std::string axis_name(int c) { return std::string(1, "xyz"[c % 3]); }
 
@@ -96,6 +98,38 @@ void speeds(const Model& model, std::vector<Warning>& list) {
     list.back().more = int(std::count_if(all.begin(), all.end(), is_large)) - 1;
 }
 
+/// Rates of rotation in degrees or turns a minute.
+void spins(const Model& model, std::vector<Warning>& list) {
+    const auto& all = model.given_velocities();
+    const auto is_large = [](const GivenVelocity& v) { return v.angular.norm() > most_spin; };
+    const auto first = std::find_if(all.begin(), all.end(), is_large);
+    if (first == all.end() || first->nodes.empty()) return;
+    const double spin = first->angular.norm();
+    list.push_back({"model:velocity turns node " + std::to_string(first->nodes[0] + 1) +
+                        (first->nodes.size() > 1 ? " and others" : "") + " at " + digits(spin) + " rad/s, which is " +
+                        digits(spin * degrees / 360, 3) + " turns a second",
+                    "is it in degrees per second, or in turns per minute? rates of rotation are in rad/s",
+                    first->asked_at});
+    list.back().more = int(std::count_if(all.begin(), all.end(), is_large)) - 1;
+}
+
+/// Supports that move by more than the structure is large, by points of a history.
+void motions(const Model& model, std::vector<Warning>& list) {
+    const double most = size_of(model);
+    for (const SupportMotion& m : model.declared<SupportMotion>(moving_supports_effect)) {
+        double largest = 0;
+        const History::Points* points = m.displacement.points();
+        for (std::size_t i = 0; points && i < points->size(); ++i)
+            largest = std::max(largest, std::abs((*points)[i].second));
+        if (!(largest > most)) continue;
+        list.push_back({"model:move moves node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
+                            " m along " + axis_name(m.component) + ", more than the structure's size, " +
+                            digits(most, 3) + " m",
+                        "is it in mm? motions are in m", model.asked_at("motion of node " + std::to_string(m.node))});
+        return;
+    }
+}
+
 /// Two supports or more that lie at the lowest z, with a member that rises along z from each, and gravity across z.
 void gravity_across(const Model& model, std::vector<Warning>& list) {
     const std::optional<Vec3> g = declared_gravity(model);
@@ -131,6 +165,8 @@ std::vector<Warning> implausible_values(const Structure& structure) {
     settlements(model, list);
     fracture_limits(model, list);
     speeds(model, list);
+    spins(model, list);
+    motions(model, list);
     gravity_across(model, list);
     return list;
 }
