@@ -59,10 +59,13 @@ function by_storey(hinges, limited) {
   const storeys = [...new Set(hinges.map((h) => h.storey))].sort((a, b) => (b ?? 0) - (a ?? 0));
   if (storeys.length < 2 && storeys[0] === null) return null;
   const largest = (all, of) => Math.max(0, ...all.map((h) => of(h) ?? 0));
-  return table(["", "hinges", "largest demand, rad", "work, J", ...(limited ? ["largest part of the limit"] : [])],
+  const joints = hinges.some(is_joint), names = (all) => new Set(all.filter(is_joint).map((h) => h.joint)).size;
+  return table(["", "hinges", ...(joints ? ["joints"] : []), "largest demand, rad", "work, J",
+    ...(limited ? ["largest part of the limit"] : [])],
     storeys.map((k) => {
       const all = hinges.filter((h) => h.storey === k);
-      return [k === null ? "no storey" : `storey ${k}`, all.length, Number(largest(all, (h) => h.demand).toPrecision(4)),
+      return [k === null ? "no storey" : `storey ${k}`, all.filter((h) => !is_joint(h)).length,
+        ...(joints ? [names(all)] : []), Number(largest(all, (h) => h.demand).toPrecision(4)),
         Number(all.reduce((sum, h) => sum + h.work, 0).toPrecision(4)),
         ...(limited ? [Number(largest(all, (h) => h.ratio).toPrecision(3))] : [])];
     }));
