@@ -3193,7 +3193,8 @@ function model:connector(options) end
 ---is raised at the line of the script that asked for the step
 ---@field law? { x?: function, y?: function, z?: function, rx?: function, ry?: function, rz?: function }
 ---N, N m. If the force in one direction, of either sign, has reached this value at the end of a step, the whole
----connector breaks. The energy that it stored is lost. run.state_changes lists the break. Default: it never breaks
+---connector breaks. The energy that it stored is lost. run.state_changes and events.csv list the break, and run:hinges
+---rates the largest force so far by it. Default: it never breaks
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
 
 ---A connector, made by model:connector. Its methods read the given run, or by default the latest run of its model.
