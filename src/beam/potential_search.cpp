@@ -9,8 +9,11 @@ namespace hinge::beam {
 namespace {
 
 constexpr double still_enough = 1e-9;  ///< of the trial forces: what may be missed where rounding leaves no more
-constexpr double g_rounds = 1e-4;      ///< of the trial forces missed: there the fall of G is near its rounding
-constexpr double falls = 0.95;         ///< then what is missed must fall to this part
+/// And where no search comes nearer: beside the corner at N alone the surface bends so much, and under a rate law the
+/// flow is so small, that G rounds away what its fall would be.
+constexpr double last_resort = 1e-6;
+constexpr double g_rounds = 1e-4;  ///< of the trial forces missed: there the fall of G is near its rounding
+constexpr double falls = 0.95;     ///< then what is missed must fall to this part
 /// A step from so few of the strength missed, after one that left so small a part of what it began with, and that
 /// changes so small a part of the flow, misses no more than `flow_tolerance`: it is not looked at again.
 constexpr double last_step = 1e-8, quick_fall = 1e-3, small_way = 1e-5;
@@ -22,6 +25,12 @@ constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, be
 constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
 
 bool is_small(const Vec4& way, const Vec4& of) { return way.squaredNorm() <= small_way * small_way * of.squaredNorm(); }
+
+/// True if the flow e changes its section's forces by less than they may be off. Under a rate law that is the rule near
+/// the surface: flow of 1e-37 carries 1e-7 of the strength beyond it, and its direction is lost in rounding.
+bool moves_nothing(const Vec4& k, const Vec4& e, double size) {
+    return k.cwiseProduct(e).norm() <= flow_tolerance * size;
+}
 
 using Mat8 = Eigen::Matrix<double, 8, 8>;
 using Vec8 = Eigen::Matrix<double, 8, 1>;
@@ -63,16 +72,30 @@ bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const 
 
 /// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
 bool PotentialLaw::one_end(const End& end, const Vec4& trial, Vec4& e) const {
-    if (!e.isZero(0) && descend(end, trial, e) == Search::found) return true;
+    Vec4 nearest = Vec4::Zero();
+    double missed = last_resort * (1 + trial.norm());
+    const auto search = [&] {
+        const Search out = descend(end, trial, e);
+        if (out != Search::lost) return out;
+        Work w = work_at(e, end.own);
+        harden(end, e, w);
+        const double left = (trial - end.k.cwiseProduct(e) - w.q).norm();
+        if (left < missed) nearest = e, missed = left;
+        return left <= missed && moves_nothing(end.k, e, 1 + trial.norm()) ? Search::found : out;
+    };
+    if (!e.isZero(0) && search() == Search::found) return true;
     e = direction(trial);
-    if (descend(end, trial, e) == Search::found) return true;
+    if (search() == Search::found) return true;
     if (!beyond(end, trial, e)) return e.setZero(), true;
-    if (!e.allFinite()) return e.setZero(), false;
-    const Search search = descend(end, trial, e);
-    if (search == Search::not_below) e.setZero();  // on the surface, but for rounding
-    if (search != Search::lost) return true;
-    e = trial;
-    return descend(end, trial, e) == Search::found;
+    if (e.allFinite()) {
+        const Search out = search();
+        if (out == Search::not_below) e.setZero();  // on the surface, but for rounding
+        if (out != Search::lost) return true;
+        e = trial;
+        if (search() == Search::found) return true;
+    }
+    e = nearest;
+    return !e.isZero(0);
 }
 
 /// Down from e. not_below: no flow along e has less than none.
@@ -246,7 +269,10 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
                 if (alone(trial, k, ends, 1 - both.leaving())) return true;
                 for (int i : {0, 1}) ends[i].e = guess[i];
             }
-            if (sweep > 20 && both.missed() <= still_enough * both.size()) return true;
+            const bool still = sweep > 20 && both.missed() <= still_enough * both.size();
+            const bool last = sweep > 40 || (moves_nothing(ends[0].k, ends[0].e, both.size()) &&
+                                             moves_nothing(ends[1].k, ends[1].e, both.size()));
+            if (still || (last && both.missed() <= last_resort * both.size())) return true;
             continue;
         }
         if (!ends[0].flows() && !ends[1].flows()) return true;
@@ -255,7 +281,8 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
         Work w = work_at(ends[i].e, ends[i].own);
         harden(ends[i], ends[i].e, w);
         Vec4 direction;
-        if ((ends[i].carries(p) - w.q).norm() <= flow_tolerance * both.size() &&
+        const bool last = sweep > 20 || moves_nothing(ends[i].k, ends[i].e, both.size());
+        if ((ends[i].carries(p) - w.q).norm() <= (last ? last_resort : flow_tolerance) * both.size() &&
             !beyond(ends[1 - i], ends[1 - i].carries(p), direction))
             return true;
     }

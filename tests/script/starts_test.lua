@@ -332,12 +332,14 @@ case("a slender bar that yields takes the steps of dt = \"auto\" to the result o
 end)
 
 -- A bar that is clamped at both ends and hot, or prestressed, from the start.
-local function hot_bar(set, yield_stress)
-  local model = hinge.model {}
+local function hot_bar(set, yield_stress, of)
+  of = of or {}
+  local model = hinge.model { elements_per_member = of.elements }
   local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
   model:fix { a, b }
-  local bar = model:member { a, b, section = hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.01 },
-    material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress or 275e6 } }
+  local bar = model:member { a, b,
+    section = of.section or hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.01 },
+    material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress or 275e6, rate = of.rate } }
   set(model, bar)
   return model, bar
 end
@@ -375,6 +377,34 @@ case("a run of dynamics that begins beyond yield begins on the yield surface, as
         near(plastic, slow.energy.plastic, 0.01 * run.energy.initial, what .. ": plastic work, against statics")
       end
       equal(told_of_yield(run) ~= nil, plastic > 0, what .. ": " .. table.concat(run.warnings, "; "))
+    end
+  end
+end)
+
+-- Held along its axis beyond N0, no section has room for a moment: what a gradient across it would make flows away, and
+-- the forces stay at the corner of N alone, where the surface has no one normal.
+case("heat with a gradient begins at the corner of N alone, with any elements, sections and rates of strain", function()
+  for _, section in ipairs { "box", "HEB 200" } do
+    for _, elements in ipairs { 2, 4, 8 } do
+      for _, rate in ipairs { 0, 1 } do
+        local set = { elements = elements, section = section ~= "box" and hinge.section.named(section) or nil,
+          rate = rate == 1 and { D = 40, q = 5 } or nil }
+        local function begun(across)
+          return hot_bar(function(m, bar)
+            m:heat { member = bar, temperature = 193, across_x = across }
+          end, nil, set):dynamic { dt = 1e-5, duration = 1e-4, record = false }
+        end
+        for _, across in ipairs { 50, 100 } do
+          local what = ("%s, %d elements, rate %d, %g degrees across"):format(section, elements, rate, across)
+          local run, even = begun(across), begun(0)
+          local plastic = run.energy.plastic
+          near(plastic / even.energy.plastic, 1, 1e-4, what .. ": plastic work, against none across")
+          run:finish()
+          equal(run.verdict, "completed", what .. ": " .. run.reason)
+          near(run.energy.plastic, plastic, 1e-6 * run.energy.initial, what .. ": nothing yields later")
+          near(run.energy.elastic / even.energy.elastic, 1, 1e-4, what .. ": stored, against none across")
+        end
+      end
     end
   end
 end)
