@@ -344,7 +344,8 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
 
 /// What strains elements at once where a run begins (heat, prestress) may put them beyond yield. They begin with the
 /// forces on the yield surface, at the deformation that they have. So does a bar between fixed ends that is heated
-/// slowly: initial energy is what it stores then and its plastic work, not what it would store without yield.
+/// slowly: initial energy is what it stores then and its plastic work, not what it would store without yield. Loads
+/// between nodes that act at once may bring other elements beyond yield, by work that nothing supplies: these stay.
 void Dynamics::return_to_yield_surface() {
     if (!effects_->any(&EffectTraits::strains_at_start) || !structure_->can_yield()) return;
     for (const auto& load : effects_->loads) load->act_at(state_.time);
@@ -354,11 +355,14 @@ void Dynamics::return_to_yield_surface() {
     w_.at_state = true;
     recover(state_.time);
     w_.at_state = false;
+    const auto strained = [&](int e) { return !heat_of(state_.heat, e).deformation().isZero(0); };
+    std::erase_if(w_.yielding, [&](const PlasticIncrement& y) { return !strained(y.element); });
     if (!w_.yielding.empty() && !step_.failure && assembly_.unreturned() < 0) {
         const double before = state_.accumulated["plastic"];
         const int first = w_.yielding.front().element;
         const std::size_t count = w_.yielding.size();
-        state_.force = w_.force;
+        for (std::size_t i = 0; i < state_.force.size(); ++i)
+            if (strained(int(i))) state_.force[i] = w_.force[i];
         for (const auto& e : effects_->all) e->returned_to_yield(step_);
         if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
         initial_ -= energy_of(state_).error;

@@ -424,6 +424,28 @@ case("a run that goes on from a cold one is as hot from its start as one that be
   near(on.energy_error, 0, 1e-6, "energy error of the run that goes on from there")
 end)
 
+case("what another member has of prestress changes nothing for loads between nodes that act at once", function()
+  for _, part in ipairs { 0.5, 3.2 } do -- of the strength, which the fixed-end moments are
+    local function run_with(strain)
+      local model = hot_bar(function() end, 355e6, { section = hinge.section.round { diameter = 0.028 } })
+      local rod = model:member { model:node { 0, 1, 0 }, model:node { 3, 1, 0 },
+        section = hinge.section.round { diameter = 0.028 }, material = hinge.material.steel "S355" }
+      model:fix { rod.a, rod.b }
+      if strain then model:prestress { member = rod, strain = strain } end
+      model:load { member = model:members()[1], at = 0.25, force = { 0, 0, -part * 355e6 * 0.028 ^ 3 / 6 / (9 / 64 * 3) } }
+      return model:dynamic { dt = 1e-4, duration = 2e-3, record = false }:finish()
+    end
+    local alone = run_with()
+    equal(alone.verdict, part < 1 and "completed" or "failed", part .. " of the strength")
+    for _, strain in ipairs { 1e-4, -1e-4, 3e-3 } do
+      local run = run_with(strain)
+      local what = ("%g of the strength, strain %g: "):format(part, strain)
+      equal(run.verdict, alone.verdict, what .. run.reason)
+      if part > 1 then equal(run.failure.cause, alone.failure.cause, what .. "cause") end
+    end
+  end
+end)
+
 case("stress below yield, and members that go slack, begin without plastic work and without a word", function()
   local model = hot_bar(function(m) m:heat { temperature = 120 } end)
   local run = model:dynamic { dt = 1e-5, duration = 1e-4, record = false }:finish()
