@@ -130,8 +130,8 @@ case("two elements between clamped ends warn beyond Euler's load in dynamics", f
   end
 end)
 
--- With a joint of 13 E I / L at either end a column buckles at tan u = -2 u E I / (k L), 0.79 of its load between clamped
--- ends; statics with two elements finds 0.88.
+-- With a joint of 13 E I / L at either end a column buckles at tan u = -2 u E I / (k L), 0.79 of its load between
+-- clamped ends; statics with two elements finds 0.88.
 case("statics says where two elements between stiff ends are stiffer than the member", function()
   for _, row in ipairs { { 0.8, 2, 1 }, { 0.7, 2, 1 }, { 0.6, 2, 0 }, { 0.8, 4, 0 }, { -0.8, 2, 0 } } do
     local model = held { part = row[1], elements = row[2], q = 0 }

@@ -432,7 +432,8 @@ case("what another member has of prestress changes nothing for loads between nod
         section = hinge.section.round { diameter = 0.028 }, material = hinge.material.steel "S355" }
       model:fix { rod.a, rod.b }
       if strain then model:prestress { member = rod, strain = strain } end
-      model:load { member = model:members()[1], at = 0.25, force = { 0, 0, -part * 355e6 * 0.028 ^ 3 / 6 / (9 / 64 * 3) } }
+      local strength = 355e6 * 0.028 ^ 3 / 6 / (9 / 64 * 3)
+      model:load { member = model:members()[1], at = 0.25, force = { 0, 0, -part * strength } }
       return model:dynamic { dt = 1e-4, duration = 2e-3, record = false }:finish()
     end
     local alone = run_with()
