@@ -13,6 +13,9 @@ namespace {
 /// Part of the load factor to which steps of load are shortened before the structure is said to be unstable.
 constexpr double instability_bracket = 1e-3;
 
+/// Where one mechanism takes over from another, so many times the substep that has failed is tried first.
+constexpr double longer_exchange = 16;
+
 }  // namespace
 
 Statics::Statics(std::shared_ptr<const Structure> structure, State start, StaticSettings settings)
@@ -134,13 +137,16 @@ std::vector<Vec6> Statics::start_of(const PathControl& control, double increment
 /// stiffness comes to the new set, slowly; the step must reach beyond the exchange. Returns the increment that does.
 /// So do members that are slack in one iteration and taut in the next. Steps of load alone are left out: where they
 /// find no equilibrium they mostly are at a limit load. Heat and moving supports drive a structure like a displacement.
+/// Substeps that are short by now may need it one after another, at a hundred times the cost of others: it is tried with
+/// longer ones first.
 std::optional<double> Statics::exchange_mechanisms(double increment) {
     const auto& members = structure_->model().members();
     const bool may_be_slack =
         std::any_of(members.begin(), members.end(), [](const MemberData& m) { return m.carries != Carries::both; });
     const bool driven = forces_.are_heated() || !forces_.support_rates().empty();
     if (!may_be_slack && ((path_->kind() == Control::load && !driven) || newton_.hinges().empty())) return {};
-    for (double part = increment; part >= increment / 100 && part >= StepHalving::smallest; part /= 4)
+    const double longest = std::min(halving_.left(), longer_exchange * increment);
+    for (double part = longest; part >= increment / 100 && part >= StepHalving::smallest; part /= 4)
         for (const double hinge_stiffness : {1e-3, 1e-2, 1e-1})
             if (try_step(*path_, part, hinge_stiffness) != Found::nothing && !stability_.has_left_path(*path_))
                 return part;
