@@ -137,8 +137,8 @@ std::vector<Vec6> Statics::start_of(const PathControl& control, double increment
 /// stiffness comes to the new set, slowly; the step must reach beyond the exchange. Returns the increment that does.
 /// So do members that are slack in one iteration and taut in the next. Steps of load alone are left out: where they
 /// find no equilibrium they mostly are at a limit load. Heat and moving supports drive a structure like a displacement.
-/// Substeps that are short by now may need it one after another, at a hundred times the cost of others: it is tried with
-/// longer ones first.
+/// Substeps that are short by now may need it one after another, at a hundred times the cost of others: it is tried
+/// with longer ones first.
 std::optional<double> Statics::exchange_mechanisms(double increment) {
     const auto& members = structure_->model().members();
     const bool may_be_slack =
