@@ -364,7 +364,7 @@ case("the table and the plot of utilisations: order, remarks, columns of each ch
     equal(two[name], value.value, "the field of a check")
   end
   table.sort(names)
-  equal(table.concat(keys, " "), "index group utilisation check x when law slenderness remark "
+  equal(table.concat(keys, " "), "index group joint- utilisation check x when law slenderness remark "
     .. table.concat(names, " "), "columns")
   equal(results.utilisation(run, { model = model, group = "A", standard = "AISC 360" }).notes[1],
     "AISC 360-16, LRFD, of the resultants of the run", "AISC")
