@@ -6,8 +6,9 @@
 // force of its springs, p = k (d - d_p). So rotating and flying as a whole is not damped by it, however fast, and
 // neither are the rotations of plastic hinges (state/elastic_rate.h). With the whole rate a hinge would stand beside a
 // dashpot of the element's bending and shear stiffness, and that is the stiffer the shorter the element is. Yield is
-// decided by p alone, so p_v may do work on the flow; a dashpot that has made energy takes the whole rate (gave). A
-// broken element is not damped at all, nor is the mass that is left of it.
+// decided by p alone, so p_v may do work on the flow. Where a step would make more energy than a dashpot has taken so
+// far, that dashpot takes the whole rate in the step (giving_); one that has made energy takes it from then on (gave).
+// A broken element is not damped at all, nor is the mass that is left of it.
 //
 // The part of alpha takes the nodes' velocities relative to the supports of their body (whole elements and connectors
 // join it): along x, y and z each the mean velocity of those of its supports that are held in that direction, zero
@@ -106,7 +107,7 @@ public:
                 flowed_.push_back({e, true});
     }
 
-    void begin(const Step&) override { solutions_ = 0; }
+    void begin(const Step&) override { solutions_ = 0, giving_.clear(); }
     void add_forces(double time, std::vector<Vec6>& resisting) override {
         find_rates(time);
         find_forces();
@@ -251,18 +252,42 @@ private:
                 if (held) add_rate({before[next].element, {}}, &before[next]);
         };
         for (const PlasticIncrement& y : w_.yielding) {
-            if (damping_[y.element].of_stiffness == 0 || gave(y.element)) continue;
+            if (damping_[y.element].of_stiffness == 0 || gave(y.element) || would_give(y.element)) continue;
             keep_before(y.element);
             static const ElasticRate none = {};
             const bool was = next < before.size() && before[next].element == y.element;
             add_rate(y, !held ? nullptr : was ? &before[next] : &none);
             next += was;
+            if (solutions_ > 1) leave_if_it_gives();
         }
         keep_before(int(damping_.size()));
     }
     void add_rate(const PlasticIncrement& y, const ElasticRate* as) {
         w_.elastic_rates.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
                                                 damping_[y.element].of_stiffness, as));
+    }
+    /// Takes the last rate out again where its dashpot would have given more by the end of the step than it has taken.
+    void leave_if_it_gives() {
+        const int element = w_.elastic_rates.back().element;
+        const auto at = taken_.find(element);
+        Vec12 force = Vec12::Zero();
+        force_of(index_of(element), force);
+        if ((at == taken_.end() ? 0 : at->second) + work_of(element, force) >= 0) return;
+        w_.elastic_rates.pop_back();
+        giving_.insert(std::lower_bound(giving_.begin(), giving_.end(), element), element);
+    }
+    bool would_give(int element) const { return std::binary_search(giving_.begin(), giving_.end(), element); }
+    int index_of(int element) const {
+        return int(std::lower_bound(damped_.begin(), damped_.end(), element) - damped_.begin());
+    }
+    /// Of the dashpot of an element over the step, by the trapezium rule, J; `now`: its forces where the step ends.
+    double work_of(int element, const Vec12& now) const {
+        const Element& e = w_.structure.elements()[element];
+        Vec12 way;
+        for (int end : {0, 1})
+            way.segment<6>(6 * end) << w_.trial.displacement[e.node[end]] - w_.state.displacement[e.node[end]],
+                w_.rotation_step[e.node[end]];
+        return 0.5 * (by_stiffness_before_[std::size_t(index_of(element))] + now).dot(way);
     }
     /// Whether the dashpot of an element has done more work than it has taken: forces by elastic rates do work on the
     /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
@@ -274,17 +299,8 @@ private:
     /// Counts what the dashpots of elements that flow, or have flowed, take in the step.
     void count_taken() {
         for (const ElasticRate& r : w_.elastic_rates) taken_.try_emplace(r.element, 0.0);
-        for (auto& [element, taken] : taken_) {
-            if (taken < 0) continue;
-            const std::size_t i =
-                std::size_t(std::lower_bound(damped_.begin(), damped_.end(), element) - damped_.begin());
-            const Element& e = w_.structure.elements()[element];
-            Vec12 way;
-            for (int end : {0, 1})
-                way.segment<6>(6 * end) << w_.trial.displacement[e.node[end]] - w_.state.displacement[e.node[end]],
-                    w_.rotation_step[e.node[end]];
-            taken += 0.5 * (by_stiffness_before_[i] + by_stiffness_[i]).dot(way);
-        }
+        for (auto& [element, taken] : taken_)
+            if (taken >= 0) taken += work_of(element, by_stiffness_[std::size_t(index_of(element))]);
         by_stiffness_before_ = by_stiffness_;
     }
     /// C v at the trial pose, N and N m of each node.
@@ -348,6 +364,7 @@ private:
     long impulses_ = 0;                ///< Workspace::impulses, where the forces of this step were found
     std::vector<Vec6> before_, now_;   ///< of each node: where the last step ended, and where this one is tried to end
     int solutions_ = 0;                ///< of this step so far
+    std::vector<int> giving_;          ///< elements whose dashpots would give in this step, rising
     std::vector<ElasticRate> flowed_;  ///< of damped elements that flowed in the last step, rising
 };
 
