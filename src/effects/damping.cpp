@@ -48,6 +48,11 @@ constexpr double rotation_lag_cosine = 1 - 5e-5;
 /// it stays. Where hinges just flow, or just not, Newton's method would else go to and fro between the two.
 constexpr int shares_follow = 4;
 
+/// A run warns of whole rates in more steps than these, which are more than this part of those in which the hinge
+/// turned.
+constexpr int few_steps = 10;
+constexpr double small_part = 0.1;
+
 bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
 
 /// Of each element, as the last declaration that fits it has it; empty where all is zero.
@@ -165,32 +170,47 @@ public:
 
     void check_run(std::vector<RunWarning>& list) const override {
         int first = -1, count = 0;
-        for (const auto& [element, taken] : taken_)
-            if (taken < 0 && count++ == 0) first = w_.structure.elements()[element].member;
+        double most = 0;
+        for (const auto& [element, of] : dashpots_) {
+            const double part = double(of.whole) / std::max(1, of.flowed);
+            if (!(of.whole >= few_steps && part > small_part)) continue;
+            if (count++ == 0) first = w_.structure.elements()[element].member;
+            most = std::max(most, part);
+        }
         if (count == 0) return;
-        list.push_back(
-            {"the damping by beta of " + count_text(count, "element") + ", the first of " +
-                 member_text(w_.structure.model(), first) +
-                 ", acts on plastic hinges, too: without that it would have made energy, since the hinges turn " +
-                 "to and fro from step to step",
-             "for blows damp by alpha alone, or give a smaller beta", first});
+        list.push_back({"the damping by beta of " + count_text(count, "element") + ", the first of " +
+                            member_text(w_.structure.model(), first) + ", acted on plastic hinges, too, in up to " +
+                            number_text(100 * most, 2) +
+                            " % of the steps in which they turned: without that it would have " +
+                            "made energy, since the hinges turn to and fro from step to step",
+                        "for blows damp by alpha alone, or give a smaller beta", first});
     }
 
-    void save(Writer& to) const override { to(before_, built_, flowed_, taken_, by_stiffness_before_); }
-    void restore(Reader& from) override { from(before_, built_, flowed_, taken_, by_stiffness_before_); }
+    void save(Writer& to) const override { to(before_, built_, flowed_, dashpots_, by_stiffness_before_); }
+    void restore(Reader& from) override { from(before_, built_, flowed_, dashpots_, by_stiffness_before_); }
     bool restored(std::span<const State* const>) override {
         find_footings();
         const int n = int(damping_.size());
         return before_.size() == now_.size() && built_.size() == masses_.size() &&
                by_stiffness_before_.size() == by_stiffness_.size() &&
                std::all_of(
-                   taken_.begin(), taken_.end(),
+                   dashpots_.begin(), dashpots_.end(),
                    [this](const auto& t) { return std::binary_search(damped_.begin(), damped_.end(), t.first); }) &&
                std::all_of(flowed_.begin(), flowed_.end(),
                            [n](const ElasticRate& r) { return r.element >= 0 && r.element < n; });
     }
 
 private:
+    /// The part of beta of an element that has flowed.
+    struct Dashpot {
+        bool counts = false;        ///< it has taken an elastic rate
+        double taken = 0;           ///< J, since then
+        int flowed = 0, whole = 0;  ///< steps in which it flowed, and of those, in which it took the whole rate
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.counts, s.taken, s.flowed, s.whole);
+        }
+    };
     struct AtNode {
         int node;
         OffsetMass mass;  ///< of its point masses
@@ -269,10 +289,10 @@ private:
     /// Takes the last rate out again where its dashpot would have given more by the end of the step than it has taken.
     void leave_if_it_gives() {
         const int element = w_.elastic_rates.back().element;
-        const auto at = taken_.find(element);
+        const auto at = dashpots_.find(element);
         Vec12 force = Vec12::Zero();
         force_of(index_of(element), force);
-        if ((at == taken_.end() ? 0 : at->second) + work_of(element, force) >= 0) return;
+        if ((at == dashpots_.end() ? 0 : at->second.taken) + work_of(element, force) >= 0) return;
         w_.elastic_rates.pop_back();
         giving_.insert(std::lower_bound(giving_.begin(), giving_.end(), element), element);
     }
@@ -293,14 +313,20 @@ private:
     /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
     /// elastic motion. From then on the dashpot takes the whole rate, which always dissipates.
     bool gave(int element) const {
-        const auto at = taken_.find(element);
-        return at != taken_.end() && at->second < 0;
+        const auto at = dashpots_.find(element);
+        return at != dashpots_.end() && at->second.taken < 0;
     }
     /// Counts what the dashpots of elements that flow, or have flowed, take in the step.
     void count_taken() {
-        for (const ElasticRate& r : w_.elastic_rates) taken_.try_emplace(r.element, 0.0);
-        for (auto& [element, taken] : taken_)
-            if (taken >= 0) taken += work_of(element, by_stiffness_[std::size_t(index_of(element))]);
+        for (const PlasticIncrement& y : w_.yielding) {
+            if (damping_[y.element].of_stiffness == 0) continue;
+            Dashpot& of = dashpots_[y.element];
+            ++of.flowed;
+            if (of.taken < 0 || would_give(y.element)) ++of.whole;
+        }
+        for (const ElasticRate& r : w_.elastic_rates) dashpots_[r.element].counts = true;
+        for (auto& [element, of] : dashpots_)
+            if (of.counts && of.taken >= 0) of.taken += work_of(element, by_stiffness_[std::size_t(index_of(element))]);
         by_stiffness_before_ = by_stiffness_;
     }
     /// C v at the trial pose, N and N m of each node.
@@ -354,7 +380,7 @@ private:
     std::vector<int> damped_;                                ///< elements
     std::vector<Vec12> of_element_;                          ///< of those
     std::vector<Vec12> by_stiffness_, by_stiffness_before_;  ///< the part of beta, and where the last step ended
-    std::map<int, double> taken_;  ///< J, by the part of beta of elements that flow or have flowed
+    std::map<int, Dashpot> dashpots_;                        ///< of elements that flow or have flowed
     std::vector<AtNode> masses_;
     std::vector<Quat> built_;  ///< of those: orientation that they have in the effective stiffness
     Bodies bodies_;            ///< where supports move

@@ -17,7 +17,7 @@ return {
   -- one of the two elements of a pair breaks, and the law of the other is another one then
   drawn(325, "strut under high compression breaks", { slow = true }),
   -- damping by elastic rates that drives hinges whose flow turns from step to step
-  drawn(1138, "frame with a large beta is struck at 210 m/s", { warns = "would have made energy" }),
+  drawn(1138, "frame with a large beta is struck at 210 m/s"),
   -- ends that turn fast against their element, with rotary inertia
   drawn(46, "elastic columns fold", { slow = true }),
   drawn(459, "bodies bounce and spin", { slow = true }),
