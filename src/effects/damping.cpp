@@ -211,6 +211,7 @@ private:
             a(s.counts, s.taken, s.flowed, s.whole);
         }
     };
+
     struct AtNode {
         int node;
         OffsetMass mass;  ///< of its point masses
@@ -286,16 +287,17 @@ private:
         w_.elastic_rates.push_back(elastic_rate(w_.structure, w_.state, w_.trial, y, w_.assembly.step(),
                                                 damping_[y.element].of_stiffness, as));
     }
+
     /// Takes the last rate out again where its dashpot would have given more by the end of the step than it has taken.
     void leave_if_it_gives() {
         const int element = w_.elastic_rates.back().element;
         const auto at = dashpots_.find(element);
-        Vec12 force = Vec12::Zero();
-        force_of(index_of(element), force);
+        const Vec12 force = force_by_stiffness(element, element_frame(w_.structure, element, w_.trial));
         if ((at == dashpots_.end() ? 0 : at->second.taken) + work_of(element, force) >= 0) return;
         w_.elastic_rates.pop_back();
         giving_.insert(std::lower_bound(giving_.begin(), giving_.end(), element), element);
     }
+
     bool would_give(int element) const { return std::binary_search(giving_.begin(), giving_.end(), element); }
     int index_of(int element) const {
         return int(std::lower_bound(damped_.begin(), damped_.end(), element) - damped_.begin());
@@ -309,6 +311,7 @@ private:
                 w_.rotation_step[e.node[end]];
         return 0.5 * (by_stiffness_before_[std::size_t(index_of(element))] + now).dot(way);
     }
+
     /// Whether the dashpot of an element has done more work than it has taken: forces by elastic rates do work on the
     /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
     /// elastic motion. From then on the dashpot takes the whole rate, which always dissipates.
@@ -316,6 +319,7 @@ private:
         const auto at = dashpots_.find(element);
         return at != dashpots_.end() && at->second.taken < 0;
     }
+
     /// Counts what the dashpots of elements that flow, or have flowed, take in the step.
     void count_taken() {
         for (const PlasticIncrement& y : w_.yielding) {
@@ -329,6 +333,7 @@ private:
             if (of.counts && of.taken >= 0) of.taken += work_of(element, by_stiffness_[std::size_t(index_of(element))]);
         by_stiffness_before_ = by_stiffness_;
     }
+
     /// C v at the trial pose, N and N m of each node.
     void find_forces() {
         for (std::size_t i = 0; i < footings_.size(); ++i)
@@ -346,33 +351,38 @@ private:
                     alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * velocity_relative(node));
     }
 
-    /// In the element's axes of now. The rates of its deformation are d' = B v, B^T what makes nodal forces of p.
-    Vec12 force_of(int index, Vec12& by_stiffness) const {
-        const Element& e = w_.structure.elements()[index];
-        by_stiffness.setZero();
-        if (w_.state.broken[index] || w_.rests(e.node[0])) return Vec12::Zero();
-        const ElementDamping& c = damping_[index];
-        const ElementFrame place = element_frame(w_.structure, index, w_.trial);
-        Vec12 v, force = Vec12::Zero();
+    /// The part of beta at the trial pose. The rates of the element's deformation are d' = B v, B^T what makes nodal
+    /// forces of p, in its axes of now.
+    Vec12 force_by_stiffness(int element, const ElementFrame& place) const {
+        const Element& e = w_.structure.elements()[element];
+        Vec12 v;
         v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
+        const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
+        const Vec6 rate = to_nodes.transpose() * v;
+        const beam::Stiffness k = stiffness_now(w_.structure, w_.state, element);
+        const ElasticRate* flow = find_rate(w_.elastic_rates, element);
+        return to_nodes * (damping_[element].of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
+    }
+
+    /// Of both parts.
+    Vec12 force_of(int element, Vec12& by_stiffness) const {
+        const Element& e = w_.structure.elements()[element];
+        by_stiffness.setZero();
+        if (w_.state.broken[element] || w_.rests(e.node[0])) return Vec12::Zero();
+        const ElementDamping& c = damping_[element];
+        const ElementFrame place = element_frame(w_.structure, element, w_.trial);
+        Vec12 force = Vec12::Zero();
         if (c.of_mass != 0) {
             Vec12 relative;
             relative << velocity_relative(e.node[0]), velocity_relative(e.node[1]);
-            force = c.of_mass * (inertia_now(w_.structure, w_.state, index).matrix(axes_of(place)) * relative);
-            if (is_lone(w_.structure, w_.state, index)) {
-                const int inner = inner_end(index, e);
-                const Vec3 arm = w_.trial.rotation[e.node[inner]] * w_.state.offset_arm[index];
+            force = c.of_mass * (inertia_now(w_.structure, w_.state, element).matrix(axes_of(place)) * relative);
+            if (is_lone(w_.structure, w_.state, element)) {
+                const int inner = inner_end(element, e);
+                const Vec3 arm = w_.trial.rotation[e.node[inner]] * w_.state.offset_arm[element];
                 force.segment<6>(6 * inner) += c.of_mass * (lone_mass(e, arm) * relative.segment<6>(6 * inner));
             }
         }
-        if (c.of_stiffness != 0) {
-            const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
-            const Vec6 rate = to_nodes.transpose() * v;
-            const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index);
-            const ElasticRate* flow = find_rate(w_.elastic_rates, index);
-            by_stiffness = to_nodes * (c.of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
-            force += by_stiffness;
-        }
+        if (c.of_stiffness != 0) force += by_stiffness = force_by_stiffness(element, place);
         return force;
     }
 
