@@ -131,6 +131,23 @@ PairCompression pressed(const Structure& structure, const State& state, const st
     return {N, {part(0), part(1)}};
 }
 
+std::optional<RunWarning> PressedPairs::stiffer_than_beam(const Structure& structure, const State& state) {
+    constexpr double from = 0.65;
+    if (stiffness_told_ || !structure.large()) return {};
+    for (int i = 0; i + 1 < int(structure.elements().size()); i += 2) {
+        if (!(pressed(structure, state, state.force, i).most() > from)) continue;
+        stiffness_told_ = true;
+        const int member = structure.elements()[std::size_t(i)].member,
+                  elements = structure.model().members()[std::size_t(member)].elements;
+        return RunWarning{"member " + std::to_string(member + 1) + " is compressed beyond " + number_text(from, 2) +
+                              " of the load at which " + (elements == 2 ? "it" : "a pair of its elements") +
+                              " buckles between clamped ends; two elements are stiffer there than a member is, and a "
+                              "load at which it buckles comes out up to 15 % too high",
+                          "give it elements = " + std::to_string(2 * elements), member};
+    }
+    return {};
+}
+
 std::optional<RunWarning> PressedPairs::beyond_euler(const Structure& structure, const State& state,
                                                      const std::string& where) {
     if (euler_told_ || !structure.large()) return {};

@@ -42,29 +42,6 @@ Translation first_translation(const std::vector<Vec6>& displacements, int nodes)
     return first;
 }
 
-/// A pair of elements that is pressed beyond p' = 6 is stiffer than the beam (beam/beam_column.h): where stiff joints
-/// hold its ends, the load at which it buckles comes out 1 % too high at 0.66 of that between clamped ends, 15 % at
-/// 0.87. None if it is among the warnings that are `told`.
-std::optional<RunWarning> stiff_pair(const Structure& structure, const State& state,
-                                     const std::vector<RunWarning>& told) {
-    constexpr double stiff_from = 0.65;
-    if (!structure.large()) return {};
-    for (int i = 0; i + 1 < int(structure.elements().size()); ++i) {
-        if (!(pressed(structure, state, state.force, i).most() > stiff_from)) continue;
-        const int member = structure.elements()[std::size_t(i)].member,
-                  elements = structure.model().members()[std::size_t(member)].elements;
-        RunWarning warning{"member " + std::to_string(member + 1) + " is compressed beyond 0.65 of the load at which " +
-                               (elements == 2 ? "it" : "a pair of its elements") +
-                               " buckles between clamped ends; two elements are stiffer there than a member is, and a "
-                               "load at which it buckles comes out up to 15 % too high",
-                           "give it elements = " + std::to_string(2 * elements), member};
-        const auto is_same = [&](const RunWarning& w) { return w.what == warning.what; };
-        if (std::any_of(told.begin(), told.end(), is_same)) return {};
-        return warning;
-    }
-    return {};
-}
-
 }  // namespace
 
 /// Completed where the script asked for that and there was a way to it, else failed.
@@ -111,7 +88,7 @@ void Statics::warn_of_missed_moments() {
         *structure_, state_,
         [this](int node) -> Vec3 { return forces_.load(std::size_t(node), state_.factor).head<3>(); },
         "at load factor " + number_text(state_.factor)));
-    warn(stiff_pair(*structure_, state_, warnings()));
+    warn(pairs_.stiffer_than_beam(*structure_, state_));
 }
 
 /// A run whose results are all 0, since a load or a load case was forgotten.
