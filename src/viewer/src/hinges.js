@@ -20,7 +20,7 @@ const first_at = (h) => (h.first_kind === "static" ? `factor ${number(h.first_yi
 const first = (h) => (h.first_yield === null ? "–" : first_at(h)) + (h.before ? ", in a run before" : "");
 const size = (h) => h.ratio ?? -1;
 const is_joint = (h) => Boolean(h.joint), is_force = (h) => is_joint(h) && !["x", "y", "z"].includes(h.axis);
-const is_connector = (h) => h.joint?.startsWith("connector ");
+const is_connector = (h) => is_joint(h) && /^(force|moment)_/.test(h.axis);
 const axis_text = (h) => h.axis.replace("_", " about ").replace("force about", "force along");
 const beyond_limit = (h) => h.ratio > 1 || h.failed === 1;
 const unit = (h) => (is_force(h) && !h.axis.startsWith("moment") ? "N" : "N m");

@@ -28,12 +28,14 @@ function cause(row) {
   return `${name} ${number(row.strain, 3)} has reached its limit ${number(row.of, 3)}${with_unit}${where}`;
 }
 
-// Which quantity of a joint or a connector has reached what: "rotation about x, 0.05 rad", "tension, 2.5e5 N".
-function of_joint(row, value) {
+// A quantity of a joint or a connector, as "rotation about x" or "tension", and a value of it with its unit.
+function quantity_of_joint(row) {
   const [what, axis] = row.limit.split("_");
-  const unit = what === "rotation" ? "rad" : what === "moment" ? "N m" : "N";
-  const text = unit === "rad" ? `${number(value, 3)} rad` : quantity(value, unit, 3);
-  return `${what}${axis ? ` ${what === "force" ? "along" : "about"} ${axis}` : ""}, ${text}`;
+  return axis ? `${what} ${what === "force" ? "along" : "about"} ${axis}` : what;
+}
+function value_of_joint(row, value) {
+  if (row.limit.startsWith("rotation")) return `${number(value, 3)} rad`;
+  return quantity(value, row.limit.startsWith("moment") ? "N m" : "N", 3);
 }
 const is_limit = (row) => ["joint_limit", "joint_break", "connector_break"].includes(row.event);
 
@@ -73,7 +75,7 @@ function firsts(rows, frames, name) {
     const storey = frames?.members.get(row.member)?.storey ?? -1;
     if (row.event === "yield") once("hinge", row, "hinge", `first hinge: ${name(row)}${row.end ? `, end ${row.end}` : ""}`);
     if (row.joint) {
-      if (row.event === "joint_yield") once("joint", row, "hinge", `first joint yields: ${row.joint}, at a ${of_joint(row, row.of)}`);
+      if (row.event === "joint_yield") once("joint", row, "hinge", `first joint yields: ${row.joint}, at a ${quantity_of_joint(row)}, ${value_of_joint(row, row.of)}`);
       continue;
     }
     if (storey >= 0 && frames.floors.length > 1) {
@@ -91,8 +93,8 @@ const breaks = (rows, name) => rows.filter((r) => r.event === "fracture").map((r
 
 // Joints that reach a limit of their own, and joints and connectors that break by it.
 const joint_limits = (rows) => rows.filter(is_limit).map((row) => ({ at: row.at, kind: "break", member: row.member,
-  text: `${row.joint} ${row.event === "joint_limit" ? "is beyond its capacity" : "breaks"}: ${of_joint(row, row.strain)}, has reached `
-    + `its limit, ${of_joint(row, row.of).split(", ").pop()}` }));
+  text: `${row.joint} ${row.event === "joint_limit" ? "is beyond its capacity" : "breaks"}: ${quantity_of_joint(row)}, `
+    + `${value_of_joint(row, row.strain)}, has reached its limit, ${value_of_joint(row, row.of)}` }));
 
 // Columns that break under compression: which other column of the storey has taken up most since the frame before.
 function load_paths(rows, frames) {
