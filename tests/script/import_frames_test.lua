@@ -14,11 +14,7 @@ local case, near, equal, expect = checks.case, checks.near, checks.equal, checks
 local shown, dump = frame_text.shown, frame_text.of
 local function same_lines(found, wanted, what) frame_text.same(equal, found, wanted, what) end
 
-local folder = support.temporary_folder() .. "/"
-local function write(name, text)
-  support.write(folder .. name, text)
-  return folder .. name
-end
+local write, folder = support.writer()
 
 -- SAP2000 -------------------------------------------------------------------------------------------------------------
 

@@ -12,11 +12,7 @@ local case, near, equal = checks.case, checks.near, checks.equal
 local dump = frame_text.of
 local function same_lines(found, wanted, what) frame_text.same(equal, found, wanted, what) end
 
-local folder = support.temporary_folder() .. "/"
-local function write(name, text)
-  support.write(folder .. name, text)
-  return folder .. name
-end
+local write = support.writer()
 
 local plane_tcl = [[
 model BasicBuilder -ndm 2

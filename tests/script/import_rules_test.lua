@@ -9,11 +9,7 @@ local import = require "hinge.import"
 local checks = support.checks "rules of import"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
-local folder = support.temporary_folder() .. "/"
-local function write(name, text)
-  support.write(folder .. name, text)
-  return folder .. name
-end
+local write = support.writer()
 
 -- CSV -----------------------------------------------------------------------------------------------------------------
 

@@ -220,6 +220,15 @@ function support.temporary_folder()
   return folder
 end
 
+--- write(name, text), which writes a file into a new temporary folder and returns its path; and that folder, with "/".
+function support.writer()
+  local folder = support.temporary_folder() .. "/"
+  return function(name, text)
+    support.write(folder .. name, text)
+    return folder .. name
+  end, folder
+end
+
 --- Runs a shell command; returns its exit status, what it printed, and what it printed to stderr.
 function support.run(command)
   local out, err = os.tmpname(), os.tmpname()
