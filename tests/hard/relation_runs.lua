@@ -80,8 +80,8 @@ local function told_tolerance(s)
   if s.mode == "static" then return s.yields and 1e-5 or 1e-6 end
   return (s.yields or has(s, "contact", "ground", "remove", "fracture")) and 1e-4 or 1e-6
 end
--- What the scene answers when it is told in another way. Where numbers changed by 1e-9 move it nearly as far, the scene
--- is chaotic, such as braces that buckle, and the relation says nothing.
+-- What the scene answers when it is told in another way. Where numbers changed by 1e-9 move it beyond the tolerance, or
+-- nearly as far, the scene is chaotic, such as braces that buckle, and the relation says nothing.
 local known = {} -- the scene as it is, which several relations ask
 local answer_of
 function answer_of(hinge, s, changes)
@@ -97,7 +97,7 @@ end
 local function unless_chaotic(hinge, s, a, limit, off, what)
   if not off or off <= 1 then return off, what end
   local moved = compare(a, answer_of(hinge, s, { stiffer = 1 + 1e-9 }), limit)
-  if moved and moved > 0.01 * off then return nil, "chaotic" end
+  if moved and (moved > 1 or moved > 0.01 * off) then return nil, "chaotic" end
   return off, what
 end
 

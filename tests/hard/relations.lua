@@ -23,7 +23,8 @@ local largest_of = require("support").largest_of
 
 -- Faults that are known, by relation and seed: what is wrong, in the words of an issue.
 local known = {
-  -- a rod of 31 mm with moments of ten times its strength between its nodes winds up by hundreds of turns; the run
+  -- a rod of 31 mm with a force and a moment between its nodes whose fixed-end forces are ten times what it carries; it
+  -- winds up by hundreds of turns. Most scenes of this kind end at their first step, by name; this one goes on, and
   -- warns of its shear force, ten times V0
   order = { [28] = "the nodes that are held share what the rod passes on by the order of its ends" },
 }
