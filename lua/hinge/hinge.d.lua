@@ -1678,6 +1678,8 @@ function import.write(frame, file, options) end
 ---rotations about the section's axes that are released at its ends, such as "rx,ry": rx and ry are bending about x and
 ---y, rz is torsion; default: none
 ---@field release? { a?: string, b?: string }
+---m, from a node to the member's end, in the axes of the frame; rigid and without mass; default: none
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---@class hinge.import_case
 ---@field name string
@@ -1689,8 +1691,10 @@ function import.write(frame, file, options) end
 ---@field member? string in place of node
 ---@field force? vec3 N, in space; on a member at the point `at`
 ---@field moment? vec3 N m, or N m/m along a member
----@field q? vec3 N/m, along a member
+---@field q? vec3|{ a?: vec3, b?: vec3 } N/m, along a member; { a =, b = }: at `from` and at `to`, linear between
 ---@field at? number 0 to 1, the place of `force` or `moment` on a member
+---@field from? number 0 to 1, where `q` begins on a member; default 0
+---@field to? number 0 to 1, where it ends; default 1
 ---@field axes? "global"|"projected"|"local" of a load on a member; default "global"
 
 ---@class hinge.import_mass

@@ -21,7 +21,7 @@ end
 
 local function add_releases(model, full, nodes)
   for _, link in ipairs(full.links) do
-    model:rigid_link { from = nodes[link.from], to = nodes[link.to], dofs = "xyz" }
+    model:rigid_link { from = nodes[link.from], to = nodes[link.to], dofs = link.dofs }
   end
   for _, s in ipairs(full.springs) do
     model:connector { nodes[s.a], s.b and nodes[s.b], ground = not s.b or nil, axes = { x = s.x, y = s.y },
@@ -35,7 +35,7 @@ local function add_loads(model, full, nodes, members)
     if c.gravity then case:gravity { 0, 0, c.gravity } end
     for _, l in ipairs(c.loads) do
       case:load { node = l.node and nodes[l.node], member = l.member and members[l.member], force = l.force,
-        moment = l.moment, q = l.q, at = l.at, axes = l.axes }
+        moment = l.moment, q = l.q, at = l.at, from = l.from, to = l.to, axes = l.axes }
     end
   end
 end

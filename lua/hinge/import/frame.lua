@@ -4,9 +4,16 @@
 -- frame.nodes      { name =, x =, y =, z =, fix = }
 -- frame.materials  { name =, E =, G = or nu =, density =, yield_stress =, unit_weight = }
 -- frame.sections   { name =, named = } or { name =, and what hinge.section.general takes }
--- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = } }
+-- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = },
+--                    offset = { a =, b = } }
 -- frame.cases      { name =, self_weight =, loads = { { node = or member =, and what case:load takes } } }
 -- frame.masses     { node =, mass =, inertia = }
+--
+-- An offset { x, y, z } (m, in the axes of the frame) leads from a node to the member's end, and is rigid and has no
+-- mass: rigid ends, insertion points. The member, its length, loads and releases are those between these ends.
+-- A load on a member has q = { x, y, z }, or { a =, b = } where it varies linearly from a value to another one. It is
+-- spread from `from` to `to` (0 to 1 of the member's length; without them over all of it), and a and b are its values
+-- there.
 local check = require "hinge.check"
 local named = require "hinge.named"
 local notes = require "hinge.import.notes"
@@ -14,6 +21,16 @@ local notes = require "hinge.import.notes"
 local frame_module = {}
 
 local upright = 1e-3 -- part of a member's length: one that is less beside the vertical counts as upright
+
+--- The two ends of a member, { x =, y =, z = }: its nodes, or where its offsets lead from them. node: all, by name.
+function frame_module.ends(member, node)
+  local ends = {}
+  for i, at in ipairs { "a", "b" } do
+    local n, by = node[member[at]], member.offset and member.offset[at]
+    ends[i] = by and { x = n.x + by[1], y = n.y + by[2], z = n.z + by[3] } or n
+  end
+  return ends[1], ends[2]
+end
 
 -- Checks --------------------------------------------------------------------------------------------------------------
 
@@ -32,7 +49,7 @@ local rules = {
     density = optional("number", { unit = "kg/m^3", at_least = 0 }),
     unit_weight = optional("number", { unit = "N/m^3" }) },
   members = { name = text, a = text, b = text, section = text, material = text, up = vector(),
-    group = optional "string", release = optional "table" },
+    group = optional "string", release = optional "table", offset = optional "table" },
   cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} } },
   masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2" },
 }
@@ -42,8 +59,9 @@ for _, field in ipairs { "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y"
 for _, field in ipairs { "plastic", "size", "outline", "reinforcement" } do general[field] = optional "table" end
 general.kind, general.interaction = optional "string", optional "string"
 rules.sections = general
+local part_of_length = optional("number", { at_least = 0, at_most = 1 })
 local load_rules = { node = optional "string", member = optional "string", force = vector "N", moment = vector "N m",
-  q = vector "N/m", at = optional("number", { at_least = 0, at_most = 1 }),
+  q = optional "table", at = part_of_length, from = part_of_length, to = part_of_length,
   axes = { "string", one_of = { "global", "projected", "local" }, optional = true } }
 
 -- A group is a name or a list of names, which check.options has no kind for.
@@ -93,6 +111,14 @@ local function check_release(where, release)
   end
 end
 
+-- What is given by the two ends of a member, as { a = {x, y, z}, b = {x, y, z} } or one of the two.
+local function check_ends(where, field, given, unit)
+  for at, value in pairs(given) do
+    if at ~= "a" and at ~= "b" then check.unknown(where .. ": " .. field, "end", at, { "a", "b" }) end
+    check.value(where, field .. "." .. at, value, vector(unit))
+  end
+end
+
 local function check_members(where, parts)
   for i, m in ipairs(parts.members) do
     local here = ("%s: frame.members[%d], '%s'"):format(where, i, m.name)
@@ -102,6 +128,22 @@ local function check_members(where, parts)
     known(here, "material", m.material, parts.material)
     if m.a == m.b then check.fail("%s: both ends are node '%s'", here, m.a) end
     if m.release then check_release(here, m.release) end
+    if m.offset then check_ends(here, "offset", m.offset, "m") end
+    local a, b = frame_module.ends(m, parts.node)
+    if a.x == b.x and a.y == b.y and a.z == b.z then check.fail("%s: its two ends are at one place", here) end
+  end
+end
+
+local function check_spread(where, load)
+  if load.q then
+    if load.q.a or load.q.b then check_ends(where, "q", load.q, "N/m")
+    else check.value(where, "q", load.q, vector "N/m") end
+  end
+  if not load.from and not load.to then return end
+  if not load.q then check.fail("%s: 'from' and 'to' are for 'q', N/m", where) end
+  if not ((load.from or 0) < (load.to or 1)) then
+    check.fail("%s: 'from' is %g and 'to' is %g; the load needs a length between them", where, load.from or 0,
+      load.to or 1)
   end
 end
 
@@ -115,6 +157,7 @@ local function check_loads(where, parts)
       end
       if load.node then known(here, "node", load.node, parts.node) end
       if load.member then known(here, "member", load.member, parts.member) end
+      check_spread(here, load)
     end
   end
   for i, mass in ipairs(parts.masses) do
@@ -168,7 +211,7 @@ end
 
 local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
 
---- The direction of a member from node a to node b, and its length, m.
+--- The direction of a member from end a to end b, and its length, m.
 function frame_module.direction(a, b)
   local d = { b.x - a.x, b.y - a.y, b.z - a.z }
   local length = math.sqrt(dot(d, d))
@@ -209,7 +252,7 @@ function frame_module.summary(frame)
     materials = #frame.materials, cases = #frame.cases, loads = 0, masses = #frame.masses, length = 0,
     mass_of_members = 0, mass_of_nodes = 0 }
   for _, m in ipairs(frame.members) do
-    local _, length = frame_module.direction(node[m.a], node[m.b])
+    local _, length = frame_module.direction(frame_module.ends(m, node))
     s.length = s.length + length
     s.mass_of_members = s.mass_of_members + length * section[m.section] * material[m.material]
   end

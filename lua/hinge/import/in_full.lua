@@ -1,5 +1,5 @@
--- A frame in full, as import.build and import.write take it: ends that are released become nodes, links and springs,
--- and self weight becomes gravity or loads.
+-- A frame in full, as import.build and import.write take it: ends that are released or at an offset become nodes,
+-- links and springs, and self weight becomes gravity or loads.
 local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
 
@@ -65,13 +65,15 @@ local function free_support(parts, joint, spring)
   end
 end
 
--- An end at a joint: a node of its own, which follows the joint.
-local function add_own_node(parts, member, at, joint, spring)
+-- An end at a joint: a node of its own, which follows the joint. dofs: "xyz", or "all" where it is not released.
+local function add_own_node(parts, member, at, joint, dofs, spring)
   local name = member.name .. "." .. at
   while parts.node[name] do name = name .. "'" end
-  parts.node[name] = { name = name, x = joint.x, y = joint.y, z = joint.z }
+  local ends = { frame_module.ends(member, parts.node) }
+  local place = ends[at == "a" and 1 or 2]
+  parts.node[name] = { name = name, x = place.x, y = place.y, z = place.z }
   table.insert(parts.nodes, parts.node[name])
-  table.insert(parts.links, { from = joint.name, to = name })
+  table.insert(parts.links, { from = joint.name, to = name, dofs = dofs })
   if spring then
     spring.a, spring.b = joint.name, name
     table.insert(parts.springs, spring)
@@ -87,29 +89,45 @@ local function release_at(where, parts, joint, ends, rigid)
   end
   for _, one in ipairs(ends) do
     local m = one.member
-    local z, length = frame_module.direction(parts.node[m.a], parts.node[m.b])
+    local z, length = frame_module.direction(frame_module.ends(m, parts.node))
     local x, y = frame_module.axes(z, m.up)
     if not x then check.fail("%s: member '%s': 'up' is along the member", where, m.name) end
     local stiffness = springs_of(parts, m, one.set, length)
     local spring = stiffness and { x = x, y = y, stiffness = stiffness }
-    if rigid == 0 then
+    if rigid == 0 and not (m.offset and m.offset[one.at]) then
       free_support(parts, joint, spring)
     else
-      one.own = add_own_node(parts, m, one.at, joint, spring)
+      one.own = add_own_node(parts, m, one.at, joint, "xyz", spring)
     end
   end
 end
 
-local function expand_releases(where, parts)
+-- Ends that are not released, at an offset from their nodes.
+local function offset_ends(parts)
+  local own = {}
+  for _, m in ipairs(parts.members) do
+    for _, at in ipairs { "a", "b" } do
+      if m.offset and m.offset[at] and not released(m, at) then
+        own[#own + 1] = { member = m, at = at, own = add_own_node(parts, m, at, parts.node[m[at]], "all") }
+      end
+    end
+  end
+  return own
+end
+
+local function expand_ends(where, parts)
   local rigid, free = ends_at_nodes(parts)
-  for i = 1, #parts.nodes do -- own nodes are added behind these
+  local declared = #parts.nodes -- own nodes are added behind these
+  local at_offsets = offset_ends(parts)
+  for i = 1, declared do
     local joint = parts.nodes[i]
     if free[joint.name] then release_at(where, parts, joint, free[joint.name], rigid[joint.name] or 0) end
   end
   for _, ends in pairs(free) do
     for _, one in ipairs(ends) do one.member[one.at] = one.own or one.member[one.at] end
   end
-  for _, m in ipairs(parts.members) do m.release = nil end
+  for _, one in ipairs(at_offsets) do one.member[one.at] = one.own end
+  for _, m in ipairs(parts.members) do m.release, m.offset = nil, nil end
 end
 
 -- Self weight ---------------------------------------------------------------------------------------------------------
@@ -160,8 +178,9 @@ local function expand_weight(where, parts, options)
   end
 end
 
---- The parts of frame_module.check, in which no member has a release and no case a self weight (but `gravity`, m/s^2
---- along z), with links = { { from =, to = } } and springs = { { a =, b = (nil: the ground), x =, y =, stiffness = } }.
+--- The parts of frame_module.check, in which no member has a release or an offset and no case a self weight (but
+--- `gravity`, m/s^2 along z), with links = { { from =, to =, dofs = } } and
+--- springs = { { a =, b = (nil: the ground), x =, y =, stiffness = } }.
 return function(where, frame, options)
   local o = check.options(where, options, {
     model = { "table", default = {} }, self_weight = { "string", one_of = { "gravity", "loads" }, optional = true },
@@ -171,7 +190,7 @@ return function(where, frame, options)
   local parts = frame_module.check(where, frame)
   for _, case in ipairs(parts.cases) do case.loads = table.move(case.loads, 1, #case.loads, 1, {}) end
   parts.links, parts.springs, parts.options, parts.scenario = {}, {}, o.model, o.scenario
-  expand_releases(where, parts)
+  expand_ends(where, parts)
   expand_weight(where, parts, o)
   return parts
 end

@@ -130,11 +130,11 @@ end
 -- Ends that are released: links and springs between the joint and the member's own node.
 local function add_releases(lines, full)
   if #full.links == 0 and #full.springs == 0 then return end
-  lines[#lines + 1] = "-- Ends of members that are released: the member's own node follows the joint; what is not "
-    .. "released has\n-- a spring of 1000 times the member's stiffness"
+  lines[#lines + 1] = "-- Ends of members that are released or at an offset: the member's own node follows the joint; "
+    .. "what is\n-- not released has a spring of 1000 times the member's stiffness"
   for _, link in ipairs(full.links) do
-    lines[#lines + 1] = ("model:rigid_link { from = nodes[%s], to = nodes[%s], dofs = \"xyz\" }"):format(
-      quote.lua(link.from), quote.lua(link.to))
+    lines[#lines + 1] = ("model:rigid_link { from = nodes[%s], to = nodes[%s], dofs = %s }"):format(
+      quote.lua(link.from), quote.lua(link.to), quote.lua(link.dofs))
   end
   for _, s in ipairs(full.springs) do
     local other = s.b and "nodes[" .. quote.lua(s.b) .. "]" or "ground = true"
@@ -160,7 +160,7 @@ local function add_loads(lines, case, what)
   for _, l in ipairs(case.loads) do
     if l[what] then
       rows[#rows + 1] = ("    { %s, %s },"):format(quote.lua(l[what]),
-        fields(l, { "force", "moment", "q", "at", "axes" }))
+        fields(l, { "force", "moment", "q", "at", "from", "to", "axes" }))
     end
   end
   if #rows == 0 then return end
@@ -168,7 +168,7 @@ local function add_loads(lines, case, what)
   for _, row in ipairs(rows) do add_line(lines, row, "    ") end
   lines[#lines + 1] = "  } do"
   lines[#lines + 1] = ("    case:load { %s = %ss[l[1]], force = l.force, moment = l.moment%s }"):format(what, what,
-    what == "member" and ", q = l.q, at = l.at, axes = l.axes" or "")
+    what == "member" and ", q = l.q, at = l.at,\n      from = l.from, to = l.to, axes = l.axes" or "")
   lines[#lines + 1] = "  end"
 end
 
