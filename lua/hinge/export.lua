@@ -1,6 +1,7 @@
 -- hinge export: a frame of another program as a script of hinge.
 local check = require "hinge.check"
 local import = require "hinge.import"
+local notes_module = require "hinge.import.notes"
 
 local export = {}
 
@@ -64,8 +65,9 @@ function export.main(options)
   print(notes)
   if #frame.cases == 0 then frame.cases[1] = { name = "self weight", self_weight = 1 } end
   local path = import.write(frame, options.file or name_of(options.script), { scenario = true })
-  local lost = #notes > 0 and (" without the %s above that %s not read"):format(
-    check.count(#notes, "thing"), #notes == 1 and "was" or "were") or ""
+  local count = notes_module.count(notes)
+  local lost = count > 0 and (" without the %s above that %s not read"):format(
+    check.count(count, "thing"), count == 1 and "was" or "were") or ""
   print(("written to %s%s; hinge check %s looks it over, hinge run %s solves and draws its load cases"):format(path,
     lost, path, path))
   return 0

@@ -1621,7 +1621,8 @@ function import.write(frame, file, options) end
 ---@field line? integer nil: of no single line
 ---@field text string the line, without blanks that are not needed, cut after 90 characters
 ---@field reason? string
----@field count? integer how often, if more than once: for lines in a loop
+---@field count? integer how often, if more than once: for lines of one kind, and for lines in a loop
+---@field lines? integer[] all of these lines, the first of them again
 
 ---@class hinge.import_summary
 ---@field file string

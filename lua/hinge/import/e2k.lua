@@ -32,10 +32,15 @@ local function words_of(place, line)
   end
 end
 
+-- Whether a word in quotes goes on in the next line. It ends at the latest before the next section.
+local function is_open(text)
+  return text:gsub('"[^"]*"', " "):find '%f[%S]"' ~= nil or text:find "\n%s*%$ " ~= nil
+end
+
 -- The sections of the file by name: { title =, place =, lines = { { place =, text =, words = } } }, and in their order.
 local function sections_of(path)
   local sections, others, current = {}, {}, nil
-  for number, text in notes.lines(notes.read(where, path)) do
+  for number, text in notes.lines(notes.read(where, path), is_open) do
     local place = { file = path, line = number }
     local name = text:match "^%s*%$%s*(.-)%s*$"
     if name then
@@ -100,8 +105,9 @@ function Reader:lines(name, word)
   return list
 end
 
-function Reader:remark(line, reason, assumed)
-  table.insert(self.remarks, { place = line.place, line = line.text, reason = reason, assumed = assumed })
+--- A note on a line; lines with the same reason, or of the same kind, are one note with a count.
+function Reader:remark(line, reason, assumed, kind)
+  table.insert(self.remarks, { place = line.place, line = line.text, reason = reason, assumed = assumed, kind = kind })
 end
 
 --- A row of a table of SAP2000 with these fields, made of a line.
@@ -244,7 +250,7 @@ end
 
 local shapes = { TUBE = "Box/Tube", RECTANGULAR = "Rectangular", ["RECTANGULAR BAR"] = "Rectangular",
   CIRCLE = "Circle", ["CIRCULAR BAR"] = "Circle", PIPE = "Pipe", ["I/WIDE FLANGE"] = "I/Wide Flange",
-  ["BOX/TUBE"] = "Box/Tube", GENERAL = "General" }
+  ["BOX/TUBE"] = "Box/Tube", GENERAL = "General", PLATE = "Rectangular" }
 local modifiers = { AREAMODIFIER = "AMod", AMOD = "AMod", AS2MODIFIER = "A2Mod", A2MOD = "A2Mod",
   AS3MODIFIER = "A3Mod", A3MOD = "A3Mod", JMODIFIER = "JMod", JMOD = "JMod", I22MODIFIER = "I2Mod", I2MOD = "I2Mod",
   I33MODIFIER = "I3Mod", I3MOD = "I3Mod", MMODIFIER = "MMod", MMOD = "MMod", WMODIFIER = "WMod", WMOD = "WMod" }
@@ -269,7 +275,8 @@ function Reader:read_sections()
     local taken = {}
     for key in pairs(taken_of_sections) do taken[key] = true end
     for key in pairs(modifiers) do taken[key] = true end
-    self:note_keys(s.line, given, taken, { "COLOR", "NOTES", "AUTORIGIDZONE", "FILE", "S33", "S22", "R33", "R22" })
+    self:note_keys(s.line, given, taken, { "COLOR", "NOTES", "AUTORIGIDZONE", "FILE", "S33", "S22", "R33", "R22",
+      "NOTIONAL", "GUID", "TIMEDEP" })
     self:row("FRAME SECTION PROPERTIES 01 - GENERAL", section, s.line, row)
   end
 end
@@ -290,15 +297,17 @@ end
 local releases = set "P V2 V3 T M2 M3"
 local taken_of_lines = set "SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ"
 local of_no_meaning = { "MINNUMSTA", "MAXSTASPC", "AUTOMESH", "MESH", "RIGIDZONE", "PIER", "SPANDREL", "TRANSSTIFF",
-  "CARDINALPT", "DESIGN" }
+  "CARDINALPT", "DESIGN", "GUID" }
 
 -- The released forces of a line: "M2I M3J" as the fields of SAP2000.
 local function released(line, text)
+  if text:upper() == "PINNED" then text = "M2I M3I M2J M3J" end
   local fields = {}
   for name in text:gmatch "%S+" do
     local force, at = name:upper():match "^(%w-)([IJ])$"
     if not releases[force or ""] then
-      notes.fail(where, line.place, "RELEASE '%s' is not known; must be P, V2, V3, T, M2 or M3 with I or J", name)
+      notes.fail(where, line.place, "RELEASE '%s' is not known; must be PINNED, or P, V2, V3, T, M2 or M3 with I or J",
+        name)
     end
     fields[force .. at] = "Yes"
   end
@@ -377,7 +386,8 @@ function Reader:read_point_assigns()
       local key = diaphragm .. " on " .. storey.name
       diaphragms[key] = diaphragms[key] or line
     end
-    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM", { "GROUP" })
+    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM", { "GROUP", "USERJOINT", "MESH", "JOINTMESH", "GUID",
+      "PANELZONE" })
   end
   for _, key in ipairs(check.keys(diaphragms)) do
     self:remark(diaphragms[key], ("diaphragm %s is not read; model:diaphragm makes one"):format(key))

@@ -22,7 +22,8 @@ local function add(list, place, text, reason, key)
   known[list] = known[list] or {}
   local entry = known[list][key]
   if entry then
-    entry.count = (entry.count or 1) + 1
+    entry.count, entry.lines = (entry.count or 1) + 1, entry.lines or { entry.line }
+    if place.line then table.insert(entry.lines, place.line) end
     return
   end
   entry = { file = place.file, line = place.line, text = short(text), reason = reason }
@@ -35,8 +36,15 @@ function notes.add(list, place, text, reason)
   add(list, place, text, reason, ("%s:%s:%s:%s"):format(place.file, place.line, reason, text))
 end
 
---- Adds an entry to a list once for each reason; later ones are counted.
-function notes.once(list, place, text, reason) add(list, place, text, reason, reason) end
+--- Adds an entry to a list once for each kind, by default the reason; later ones are counted, and entry.lines has all.
+function notes.once(list, place, text, reason, kind) add(list, place, text, reason, kind or reason) end
+
+--- How many places of the file a list is about.
+function notes.count(list)
+  local count = 0
+  for _, entry in ipairs(list) do count = count + (entry.count or 1) end
+  return count
+end
 
 local function line_of(entry)
   local place = entry.line and ("%s:%d"):format(entry.file, entry.line) or entry.file
@@ -46,7 +54,7 @@ end
 
 local function section(lines, title, list)
   if #list == 0 then return end
-  lines[#lines + 1] = ("%s (%d):"):format(title, #list)
+  lines[#lines + 1] = ("%s (%d):"):format(title, notes.count(list))
   for _, entry in ipairs(list) do lines[#lines + 1] = line_of(entry) end
 end
 
@@ -153,15 +161,33 @@ function notes.read(where, path)
   return (text:gsub("^\239\187\191", ""):gsub("\r\n?", "\n"))
 end
 
---- The lines of a text, each with its number: for number, line in notes.lines(text) do ... end
-function notes.lines(text)
+local most_joined = 1000 -- lines of one value in quotes
+
+--- The lines of a text, each with its number: for number, line in notes.lines(text) do ... end. Where is_open(line) is
+--- true, the lines that follow belong to it, and the number is that of the first. At the end of the text, or after 1000
+--- lines, it is a line by itself.
+function notes.lines(text, is_open)
   local at, number = 1, 0
+  local function line_at(from)
+    local stop = text:find("\n", from, true) or #text + 1
+    return text:sub(from, stop - 1), stop + 1
+  end
   return function()
     if at > #text then return nil end
-    local stop = text:find("\n", at, true) or #text + 1
-    local line = text:sub(at, stop - 1)
-    at, number = stop + 1, number + 1
-    return number, line
+    local line, after = line_at(at)
+    local joined, next_at, count = line, after, 1
+    while is_open and is_open(joined) and next_at <= #text and count < most_joined do
+      local more
+      more, next_at = line_at(next_at)
+      joined, count = joined .. "\n" .. more, count + 1
+    end
+    local first = number + 1
+    if count > 1 and not is_open(joined) then
+      at, number = next_at, number + count
+      return first, joined
+    end
+    at, number = after, first
+    return first, line
   end
 end
 

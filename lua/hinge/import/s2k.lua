@@ -5,6 +5,11 @@ local sap_frame = require "hinge.import.sap_frame"
 
 local where = "hinge.import.s2k"
 
+-- Whether a value in quotes goes on in the next line. It ends at the latest before the next table.
+local function is_open(text)
+  return text:gsub('="[^"]*"', ""):find('="', 1, true) ~= nil or text:find "\n%s*TABLE:" ~= nil
+end
+
 -- The fields of a line: Key=Value, values with blanks in quotes. Adds them to the row.
 local function take_fields(row, place, line)
   local at = 1
@@ -38,7 +43,7 @@ local function tables_of(path)
     if not row then return end
     notes.fail(where, row.place, "%s: the row has _ at its end, and no line of it follows", row.table)
   end
-  for number, line in notes.lines(notes.read(where, path)) do
+  for number, line in notes.lines(notes.read(where, path), is_open) do
     local place = { file = path, line = number }
     local name = line:match '^%s*TABLE:%s*"([^"]*)"%s*$'
     if line:find "^%s*END TABLE DATA" then break end

@@ -65,9 +65,10 @@ function Reader:rows(name)
   return found.rows
 end
 
-function Reader:not_read(row, reason)
+--- A note on what is not read of a row; rows with the same reason, or of the same kind, are one note with a count.
+function Reader:not_read(row, reason, kind)
   row.unread = true
-  notes.add(self.notes, row.place, row.line, reason)
+  notes.once(self.notes, row.place, row.line, reason, kind)
 end
 
 local forces = { n = 1, kn = 1e3, kgf = units.gravity, tonf = 1e3 * units.gravity, lb = units.lbf, kip = units.kip }
@@ -350,8 +351,8 @@ end
 -- The parts of a member between joints on it: "3/1", "3/2" and so on.
 function Reader:parts_of(member, names)
   local place = self.places[member]
-  notes.add(self.notes.assumed, place, place.text, ("it is divided at joints on it (%s), as %s does"):format(
-    table.concat(names, ", "), self.program))
+  notes.once(self.notes.assumed, place, place.text, ("it is divided at joints on it (%s), as %s does"):format(
+    table.concat(names, ", "), self.program), "divided")
   local parts, from, release = {}, member.a, member.release or {}
   for i = 1, #names + 1 do
     local part = {}
@@ -462,9 +463,10 @@ end
 -- Tables that say nothing about the frame: how it is analysed, designed, drawn. Beginnings of their names.
 local beside = { "ANALYSIS OPTIONS", "AUTO WAVE", "BRIDGE RESPONSE", "CASE - ", "COMBINATION DEFINITIONS",
   "COORDINATE SYSTEMS", "DATABASE FORMAT", "DESIGN", "FRAME DESIGN PROCEDURES",
-  "FRAME LOAD TRANSFER", "FRAME OUTPUT STATION", "FUNCTION - ", "GRID LINES", "GROUPS 1", "GROUPS 3", "JOINT PATTERN",
+  "FRAME LOAD TRANSFER", "FRAME OUTPUT STATION", "FRAME SECTION PROPERTIES 04 - AUTO SELECT",
+  "FRAME SECTION PROPERTIES 13 - TIME DEPENDENT", "FUNCTION - ", "GRID LINES", "GROUPS 1", "GROUPS 3", "JOINT PATTERN",
   "LOAD CASE DEFINITIONS", "MATERIAL LIST", "MATERIAL PROPERTIES 01", "MATERIAL PROPERTIES 03",
-  "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "NAMED SETS", "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
+  "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "MATERIAL PROPERTIES 09", "NAMED SETS", "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
   "PREFERENCES", "PROJECT INFORMATION", "REBAR SIZES", "TABLES AUTOMATICALLY" }
 
 -- The fields of a table's rows that nothing here is made of.
@@ -482,7 +484,8 @@ function Reader:note_the_rest(others)
   for _, line in ipairs(others) do notes.add(self.notes.skipped, line.place, line.line) end
   for _, found in ipairs(self.tables) do
     for _, remark in ipairs(found.remarks or {}) do
-      notes.add(remark.assumed and self.notes.assumed or self.notes, remark.place, remark.line, remark.reason)
+      notes.once(remark.assumed and self.notes.assumed or self.notes, remark.place, remark.line, remark.reason,
+        remark.kind)
     end
     local title = found.title or ('TABLE: "%s"'):format(found.name)
     if found.read then

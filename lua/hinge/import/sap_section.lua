@@ -2,6 +2,7 @@
 --
 -- t3 is the depth along axis 2, which is y of hinge, t2 the width along axis 3. I33 is Ix, I22 is Iy, AS2 is
 -- shear_area_y, AS3 is shear_area_x. A shear area of 0 means that the member has no shear strain.
+local named = require "hinge.named"
 local notes = require "hinge.import.notes"
 local shapes = require "hinge.shapes"
 
@@ -31,11 +32,45 @@ local function dimensions(reader, row)
   end
 end
 
+local needed = { ["I/WIDE FLANGE"] = "t3 t2 tf tw", ["BOX/TUBE"] = "t3 t2 tf tw", PIPE = "t3 tw",
+  RECTANGULAR = "t3 t2", CIRCLE = "t3" }
+
+-- The dimensions that a shape needs and the row does not have, "t3, tf"; nil: none.
+local function missing(shape, d)
+  local list = {}
+  for key in (needed[shape] or ""):gmatch "%S+" do
+    if not d(key) then list[#list + 1] = key end
+  end
+  return #list > 0 and table.concat(list, ", ") or nil
+end
+
+-- The section of this name in the tables of hinge, if its area and moments are those of the row.
+local function of_its_name(reader, row)
+  local good, known = pcall(named.properties, row:text "SectionName")
+  if not good then return nil end
+  for key, field in pairs { Area = "area", I33 = "Ix", I22 = "Iy" } do
+    local value = row:text(key) and row:number(key) * reader.length ^ (key == "Area" and 2 or 4)
+    if value and not (math.abs(value / known[field] - 1) <= largest_difference) then return nil end
+  end
+  notes.once(reader.notes.assumed, row.place, row.line, ("the section has no dimensions: its outline and plastic moduli "
+    .. "are those of %s in hinge.section.named"):format(known.kind), "named outline")
+  return known
+end
+
+--- What the shape of a row gives: size, outline, and properties that the row may leave out.
 local function shape_of(reader, row)
   local d = dimensions(reader, row)
   local shape = (row:text "Shape" or "General"):upper()
   local maker = makers[shape]
-  if not maker then return { size = d "t2" and d "t3" and { width = d "t2", depth = d "t3" } } end
+  local size = d "t2" and d "t3" and { width = d "t2", depth = d "t3" } or nil
+  local lost = missing(shape, d)
+  if lost then
+    local known = of_its_name(reader, row)
+    if known then return known end
+    notes.once(reader.notes.assumed, row.place, row.line, ("the section of shape %s has no %s: it has the properties "
+      .. "of the file, no outline, and no plastic moduli but those of the file"):format(shape, lost), "no dimensions")
+  end
+  if lost or not maker then return { size = size } end
   local good, made = pcall(maker, d)
   if not good then
     notes.fail(reader.where, row.place, "section of shape %s: %s", shape, (tostring(made):gsub("^.-hinge%.", "hinge.")))

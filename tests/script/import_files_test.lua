@@ -1,0 +1,137 @@
+-- hinge.import of files as SAP2000 and ETABS write them: values over several lines, sections without dimensions, and
+-- notes of one kind.
+--
+-- Run: lua5.4 tests/script/import_files_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local import = require "hinge.import"
+local checks = support.checks "files of SAP2000 and ETABS"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local write = support.writer()
+
+-- SAP2000 -------------------------------------------------------------------------------------------------------------
+
+-- A column of 3 m in kN and m, with a force at its head. section: the fields of its section.
+local function column(section, more)
+  return ([[
+TABLE:  "PROGRAM CONTROL"
+   ProgramName=SAP2000   Version=24.1.0   CurrUnits="KN, m, C"
+TABLE:  "JOINT COORDINATES"
+   Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
+   Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=3
+TABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
+   Material=S   UnitWeight=77   UnitMass=7.85   E1=2E8   G12=8E7   U12=0.25
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   %s
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=1   JointI=1   JointJ=2   IsCurved=No
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=1   AnalSect=%s   MatProp=Default
+%sTABLE:  "LOAD PATTERN DEFINITIONS"
+   LoadPat=W   DesignType=WIND   SelfWtMult=0
+TABLE:  "JOINT LOADS - FORCE"
+   Joint=2   LoadPat=W   CoordSys=GLOBAL   F1=10
+END TABLE DATA
+]]):format(section, section:match "SectionName=(%S+)", more or "")
+end
+
+local plain = "SectionName=P   Material=S   Shape=%s   %sArea=0.01   TorsConst=1E-06   I33=1E-04   I22=2E-05   AS2=0.004   "
+  .. "AS3=0.005"
+
+local function read(text) return import.s2k { file = write("frame.s2k", text) } end
+
+local function sway(frame)
+  local model, nodes = import.build(frame, { model = { displacement = "small" } })
+  return (nodes["2"]:displacement(model:static { steps = 1, loads = { W = 1 } }:finish()))
+end
+
+local function by_hand(E, G, I, shear_area) return 10e3 * (27 / (3 * E * I) + 3 / (G * shear_area)) end
+
+case("a value in quotes goes on over several lines", function()
+  local section = plain:format("General", "") .. '   Notes="widths=[25,30]\nheights=[85,90]\n\nTABLE of them"'
+  local project = 'TABLE:  "PROJECT INFORMATION"\n   Item="Notes"   Data="first line\n   second, as if a field=1"\n'
+  local frame, notes = read(column(section, project))
+  equal(#notes, 0, tostring(notes))
+  near(sway(frame), by_hand(2e11, 8e10, 1e-4, 0.004), 1e-9, "sway")
+  equal(notes.skipped[2].line, 19, "the place of the note behind the lines: " .. tostring(notes))
+end)
+
+case("quotes that are not closed end at the next table, with their own line", function()
+  local good, problem = pcall(read, (column(plain:format("General", "")):gsub('"KN, m, C"', '"KN, m, C')))
+  expect(not good and problem:find("frame.s2k:2: field CurrUnits: the quotes are not closed", 1, true), "%s", problem)
+end)
+
+case("a section without dimensions has the properties of the file", function()
+  for _, shape in ipairs { '"I/Wide Flange"', "Box/Tube", "Pipe", "Rectangular", "Circle" } do
+    local frame, notes = read(column(plain:format(shape, "")))
+    equal(#notes, 0, tostring(notes))
+    expect(#notes.assumed == 1 and notes.assumed[1].reason:find "the section of shape .- has no t3", "%s: %s", shape,
+      tostring(notes))
+    near(sway(frame), by_hand(2e11, 8e10, 1e-4, 0.004), 1e-9, shape)
+    equal(frame.sections[1].outline, nil, shape .. ": outline")
+  end
+  local _, notes = read(column '   SectionName=P   Material=S   Shape=Pipe   tw=0.005')
+  expect(#notes > 0 and notes[3].reason:find("Area, I33, I22 and TorsConst above 0", 1, true), "%s", tostring(notes))
+end)
+
+case("a section of a known name without dimensions has the outline and the plastic moduli of that name", function()
+  local given = 'SectionName=HEB300   Material=S   Shape="I/Wide Flange"   Area=%s   TorsConst=1.85E-06   '
+    .. "I33=2.517E-04   I22=8.563E-05   AS2=0.0033   AS3=0.0095"
+  local frame, notes = read(column(given:format "0.01491"))
+  local section, known = frame.sections[1], hinge.section.named "HEB 300"
+  equal(section.area, 0.01491, "the area of the file")
+  near(section.plastic.Zx, known.Zx, 1e-12, "Zx")
+  expect(section.outline, "no outline")
+  expect(notes.assumed[1].reason:find "HEB 300 in hinge.section.named", "%s", tostring(notes))
+  -- another section of this name: the file is right
+  frame = read(column(given:format "0.018"))
+  equal(frame.sections[1].outline, nil, "outline")
+  equal(frame.sections[1].plastic.Zx, nil, "Zx")
+end)
+
+-- ETABS ---------------------------------------------------------------------------------------------------------------
+
+local storey = [[
+$ CONTROLS
+  UNITS  "KN"  "M"  "C"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "Top"  HEIGHT 3
+  STORY "Base"  ELEV 0
+$ MATERIAL PROPERTIES
+  MATERIAL  "S"    TYPE "Steel"    NOTES "of the works
+and of the shop"    WEIGHTPERVOLUME 77
+  MATERIAL  "S"    SYMTYPE "Isotropic"  E 2E8  U 0.25  A 1.17E-05
+$ FRAME SECTIONS
+  FRAMESECTION  "C"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.4 B 0.3 NOTIONALUSERVALUE 0.2
+$ POINT COORDINATES
+  POINT "1"  0 0
+  POINT "2"  6 0
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+  LINE  "C2"  COLUMN  "2"  "2"  1
+  LINE  "B1"  BEAM  "1"  "2"  0
+$ POINT ASSIGNS
+  POINTASSIGN  "1"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+  POINTASSIGN  "2"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+  POINTASSIGN  "1"  "Top"  USERJOINT  "Yes"
+  POINTASSIGN  "2"  "Top"  USERJOINT  "Yes"
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "Top"  SECTION "C"  COLOURED "Yes"
+  LINEASSIGN  "C2"  "Top"  SECTION "C"  COLOURED "Yes"
+  LINEASSIGN  "B1"  "Top"  SECTION "C"  RELEASE "PINNED"
+]]
+
+case("ETABS: notes of one kind are one note with a count, and what has no meaning is silent", function()
+  local frame, notes = import.e2k { file = write("frame.e2k", storey) }
+  equal(#notes, 1, tostring(notes))
+  equal(notes[1].reason, "not read of it: COLOURED", "reason")
+  equal(notes[1].count, 2, "count")
+  equal(table.concat(notes[1].lines, " "), "25 26", "lines")
+  equal(frame.members[3].release.a .. " " .. frame.members[3].release.b, "rx,ry rx,ry", "PINNED")
+end)
+
+checks.done()
