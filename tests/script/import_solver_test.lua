@@ -125,6 +125,23 @@ case("releases, supports that move, and springs", function()
   s:spring { "spring", "b", "c", y = 50 }
   s:load("c", { y = 10 })
   same(s:solve().u.c.y, 10 / 50 + 10 * L ^ 3 / (3 * E * Iz), "a spring between nodes")
+
+  -- a spring along a diagonal to the ground holds a roller on it as k cos^2
+  s = cantilever()
+  s:spring { "spring", "b", nil, x = 50, axes = { { 0.6, 0.8, 0 }, { -0.8, 0.6, 0 }, { 0, 0, 1 } } }
+  s:fix("b", "x")
+  s:load("b", { y = 10 })
+  same(s:solve().u.b.y, 10 / (50 * 0.64 + 3 * E * Iz / L ^ 3), "a spring along a diagonal")
+
+  -- a rod of length 2 whose shear spring lies in its middle: the force at its end turns the other by half its length
+  s = cantilever()
+  s:node("c", L + 2, 0)
+  s:fix("c", "rz")
+  s:spring { "link", "b", "c", x = 1e9, y = 50, rz = 70, arm_i = { 1, 0, 0 }, arm_j = { -1, 0, 0 } }
+  s:load("c", { y = 10 })
+  local b = s:solve()
+  same(b.u.c.y - b.u.b.y - b.u.b.rz, 10 / 50, "shear of the link")
+  same(b.force.link[6], 70 * b.u.b.rz, "moment of its spring")
 end)
 
 case("a truss: two bars at 45 degrees carry as 2 E A / L cos^2", function()

@@ -91,18 +91,6 @@ function Frame:mass(node, mass)
   for i, letter in ipairs(letters) do self.point_mass[self.nodes[node].first + i] = mass[letter] or 0 end
 end
 
---- A spring { name, i, j or nil, x =, ..., rz = } along the axes of space.
-function Frame:spring(p)
-  local element = { name = p[1], freedoms = {}, k = algebra.zeros(12), m = algebra.zeros(12), f0 = algebra.vector(12) }
-  for i, letter in ipairs(letters) do
-    element.freedoms[i] = self.nodes[p[2]].first + i
-    element.freedoms[6 + i] = p[3] and self.nodes[p[3]].first + i or false
-    local k = p[letter] or 0
-    element.k[i][i], element.k[6 + i][6 + i], element.k[i][6 + i], element.k[6 + i][i] = k, k, -k, -k
-  end
-  table.insert(self.elements, element)
-end
-
 -- Beams ---------------------------------------------------------------------------------------------------------------
 
 -- The two planes of bending: the places of their displacements and rotations, and the sign of the rotation: rz turns x
@@ -266,14 +254,32 @@ function Frame:beam_load(name, load)
   end
 end
 
+-- Springs -------------------------------------------------------------------------------------------------------------
+
+--- A spring { name, i, j or nil (the ground), x =, ..., rz =, axes = (three directions; without them those of space),
+--- arm_i =, arm_j = (from the node to the spring) }.
+function Frame:spring(p)
+  local element = { name = p[1], freedoms = {}, k = algebra.zeros(12), m = algebra.zeros(12), f0 = algebra.vector(12) }
+  for i, letter in ipairs(letters) do
+    element.freedoms[i] = self.nodes[p[2]].first + i
+    element.freedoms[6 + i] = p[3] and self.nodes[p[3]].first + i or false
+    local k = p[letter] or 0
+    element.k[i][i], element.k[6 + i][6 + i], element.k[i][6 + i], element.k[6 + i][i] = k, k, -k, -k
+  end
+  element.T = to_local(p.axes or { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, p.arm_i or { 0, 0, 0 },
+    p.arm_j or { 0, 0, 0 })
+  table.insert(self.elements, element)
+end
+
 -- Solution ------------------------------------------------------------------------------------------------------------
 
 -- Releases once, when all loads are known.
 local function prepare(self)
   for _, element in ipairs(self.elements) do
-    if element.beam and not element.released then
+    if not element.released then
       element.released = true
-      for part, which in pairs { [0] = element.beam.release_i or "", [6] = element.beam.release_j or "" } do
+      local p = element.beam or {}
+      for part, which in pairs { [0] = p.release_i or "", [6] = p.release_j or "" } do
         for letter in which:gmatch "%w+" do release(element, part + index[letter]) end
       end
       element.global = algebra.congruent(element.T, element.k)
@@ -292,9 +298,9 @@ function Frame:solve()
   local F, K = algebra.vector(n), algebra.reduced_matrix(reduced)
   for i, value in pairs(self.loads) do F[i] = F[i] + value end
   for _, element in ipairs(self.elements) do
-    K:add(element.freedoms, element.global or element.k)
+    K:add(element.freedoms, element.global)
     for i, at in ipairs(element.freedoms) do
-      if at and element.load then F[at] = F[at] - element.load[i] end
+      if at then F[at] = F[at] - element.load[i] end
     end
   end
   local u = K:solve(F)
@@ -304,12 +310,10 @@ function Frame:solve()
   for _, element in ipairs(self.elements) do
     local of = {}
     for i, at in ipairs(element.freedoms) do of[i] = at and u[at] or 0 end
-    local k = element.global or element.k
     for i, at in ipairs(element.freedoms) do
-      if at then R[at] = R[at] + algebra.dot(k[i], of) end
+      if at then R[at] = R[at] + algebra.dot(element.global[i], of) end
     end
-    local along = element.T and algebra.times(element.T, of) or of
-    result.force[element.name] = algebra.times(element.k, along)
+    result.force[element.name] = algebra.times(element.k, algebra.times(element.T, of))
     for i, f in ipairs(element.f0) do result.force[element.name][i] = result.force[element.name][i] + f end
   end
   for _, name in ipairs(self.names) do
@@ -327,7 +331,7 @@ function Frame:modes(count)
   local reduced = prepare(self)
   local K, M = algebra.reduced_matrix(reduced), algebra.reduced_matrix(reduced)
   for _, element in ipairs(self.elements) do
-    K:add(element.freedoms, element.global or element.k)
+    K:add(element.freedoms, element.global)
     M:add(element.freedoms, element.m)
   end
   for i, mass in pairs(self.point_mass) do M:add({ i }, { { mass } }) end
