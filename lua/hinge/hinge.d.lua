@@ -1385,9 +1385,10 @@ local import = {}
 ---get the local axes of SAP2000. For its files .e2k there is import.e2k. Read are PROGRAM CONTROL (units), ACTIVE
 ---DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES
 ---01 - GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
----(M2, M3, T), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA
----(Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, and FRAME LOADS - DISTRIBUTED if
----uniform over the whole frame. Sections have the properties that the file states, and the size, the outline and what
+---(M2, M3, T), FRAME INSERTION POINT ASSIGNMENTS, FRAME OFFSET ALONG LENGTH ASSIGNMENTS (rigid ends; where they are
+---automatic, to the face of the columns or beams at the joint), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA
+---(Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, and FRAME LOADS -
+---DISTRIBUTED if uniform over the whole frame. Sections have the properties that the file states, and the size, the outline and what
 ---is left out of their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear
 ---area becomes 1000 times the area. A file that contradicts itself is an error with its line.
 ---```lua
@@ -1425,12 +1426,13 @@ function import.s2k(options) end
 ---@field file string path of the file
 
 ---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
----(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE), POINT ASSIGNS
----(RESTRAINT), MATERIAL PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC
+---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT,
+---OFFSETXI to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT), MATERIAL PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC
 ---LOADS, POINT OBJECT LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS if uniform over the whole line. A joint is a
 ---point on a storey, "3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces.
 ---Local axes, releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
----hinge.section.named. Areas, diaphragms, springs and end offsets are not read; the notes name them.
+---hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Areas, diaphragms
+---and springs are not read; the notes name them.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()

@@ -39,8 +39,8 @@ END TABLE DATA
 ]]):format(section, section:match "SectionName=(%S+)", more or "")
 end
 
-local plain = "SectionName=P   Material=S   Shape=%s   %sArea=0.01   TorsConst=1E-06   I33=1E-04   I22=2E-05   AS2=0.004   "
-  .. "AS3=0.005"
+local plain = "SectionName=P   Material=S   Shape=%s   %sArea=0.01   TorsConst=1E-06   I33=1E-04   I22=2E-05   "
+  .. "AS2=0.004   AS3=0.005"
 
 local function read(text) return import.s2k { file = write("frame.s2k", text) } end
 

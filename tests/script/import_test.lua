@@ -613,7 +613,7 @@ $ POINT ASSIGNS
 $ FRAME OBJECT LOADS
   LINELOAD "B1"  "S1"  TYPE "UNIFF"  DIR "GRAV"  LC "DEAD"  FVAL 5
   LINELOAD "B1"  "S1"  TYPE "TRAPF"  DIR "GRAV"  LC "DEAD"  FSTART 5  FEND 0  RDSTART 0  RDEND 1
-  LINELOAD "B1"  "S1"  TYPE "POINTF"  DIR "GRAV"  LC "DEAD"  FVAL 5  RD 0.5
+  LINELOAD "B1"  "S1"  TYPE "POINTF"  DIR "GRAV"  LC "DEAD"  FVAL 5
 $ AREA CONNECTIVITIES
   AREA "F1"  FLOOR 4 "1" "2" "3" "1" 0 0 0 0
 $ LOAD COMBINATIONS
@@ -623,8 +623,8 @@ $ LOAD COMBINATIONS
   equal(("%g %g %g"):format(q[1], q[2], q[3]), "0 0 -5000", "the uniform load, N/m")
   equal(#frame.cases[1].loads, 1, "and no other")
   local text = tostring(notes)
-  for offset, words in pairs { [2] = "end offsets", [4] = "diaphragm D1 on S1", [5] = "SPRINGPROP", [8] = "uniform",
-    [9] = "TYPE", [11] = "table is not read" } do
+  for offset, words in pairs { [2] = "PROPMOD", [4] = "diaphragm D1 on S1", [5] = "SPRINGPROP", [8] = "uniform",
+    [9] = "without RDIST", [11] = "table is not read" } do
     local line = etabs_head + offset
     local entry
     for _, e in ipairs(notes) do

@@ -295,9 +295,9 @@ function Reader:read_connectivities()
 end
 
 local releases = set "P V2 V3 T M2 M3"
-local taken_of_lines = set "SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ"
-local of_no_meaning = { "MINNUMSTA", "MAXSTASPC", "AUTOMESH", "MESH", "RIGIDZONE", "PIER", "SPANDREL", "TRANSSTIFF",
-  "CARDINALPT", "DESIGN", "GUID" }
+local taken_of_lines = set ("SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ RIGIDZONE SELFWEIGHTOPTION CARDINALPT "
+  .. "TRANSSTIFF TRANSFORMSTIFF OFFSETXI OFFSETYI OFFSETZI OFFSETXJ OFFSETYJ OFFSETZJ MIRROR2 MIRROR3")
+local of_no_meaning = { "MINNUMSTA", "MAXSTASPC", "AUTOMESH", "MESH", "PIER", "SPANDREL", "DESIGN", "GUID" }
 
 -- The released forces of a line: "M2I M3J" as the fields of SAP2000.
 local function released(line, text)
@@ -312,6 +312,29 @@ local function released(line, text)
     fields[force .. at] = "Yes"
   end
   return fields
+end
+
+-- Insertion point, joint offsets in space and rigid ends of a line. Without lengths these are automatic.
+function Reader:read_ends(line, frame, given)
+  must_be_numbers(line, given, "LENGTHOFFI LENGTHOFFJ RIGIDZONE CARDINALPT OFFSETXI OFFSETYI OFFSETZI OFFSETXJ "
+    .. "OFFSETYJ OFFSETZJ")
+  local point = { Frame = frame, CardinalPt = given.CARDINALPT, Mirror2 = given.MIRROR2, Mirror3 = given.MIRROR3,
+    Transform = given.TRANSFORMSTIFF or given.TRANSSTIFF or "No" }
+  local any = given.CARDINALPT ~= nil
+  for _, key in ipairs { "XI", "YI", "ZI", "XJ", "YJ", "ZJ" } do
+    point["JtOff" .. key] = given["OFFSET" .. key]
+    any = any or given["OFFSET" .. key] ~= nil
+  end
+  if any then self:row("FRAME INSERTION POINT ASSIGNMENTS", "LINE ASSIGNS", line, point) end
+  local factor = tonumber(given.RIGIDZONE or 0)
+  if factor == 0 and (tonumber(given.LENGTHOFFI or 0) ~= 0 or tonumber(given.LENGTHOFFJ or 0) ~= 0) then
+    self:remark(line, "end offsets with a rigid zone of 0 do not stiffen the member", true)
+  elseif factor ~= 0 then
+    self:row("FRAME OFFSET ALONG LENGTH ASSIGNMENTS", "LINE ASSIGNS", line, { Frame = frame,
+      Type = (given.LENGTHOFFI or given.LENGTHOFFJ) and "User" or "Automatic", LengthI = given.LENGTHOFFI,
+      LengthJ = given.LENGTHOFFJ, RigidFactor = given.RIGIDZONE,
+      SelfWeight = (given.SELFWEIGHTOPTION or ""):upper():find "^CLEAR" and "Clear" or "Full" })
+  end
 end
 
 function Reader:read_line(line, name, storey, given)
@@ -331,7 +354,7 @@ function Reader:read_line(line, name, storey, given)
   self:row("CONNECTIVITY - FRAME", section, line, { Frame = frame, JointI = self:joint(line, l.a, below),
     JointJ = self:joint(line, l.b, storey) })
   self:row("FRAME SECTION ASSIGNMENTS", section, line, { Frame = frame, AnalSect = given.SECTION or "None" })
-  must_be_numbers(line, given, "ANG LENGTHOFFI LENGTHOFFJ")
+  must_be_numbers(line, given, "ANG")
   if given.ANG then self:row("FRAME LOCAL AXES 1 - TYPICAL", section, line, { Frame = frame, Angle = given.ANG }) end
   if given.RELEASE then
     local fields = released(line, given.RELEASE)
@@ -341,12 +364,7 @@ function Reader:read_line(line, name, storey, given)
   self:row("GROUPS 2 - ASSIGNMENTS", section, line, { GroupName = l.kind:lower() .. "s", ObjectType = "Frame",
     ObjectLabel = frame })
   self:note_keys(line, given, taken_of_lines, of_no_meaning)
-  for _, key in ipairs { "LENGTHOFFI", "LENGTHOFFJ" } do
-    if given[key] and number_of(line, given[key], key) ~= 0 then
-      self:remark(line, "end offsets are not read: the member goes from joint to joint")
-      break
-    end
-  end
+  self:read_ends(line, frame, given)
 end
 
 function Reader:read_lines()
@@ -430,9 +448,21 @@ function Reader:read_line_load(section, line)
   if not self.frames[frame] then
     notes.fail(where, line.place, "line %s has no LINEASSIGN on storey %s", tostring(line.words[2]), storey.name)
   end
-  if kind ~= "UNIFF" and kind ~= "TRAPF" then return self:remark(line, "loads of this TYPE are not read") end
+  local point = kind == "POINTF" or kind == "POINTM"
+  if not point and kind ~= "UNIFF" and kind ~= "TRAPF" then
+    return self:remark(line, "loads of this TYPE are not read")
+  end
   if not to then return self:remark(line, "its direction is not read") end
-  must_be_numbers(line, given, "FVAL FSTART FEND RDSTART RDEND")
+  must_be_numbers(line, given, "FVAL FSTART FEND RDSTART RDEND RDIST RD")
+  if point then
+    local at = given.RDIST or given.RD
+    if not at then return self:remark(line, "a load at a point without RDIST is not read") end
+    local force = kind == "POINTF"
+    self:row("FRAME LOADS - POINT", section, line, { Frame = frame, LoadPat = given.LC, Dir = to,
+      CoordSys = to:find "^%d$" and "Local" or "GLOBAL", Type = force and "Force" or "Moment",
+      [force and "Force" or "Moment"] = given.FVAL, RelDist = at })
+    return self:note_keys(line, given, set "TYPE DIR LC FVAL RDIST RD")
+  end
   local a, b = given.FVAL or given.FSTART, given.FVAL or given.FEND
   self:row("FRAME LOADS - DISTRIBUTED", section, line, { Frame = frame, LoadPat = given.LC, Dir = to,
     CoordSys = to:find "^%d$" and "Local" or "GLOBAL", FOverLA = a, FOverLB = b, RelDistA = given.RDSTART,

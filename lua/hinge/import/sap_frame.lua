@@ -8,6 +8,8 @@ local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
 local divided = require "hinge.import.divided"
+local sap_loads = require "hinge.import.sap_loads"
+local sap_offsets = require "hinge.import.sap_offsets"
 local sap_section = require "hinge.import.sap_section"
 local units = require "hinge.units"
 
@@ -410,54 +412,6 @@ function Reader:read_joint_loads()
   end
 end
 
--- Directions of loads along members: axes of hinge, and the load of size 1 there. Axes 1, 2, 3 are z, y, -x.
-local global = { X = { 1, 0, 0 }, Y = { 0, 1, 0 }, Z = { 0, 0, 1 }, GRAVITY = { 0, 0, -1 } }
-local projected = { ["X PROJ"] = global.X, ["Y PROJ"] = global.Y, ["Z PROJ"] = global.Z,
-  ["GRAV PROJ"] = global.GRAVITY }
-local own_axes = { ["1"] = { 0, 0, 1 }, ["2"] = { 0, 1, 0 }, ["3"] = { -1, 0, 0 } }
-
-local function direction_of(row)
-  local dir, system = row:need "Dir":upper(), (row:text "CoordSys" or "GLOBAL"):upper()
-  if own_axes[dir] and system == "LOCAL" then return own_axes[dir], "local" end
-  if system ~= "GLOBAL" then return nil end
-  if projected[dir] then return projected[dir], "projected" end
-  return global[dir], nil
-end
-
--- Whether a load is the same from one end of the member to the other.
-local function is_uniform(row, length)
-  local a, b = row:number "FOverLA", row:number "FOverLB"
-  local from, to, whole = row:number("RelDistA", 0), row:number("RelDistB", 1), 1
-  local x, y = row:number("AbsDistA", 0), row:number("AbsDistB", length)
-  if (row:text "DistType" or "RelDist"):lower() == "absdist" then from, to, whole = x, y, length end
-  return a == b and math.abs(from) <= 1e-6 * whole and math.abs(to - whole) <= 1e-6 * whole, a
-end
-
-function Reader:read_frame_loads()
-  for _, row in ipairs(self:rows "FRAME LOADS - DISTRIBUTED") do
-    local member, case = self:frame_of(row), self:pattern(row)
-    local to, axes = direction_of(row)
-    if not member then
-      self:not_read(row, "its frame was not read")
-    elseif (row:text "Type" or "Force"):lower() ~= "force" then
-      self:not_read(row, "forces alone are read")
-    elseif not to then
-      self:not_read(row, "its direction is not read")
-    else
-      local _, length = frame_module.direction(self.node[member.a], self.node[member.b])
-      local uniform, size = is_uniform(row, length / self.length)
-      if not uniform then
-        self:not_read(row, "loads that are uniform over the whole member alone are read")
-      elseif size ~= 0 then
-        local w = size * self.force / self.length
-        for _, part in ipairs(self.parts[member.name]) do
-          table.insert(case.loads, { member = part.name, q = { w * to[1], w * to[2], w * to[3] }, axes = axes })
-        end
-      end
-    end
-  end
-end
-
 -- What is left --------------------------------------------------------------------------------------------------------
 
 -- Tables that say nothing about the frame: how it is analysed, designed, drawn. Beginnings of their names.
@@ -466,7 +420,8 @@ local beside = { "ANALYSIS OPTIONS", "AUTO WAVE", "BRIDGE RESPONSE", "CASE - ", 
   "FRAME LOAD TRANSFER", "FRAME OUTPUT STATION", "FRAME SECTION PROPERTIES 04 - AUTO SELECT",
   "FRAME SECTION PROPERTIES 13 - TIME DEPENDENT", "FUNCTION - ", "GRID LINES", "GROUPS 1", "GROUPS 3", "JOINT PATTERN",
   "LOAD CASE DEFINITIONS", "MATERIAL LIST", "MATERIAL PROPERTIES 01", "MATERIAL PROPERTIES 03",
-  "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "MATERIAL PROPERTIES 09", "NAMED SETS", "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
+  "MATERIAL PROPERTIES 04", "MATERIAL PROPERTIES 06", "MATERIAL PROPERTIES 09", "NAMED SETS",
+  "OBJECT GEOMETRY", "OPTIONS - ", "OVERWRITES",
   "PREFERENCES", "PROJECT INFORMATION", "REBAR SIZES", "TABLES AUTOMATICALLY" }
 
 -- The fields of a table's rows that nothing here is made of.
@@ -516,9 +471,10 @@ function sap_frame.read(where, file, tables, others, program)
   self:read_sections()
   self:read_members()
   self:divide()
+  sap_offsets(self)
   self:read_patterns()
   self:read_joint_loads()
-  self:read_frame_loads()
+  sap_loads(self)
   self:note_the_rest(others)
   return frame_module.finish(self.frame, self.notes, self.places)
 end

@@ -52,8 +52,8 @@ local function of_its_name(reader, row)
     local value = row:text(key) and row:number(key) * reader.length ^ (key == "Area" and 2 or 4)
     if value and not (math.abs(value / known[field] - 1) <= largest_difference) then return nil end
   end
-  notes.once(reader.notes.assumed, row.place, row.line, ("the section has no dimensions: its outline and plastic moduli "
-    .. "are those of %s in hinge.section.named"):format(known.kind), "named outline")
+  notes.once(reader.notes.assumed, row.place, row.line, ("the section has no dimensions: its outline and plastic "
+    .. "moduli are those of %s in hinge.section.named"):format(known.kind), "named outline")
   return known
 end
 

@@ -1,0 +1,247 @@
+-- Ends of members beside their joints, as SAP2000 and ETABS have them: insertion points, joint offsets, rigid ends.
+--
+-- Insertion point: one of eleven points of the section lies on the line between the joints, so that the member is
+-- beside it. 1 to 9 are on the rectangle around the section: 1 bottom left, 2 bottom, 3 bottom right, 4 left, 5 middle,
+-- 6 right, 7 top left, 8 top, 9 top right; left is towards axis 3, top towards axis 2. 10 is the centroid, 11 the shear
+-- centre. Where the stiffness is not transformed, the point is drawn and does not enter the analysis.
+--
+-- Rigid end: the part RigidFactor of the length from the joint to the face of what crosses there. CSI leaves axial
+-- strain and torsion flexible in it; here it is rigid in all. Loads in it act on the joint.
+local frame_module = require "hinge.import.frame"
+local named = require "hinge.named"
+local notes = require "hinge.import.notes"
+
+local gravity = 9.80665 -- m/s^2
+local steep = 0.7 -- cosine to the vertical: members above it are columns, members below its complement beams
+
+local function plus(u, s, v) return { u[1] + s * v[1], u[2] + s * v[2], u[3] + s * v[3] } end
+local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
+local function is_zero(v) return v[1] == 0 and v[2] == 0 and v[3] == 0 end
+local function cross(u, v)
+  return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] }
+end
+
+-- Sections ------------------------------------------------------------------------------------------------------------
+
+-- The rectangle around a section from its centroid: { left, right, low, high }, m; nil where the size is not known.
+local function rectangle(section)
+  local given = section.named and named.properties(section.named) or section
+  local size = given.size
+  local found
+  for _, part in ipairs(given.outline or {}) do
+    for _, p in ipairs(part.corners or {}) do
+      found = found or { p[1], p[1], p[2], p[2] }
+      found[1], found[2] = math.min(found[1], p[1]), math.max(found[2], p[1])
+      found[3], found[4] = math.min(found[3], p[2]), math.max(found[4], p[2])
+    end
+  end
+  if not found and size and size.width and size.depth then
+    found = { -size.width / 2, size.width / 2, -size.depth / 2, size.depth / 2 }
+  end
+  return found
+end
+
+-- The insertion point from the centroid, in the section's axes x (to the right) and y (upwards), m.
+local function point_of(r, number)
+  local column, row = (number - 1) % 3, (number - 1) // 3
+  return column == 0 and r[1] or column == 1 and (r[1] + r[2]) / 2 or r[2],
+    row == 0 and r[3] or row == 1 and (r[3] + r[4]) / 2 or r[4]
+end
+
+-- Beside the joints ---------------------------------------------------------------------------------------------------
+
+local Offsets = {}
+Offsets.__index = Offsets
+
+-- What the insertion point of a row moves the member by, in space, m.
+function Offsets:of_point(row, member, x, y)
+  local text = row:text "CardinalPt" or "10"
+  local number = tonumber(text:match "^%s*(%d+)%s*$" or text:match "^%s*(%d+)%s*%(")
+  if not number or number < 1 or number > 11 then
+    notes.fail(self.reader.where, row.place, "CardinalPt is '%s'; must be a number from 1 to 11", text)
+  end
+  if number >= 10 then
+    if number == 11 and not self.symmetric[member.section] then
+      self.reader:not_read(row, "insertion point 11: the shear centre is taken at the centroid")
+    end
+    return { 0, 0, 0 }
+  end
+  local r = self.rectangle[member.section]
+  if not r then
+    self.reader:not_read(row, ("insertion point %d: the size of section %s is not known"):format(number,
+      member.section))
+    return { 0, 0, 0 }
+  end
+  if not self.symmetric[member.section] and (row:yes "Mirror2" or row:yes "Mirror3") then
+    self.reader:not_read(row, "Mirror2, Mirror3: the section is not mirrored")
+  end
+  local px, py = point_of(r, number)
+  return plus(plus({ 0, 0, 0 }, -px, x), -py, y)
+end
+
+-- The offset of a joint of one end, in space, m. at: "I" or "J".
+function Offsets:of_joint(row, at, axes)
+  local v = { 0, 0, 0 }
+  for i, letter in ipairs { "X", "Y", "Z" } do
+    local keys = { { "JtOff" .. letter .. at }, { "JtOff" .. i .. at, axes[i] } }
+    for _, key in ipairs(keys) do
+      local value = row:number(key[1], 0) * self.reader.length
+      v = plus(v, value, key[2] or { i == 1 and 1 or 0, i == 2 and 1 or 0, i == 3 and 1 or 0 })
+    end
+  end
+  return v
+end
+
+-- How far the ends of a member are beside its joints: two vectors in space; nil where they are not.
+function Offsets:beside(member)
+  local row = self.points[member.name]
+  if not row then return nil end
+  local transform = row:text "Transform" or row:text "StiffTrans" or row:text "StiffTransform" or "Yes"
+  local node = self.reader.node
+  local z = frame_module.direction(node[member.a], node[member.b])
+  local x, y = frame_module.axes(z, member.up)
+  local by = self:of_point(row, member, x, y)
+  local axes = { z, y, { -x[1], -x[2], -x[3] } }
+  local i, j = plus(by, 1, self:of_joint(row, "I", axes)), plus(by, 1, self:of_joint(row, "J", axes))
+  if is_zero(i) and is_zero(j) then return nil end
+  if transform:lower() ~= "yes" then
+    notes.once(self.reader.notes.assumed, row.place, row.line, "its insertion point does not enter the analysis, for "
+      .. "the file says that the stiffness is not transformed: the member goes from joint to joint", "not transformed")
+    return nil
+  end
+  return { i, j }
+end
+
+-- Rigid ends ----------------------------------------------------------------------------------------------------------
+
+local function is_column(z) return math.abs(z[3]) > steep end
+local function is_beam(z) return math.abs(z[3]) < math.sqrt(1 - steep ^ 2) end
+
+-- From a joint along d, the face of the beams there (of a column), or of the columns there (of a beam), m.
+function Offsets:face(joint, member, d, column)
+  local far = 0
+  for _, other in ipairs(self.at_joint[joint]) do
+    local r = other.name ~= member.name and self.rectangle[other.section]
+    local z = r and frame_module.direction(self.reader.node[other.a], self.reader.node[other.b])
+    if r and (column and is_beam(z) or not column and is_column(z)) then
+      local x, y = frame_module.axes(z, other.up)
+      local by = self.moved[other.name] and self.moved[other.name][1] or { 0, 0, 0 }
+      local dx, dy = dot(d, x), dot(d, y)
+      local reach = math.max(dx * r[1], dx * r[2]) + math.max(dy * r[3], dy * r[4]) + dot(d, by)
+      if reach > far then far = reach end
+    end
+  end
+  return far
+end
+
+-- The lengths of the rigid ends of a member, m; nil: none.
+function Offsets:rigid(member)
+  local row = self.lengths[member.name]
+  local factor = row and (row:text "RigidFactor" and row:number "RigidFactor" or row:number("RigidFact", 0)) or 0
+  if factor == 0 then return nil end
+  local a, b, reader = member.a, member.b, self.reader
+  local d = frame_module.direction(reader.node[a], reader.node[b])
+  local i, j = row:number("LengthI", 0) * reader.length, row:number("LengthJ", 0) * reader.length
+  if (row:text "Type" or "User"):lower():find "^auto" then
+    if not is_column(d) and not is_beam(d) then return nil end
+    i, j = self:face(a, member, d, is_column(d)), self:face(b, member, { -d[1], -d[2], -d[3] }, is_column(d))
+    notes.once(reader.notes.assumed, row.place, row.line, "automatic rigid ends: from a joint to the face of the "
+      .. "columns there (of a beam), of the beams there (of a column), times the rigid factor", "automatic")
+  end
+  if i == 0 and j == 0 then return nil end
+  return { factor * i, factor * j, row = row, full = (row:text "SelfWeight" or "Full"):lower() == "full" }
+end
+
+-- The parts -----------------------------------------------------------------------------------------------------------
+
+-- The offsets of the parts of a member, and where along each its flexible length begins and ends, m.
+function Offsets:apply(member, parts, rigid)
+  local reader, by = self.reader, self.moved[member.name]
+  local first, last = reader.node[member.a], reader.node[member.b]
+  local d, length = frame_module.direction(first, last)
+  local i, j = rigid and rigid[1] or 0, rigid and rigid[2] or 0
+  local _, own = frame_module.direction(first, reader.node[parts[1].b])
+  local _, its = frame_module.direction(reader.node[parts[#parts].a], last)
+  if i >= own or j >= its or i + j >= length then
+    reader:not_read(rigid.row, "its rigid ends are longer than the member or its piece between joints", "too rigid")
+    i, j = 0, 0
+  end
+  for k, part in ipairs(parts) do
+    local offset = {}
+    for _, at in ipairs { "a", "b" } do
+      local _, along = frame_module.direction(first, reader.node[part[at]])
+      if part[at] == member.a then along = 0 end
+      local v = by and plus(plus({ 0, 0, 0 }, 1 - along / length, by[1]), along / length, by[2]) or { 0, 0, 0 }
+      if k == 1 and at == "a" then v = plus(v, i, d) end
+      if k == #parts and at == "b" then v = plus(v, -j, d) end
+      if not is_zero(v) then offset[at] = v end
+    end
+    part.offset = next(offset) and offset or nil
+    reader.rigid[part.name] = { k == 1 and i or 0, k == #parts and j or 0 }
+  end
+  return i + j
+end
+
+-- The weight of rigid ends acts on the joints, in every case with self weight; nothing else has their mass.
+function Offsets:weigh(part, ends, full)
+  local reader = self.reader
+  local material, area = reader.material[part.material], self.area[part.section]
+  local per_metre = (material.unit_weight or material.density * gravity) * area
+  local d = frame_module.direction(reader.node[part.a], reader.node[part.b])
+  for i, at in ipairs { "a", "b" } do
+    if ends[i] > 0 then
+      local along = plus({ 0, 0, 0 }, (i == 1 and 0.5 or -0.5) * ends[i], d)
+      local force = { 0, 0, -per_metre * ends[i] }
+      if full then
+        table.insert(reader.weights, { node = part[at], force = force, moment = cross(along, force) })
+      end
+      self.mass = self.mass + material.density * area * ends[i]
+    end
+  end
+end
+
+--- Gives the parts of all members their offsets. reader.rigid: the lengths of rigid ends of each part by name, m;
+--- reader.weights: loads of their weight.
+return function(reader)
+  local self = setmetatable({ reader = reader, rectangle = {}, symmetric = {}, area = {}, moved = {}, at_joint = {},
+    mass = 0 }, Offsets)
+  self.points = reader:by_frame("FRAME INSERTION POINT ASSIGNMENTS")
+  self.lengths = reader:by_frame("FRAME OFFSET ALONG LENGTH ASSIGNMENTS", "FRAME OFFSET (LENGTH) ASSIGNMENTS")
+  reader.rigid, reader.weights = {}, {}
+  if not next(self.points) and not next(self.lengths) then return end
+  for _, rows in ipairs { self.points, self.lengths } do
+    for _, row in pairs(rows) do reader:frame_of(row) end
+  end
+  for _, s in ipairs(reader.frame.sections) do
+    local r = rectangle(s)
+    self.rectangle[s.name], self.area[s.name] = r, frame_module.properties(s).area
+    self.symmetric[s.name] = not r or math.abs(r[1] + r[2]) + math.abs(r[3] + r[4]) < 1e-6 * (r[2] - r[1])
+  end
+  for _, node in ipairs(reader.frame.nodes) do self.at_joint[node.name] = {} end
+  local whole = {} -- the members before they were divided
+  for _, part in ipairs(reader.frame.members) do
+    for _, at in ipairs { "a", "b" } do table.insert(self.at_joint[part[at]], part) end
+  end
+  for name, member in pairs(reader.member) do
+    whole[#whole + 1] = member
+    self.moved[name] = self:beside(member)
+    for _, part in ipairs(reader.parts[name]) do self.moved[part.name] = self.moved[name] end
+  end
+  table.sort(whole, function(a, b) return reader.places[a].line < reader.places[b].line end)
+  local length, first = 0, nil
+  for _, member in ipairs(whole) do
+    local rigid, parts = self:rigid(member), reader.parts[member.name]
+    if rigid or self.moved[member.name] then
+      local own = self:apply(member, parts, rigid)
+      if own > 0 then length, first = length + own, first or rigid.row end
+      for _, part in ipairs(own > 0 and parts or {}) do
+        self:weigh(part, reader.rigid[part.name], rigid.full)
+      end
+    end
+  end
+  if length > 0 then
+    notes.add(reader.notes.assumed, first.place, first.line, ("rigid ends of %.4g m in all: rigid in axial strain and "
+      .. "torsion, too, which %s leaves flexible there; their mass of %.4g kg is left out, their weight is not"):format(
+      length, reader.program, self.mass))
+  end
+end

@@ -1,0 +1,276 @@
+-- hinge.import: insertion points, joint offsets and rigid ends of SAP2000 and ETABS, and loads along members, against
+-- formulas by hand.
+--
+-- Run: lua5.4 tests/script/import_offsets_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local import = require "hinge.import"
+local frame_module = require "hinge.import.frame"
+local checks = support.checks "offsets of import"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local write = support.writer()
+
+-- A column of 3 m in kN and m, 0.4 by 0.2 m, axis 2 along X. more: further tables; joint: a third joint on its axis.
+local E, G, A, I, As = 2e11, 8e10, 0.08, 1e-3, 0.05 -- I and As for bending in the plane of X and Z
+local density, g = 7850, 9.80665
+
+local function column(more, options)
+  options = options or {}
+  return import.s2k { file = write("frame.s2k", ([[
+TABLE:  "PROGRAM CONTROL"
+   ProgramName=SAP2000   Version=24.1.0   CurrUnits="KN, m, C"
+TABLE:  "JOINT COORDINATES"
+   Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
+   Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=3
+%sTABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
+   Material=S   UnitMass=7.85   E1=2E8   G12=8E7
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   SectionName=P   Material=S   Shape=General   t3=0.4   t2=0.2   Area=0.08   TorsConst=1E-3   I33=1E-3   I22=3E-4 _
+        AS2=0.05   AS3=0.06
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=1   JointI=1   JointJ=2
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=1   AnalSect=P   MatProp=Default
+TABLE:  "LOAD PATTERN DEFINITIONS"
+   LoadPat=W   SelfWtMult=%s
+%sEND TABLE DATA
+]]):format(options.joint and ("   Joint=3   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=%g\n"):format(
+    options.joint) or "", options.weight or "0", more)) }
+end
+
+local at_head = 'TABLE:  "JOINT LOADS - FORCE"\n   Joint=2   LoadPat=W   CoordSys=GLOBAL   F1=%g   F2=0   F3=%g\n'
+local function rigid(i, j, factor, kind)
+  return ('TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n   Frame=1   Type=%s   LengthI=%g   LengthJ=%g   '
+    .. 'RigidFactor=%g\n'):format(kind or "User", i, j, factor)
+end
+local function point(fields) return 'TABLE:  "FRAME INSERTION POINT ASSIGNMENTS"\n   Frame=1   ' .. fields .. "\n" end
+
+-- Displacements of the head and reactions of the foot. Both have a stub without load and weight, so that no joint is
+-- left with members beside it alone.
+local function solved(frame, options)
+  table.insert(frame.materials, { name = "light", E = E, G = G, density = 0 })
+  for _, joint in ipairs { "1", "2" } do
+    table.insert(frame.nodes, { name = joint .. " out", x = 0, y = 5, z = joint == "1" and 0 or 3 })
+    table.insert(frame.members, { name = joint .. " stub", a = joint, b = joint .. " out", section = "P",
+      material = "light" })
+  end
+  local model, nodes = import.build(frame, { model = { displacement = "small" },
+    self_weight = options and options.self_weight })
+  local run = model:static { steps = 1, loads = { W = 1 } }:finish()
+  local ux, _, uz = nodes["2"]:displacement(run)
+  local fx, fy, fz, mx, my, mz = nodes["1"]:reaction(run)
+  return ux, uz, { fx, fy, fz, mx, my, mz }
+end
+
+-- Rigid ends ----------------------------------------------------------------------------------------------------------
+
+-- A cantilever with rigid parts below and above its length L, of which the upper one is e.
+local function by_hand(F, L, e)
+  local tip = F * L ^ 3 / (3 * E * I) + F * e * L ^ 2 / (2 * E * I) + F * L / (G * As)
+  return tip + e * (F * L ^ 2 / (2 * E * I) + F * e * L / (E * I))
+end
+
+case("rigid ends stiffen a cantilever as by hand, divided or not", function()
+  for _, joint in ipairs { false, 1.5 } do
+    for _, row in ipairs { { 0, 0, 1 }, { 0.5, 0.3, 1 }, { 0.5, 0.3, 0.8 }, { 0, 0.3, 0.5 } } do
+      local frame, notes = column(rigid(row[1], row[2], row[3]) .. at_head:format(10, 0), { joint = joint })
+      equal(#notes, 0, tostring(notes))
+      local i, j = row[1] * row[3], row[2] * row[3]
+      local wanted = by_hand(10e3, 3 - i - j, j)
+      near(solved(frame), wanted, 1e-8 * wanted, ("%g, %g times %g"):format(row[1], row[2], row[3]))
+    end
+  end
+end)
+
+case("rigid ends longer than the member are noted, and left out", function()
+  for _, lengths in ipairs { { 2, 1.5 }, { 3, 0 } } do
+    local frame, notes = column(rigid(lengths[1], lengths[2], 1) .. at_head:format(10, 0))
+    equal(#notes, 1, tostring(notes))
+    expect(notes[1].reason:find "longer than the member", "%s", tostring(notes))
+    near(solved(frame), by_hand(10e3, 3, 0), 1e-9, "sway")
+  end
+end)
+
+case("the weight of rigid ends is not lost, whichever way it acts", function()
+  for _, way in ipairs { "gravity", "loads" } do
+    local frame, notes = column(rigid(0.5, 0.3, 1) .. at_head:format(0, 0), { weight = "1.2" })
+    local _, _, r = solved(frame, { self_weight = way })
+    near(r[3], 1.2 * density * g * A * 3, 1e-3, way)
+    expect(tostring(notes):find(("mass of %.4g kg is left out"):format(density * A * 0.8), 1, true), "%s",
+      tostring(notes))
+  end
+end)
+
+-- Insertion points ----------------------------------------------------------------------------------------------------
+
+case("a column on its edge: a force on the joint bends it by half its depth", function()
+  for number, e in pairs { [8] = 0.2, [2] = -0.2, [10] = 0, [5] = 0, [7] = 0.2, [3] = -0.2 } do
+    local frame, notes = column(point(('CardinalPt="%d (of eleven)"   Mirror2=No   Transform=Yes'):format(number))
+      .. at_head:format(0, -100))
+    equal(#notes, 0, tostring(notes))
+    local ux, uz = solved(frame)
+    near(ux, 100e3 * e * 9 / (2 * E * I), 1e-9, ("sway of %d"):format(number))
+    local column_left = number == 7 and 0.1 or number == 3 and 0.1 or 0 -- about the other axis, with 3e-4 m^4
+    near(uz, -100e3 * (3 / (E * A) + e ^ 2 * 3 / (E * I) + column_left ^ 2 * 3 / (E * 3e-4)), 1e-9,
+      ("shortening of %d"):format(number))
+  end
+end)
+
+case("left is towards axis 3: points 4 and 6 of a beam along X are to the side of -Y and of Y", function()
+  local axis3 = { 0, -1, 0 } -- axis 1 is X, axis 2 is Z, axis 3 = 1 x 2
+  local x = frame_module.axes({ 1, 0, 0 })
+  for i = 1, 3 do near(x[i], -axis3[i], 1e-12, "axis 3 is -x") end
+  local frame = column(point "CardinalPt=4   Transform=Yes" .. at_head:format(1, 0))
+  local by = frame.members[1].offset.a -- of the column, whose axis 3 is Y: its left edge is at the joint
+  near(by[2], -0.1, 1e-12, "the column is on the side of -Y")
+  near(by[1], 0, 1e-12, "along X")
+end)
+
+case("a stiffness that is not transformed: the member goes from joint to joint, and the note says so", function()
+  for _, field in ipairs { "Transform", "StiffTrans" } do
+    local frame, notes = column(point(("CardinalPt=8   %s=No"):format(field)) .. at_head:format(0, -100))
+    equal(#notes, 0, tostring(notes))
+    expect(tostring(notes.assumed[1].reason):find "not transformed", "%s", tostring(notes))
+    near(solved(frame), 0, 1e-12, "sway")
+  end
+end)
+
+case("joint offsets in space and along the member's axes", function()
+  local function offset(fields) return column(point(fields) .. at_head:format(1, 0)).members[1].offset end
+  local both = offset "CardinalPt=10   JtOffXI=0.1   JtOffZI=-0.2   JtOff3J=0.3"
+  for i, wanted in ipairs { 0.1, 0, -0.2 } do near(both.a[i], wanted, 1e-12, "a") end
+  for i, wanted in ipairs { 0, 0.3, 0 } do near(both.b[i], wanted, 1e-12, "b") end -- axis 3 of the column is Y
+end)
+
+case("a point that is none is refused with its line", function()
+  local good, problem = pcall(column, point "CardinalPt=12" .. at_head:format(0, 0))
+  expect(not good and problem:find("frame.s2k:20: CardinalPt is '12'; must be a number from 1 to 11", 1, true), "%s",
+    problem)
+end)
+
+-- Loads ---------------------------------------------------------------------------------------------------------------
+
+-- Force along X, and moment about Y at the origin, of all loads of a frame: each by its own integral.
+local function together(frame)
+  local node, member, F, M = {}, {}, 0, 0
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  for _, m in ipairs(frame.members) do member[m.name] = m end
+  for _, l in ipairs(frame.cases[1].loads) do
+    if l.node then
+      local n = node[l.node]
+      local f = l.force or { 0, 0, 0 }
+      F, M = F + f[1], M + n.z * f[1] - n.x * f[3] + (l.moment and l.moment[2] or 0)
+    elseif l.force then
+      local a, b = frame_module.ends(member[l.member], node)
+      F, M = F + l.force[1], M + (a.z + l.at * (b.z - a.z)) * l.force[1]
+    elseif l.moment then
+      M = M + l.moment[2]
+    else
+      local a, b = frame_module.ends(member[l.member], node)
+      F, M = F + l.q[1] * (b.z - a.z), M + l.q[1] * (b.z ^ 2 - a.z ^ 2) / 2
+    end
+  end
+  return F, M
+end
+
+case("a uniform load is whole, with rigid ends and joints on the member", function()
+  for _, more in ipairs { "", rigid(0.5, 0.3, 1), point "CardinalPt=8" .. rigid(0.5, 0.3, 0.7) } do
+    for _, joint in ipairs { false, 1.5 } do
+      local frame, notes = column(more .. 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   '
+        .. "CoordSys=GLOBAL   Type=Force   Dir=X   RelDistA=0   RelDistB=1   FOverLA=2   FOverLB=2\n",
+        { joint = joint })
+      equal(#notes, 0, tostring(notes))
+      local F, M = together(frame)
+      near(F, 6e3, 1e-8, "force")
+      near(M, 9e3, 1e-8, "moment")
+    end
+  end
+end)
+
+case("forces and moments at a point of a member", function()
+  for _, joint in ipairs { false, 1.5 } do
+    for _, at in ipairs { 0, 0.1, 0.5, 0.7, 0.95, 1 } do
+      local fields = ('TABLE:  "FRAME LOADS - POINT"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   Dir=X   '
+        .. 'DistType=RelDist   RelDist=%g   Force=8\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Moment   Dir=Y   '
+        .. 'DistType=RelDist   RelDist=%g   Moment=5\n'):format(at, at)
+      local frame, notes = column(rigid(0.5, 0.3, 1) .. fields, { joint = joint })
+      equal(#notes, 0, tostring(notes))
+      local F, M = together(frame)
+      near(F, 8e3, 1e-6, "force")
+      near(M, 8e3 * 3 * at + 5e3, 1e-6, ("moment at %g"):format(at))
+    end
+  end
+end)
+
+-- ETABS ---------------------------------------------------------------------------------------------------------------
+
+-- A portal of one bay: columns 0.4 (along X) by 0.3, a beam 0.5 by 0.2. beam, columns: further keys.
+local function portal(beam, columns)
+  return import.e2k { file = write("frame.e2k", ([[
+$ CONTROLS
+  UNITS  "KN"  "M"  "C"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "Top"  HEIGHT 3
+  STORY "Base"  ELEV 0
+$ MATERIAL PROPERTIES
+  MATERIAL  "S"    TYPE "Steel"    WEIGHTPERVOLUME 77
+  MATERIAL  "S"    SYMTYPE "Isotropic"  E 2E8  U 0.25  A 1.17E-05
+$ FRAME SECTIONS
+  FRAMESECTION  "C"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.4 B 0.3
+  FRAMESECTION  "B"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.5 B 0.2
+$ POINT COORDINATES
+  POINT "1"  0 0
+  POINT "2"  6 0
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+  LINE  "C2"  COLUMN  "2"  "2"  1
+  LINE  "B1"  BEAM  "1"  "2"  0
+$ POINT ASSIGNS
+  POINTASSIGN  "1"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+  POINTASSIGN  "2"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "Top"  SECTION "C"  %s
+  LINEASSIGN  "C2"  "Top"  SECTION "C"  ANG 90 %s
+  LINEASSIGN  "B1"  "Top"  SECTION "B"  %s
+]]):format(columns or "", columns or "", beam or "")) }
+end
+
+local function offsets(frame)
+  local list = {}
+  for i, m in ipairs(frame.members) do
+    local o = m.offset or {}
+    local function shown(v)
+      if not v then return "-" end
+      local parts = {}
+      for k = 1, 3 do parts[k] = ("%.4g"):format(v[k] + 0.0) end
+      return (table.concat(parts, " "):gsub("%-0%f[ \0]", "0"))
+    end
+    list[i] = ("%s; %s"):format(shown(o.a), shown(o.b))
+  end
+  return table.concat(list, " | ")
+end
+
+case("ETABS: insertion points and rigid zones of lines, in their lengths or automatic", function()
+  for _, row in ipairs {
+    { "", "", "-; - | -; - | -; -" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "", "-; - | -; - | 0 0 -0.25; 0 0 -0.25" },
+    { 'CARDINALPT 8 TRANSSTIFF "YES" RIGIDZONE 1', "", "-; - | -; - | 0.2 0 -0.25; -0.15 0 -0.25" },
+    { "CARDINALPT 8", "", "-; - | -; - | -; -" },
+    { "RIGIDZONE 0.5", "RIGIDZONE 0.5", "-; 0 0 -0.125 | -; 0 0 -0.125 | 0.1 0 0; -0.075 0 0" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "RIGIDZONE 0.5",
+      "-; 0 0 -0.25 | -; 0 0 -0.25 | 0 0 -0.25; 0 0 -0.25" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0 RIGIDZONE 0.5", "", "-; - | -; - | 0.15 0 0; -" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0.4", "", "-; - | -; - | -; -" },
+    { 'TRANSFORMSTIFF "Yes" OFFSETXI 0.05 OFFSETYJ -0.2', "", "-; - | -; - | 0.05 0 0; 0 -0.2 0" },
+  } do
+    local frame, notes = portal(row[1], row[2])
+    equal(#notes, 0, tostring(notes))
+    equal(offsets(frame), row[3], row[1] .. ", columns " .. row[2])
+  end
+end)
+
+checks.done()
