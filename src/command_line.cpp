@@ -143,6 +143,10 @@ void add_export(CLI::App& app, Request& request) {
     text("--out", "file", "The script, whose name ends in .lua (default: the file's name, in this folder)", "FILE");
     text("--units", "units",
          "Of a script of OpenSees: force and length, such as kN,m or kip,inch; a third one for masses", "FORCE,LENGTH");
+    text("--model", "model",
+         "Of a script of OpenSees that makes several models, one after the other (wipe, remove): which one, from 1 "
+         "(default: the one at its end)",
+         "N");
     verb->footer(
         "Exit status: 0 the script was written, also where something was not read; 1 it cannot be written; 2 the file "
         "is wrong.");

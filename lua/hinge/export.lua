@@ -27,29 +27,35 @@ local function csv_of(folder)
   return next(found) and found or nil
 end
 
--- "kN,m" or "kN,m,t" as the units of import.tcl.
+-- "kN,m" or "kN,m,t", in any order, as the units of import.tcl.
 local function units_of(text)
   if not text then
     check.fail("a script of OpenSees does not say its units; give --units FORCE,LENGTH, such as --units kN,m or "
       .. "--units kip,inch, and a third one where masses are in another unit than force s^2 / length")
   end
-  local list = {}
-  for word in text:gmatch "[^,%s]+" do list[#list + 1] = tonumber(word) or word end
-  if #list < 2 or #list > 3 then
-    check.fail("--units is '%s'; must be FORCE,LENGTH or FORCE,LENGTH,MASS, such as kN,m", text)
-  end
-  return { force = list[1], length = list[2], mass = list[3] }
+  return require("hinge.import.opensees.units").of_text("--units", text)
 end
 
---- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes.
-function export.read(source, units)
+-- The number of --model.
+local function model_of(text)
+  local number = text and math.tointeger(tonumber(text))
+  if text and not (number and number > 0) then
+    check.fail("--model is '%s'; must be a whole number from 1", text)
+  end
+  return number
+end
+
+--- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. units, model:
+--- texts for a script of OpenSees.
+function export.read(source, units, model)
   local tables_there = csv_of(source)
   local reader = by_ending[(source:match "%.([^./]*)$" or ""):lower()]
   if units and reader ~= "tcl" then check.fail("--units is for scripts of OpenSees; %s has its own", source) end
+  if model and reader ~= "tcl" then check.fail("--model is for scripts of OpenSees; %s has one model", source) end
   if tables_there then return import.csv(tables_there) end
   if source:find "%.lua$" then check.fail("%s is a script of hinge already; export reads %s", source, known) end
   if not reader then check.fail("%s is of no kind that export reads: %s", source, known) end
-  if reader == "tcl" then return import.tcl { file = source, units = units_of(units) } end
+  if reader == "tcl" then return import.tcl { file = source, units = units_of(units), model = model_of(model) } end
   return import[reader] { file = source }
 end
 
@@ -61,9 +67,8 @@ end
 
 --- The program: source, units and file as the command line has them. Returns the exit status.
 function export.main(options)
-  local frame, notes = export.read(options.script, options.units)
+  local frame, notes = export.read(options.script, options.units, options.model)
   print(notes)
-  if #frame.cases == 0 then frame.cases[1] = { name = "self weight", self_weight = 1 } end
   local path = import.write(frame, options.file or name_of(options.script), { scenario = true })
   local count = notes_module.count(notes)
   local lost = count > 0 and (" without the %s above that %s not read"):format(

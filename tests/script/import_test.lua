@@ -888,21 +888,21 @@ node 1 0 0 0 -disp 1
 node 2 0 0 1
 node 3 0 0 2 -mass 1 2 0 0 0 0
 mass 1 0 0 0 1 1 1
-element elasticBeamColumn 1 1 2 1 1 1 1 1 1 1 -releasez 1
-element truss 2 1 2 1 1
-uniaxialMaterial Steel01 1 300 200 0.01
+element elasticBeamColumn 1 1 2 1 1 1 1 1 1 1 -damp 1
+element shell 2 1 2 1 1
+uniaxialMaterial Viscous 1 300 200
 section Fiber 1 {
   patch rect 1 1 1 0 0 1 1
 }
 element forceBeamColumn 3 1 2 5 1 1
 equalDOF 1 2 1
-timeSeries Path 1 -dt 0.1 -values {1 2}
+timeSeries MPAcc 1 -dt 0.1
 pattern UniformExcitation 1 1
 load 2 1 0 0 0 0 0
 pattern Plain 2 1 {
   sp 1 1 0.1
-  eleLoad -ele 1 -type -beamPoint 1 2 0.5
-  eleLoad -ele 1 -type -beamUniform 1 2 3 0.1 0.9
+  eleLoad -ele 1 -type -beamThermal 1 2 0.5
+  eleLoad -ele 1 -type -surfaceLoad 1
   eleLoad -ele 2 -type -beamUniform 1 2
 }
 proc f {x} {
@@ -915,18 +915,19 @@ for {set i 0} {$i < $b} {incr i} {
 }
 fix 7 1 1 1 1 1 1
 element forceBeamColumn 4 1 2 1 HingeRadau 1 0.1
-geomTransf Linear 2 1 0 0 -jntOffset 0 0 1 0 0 0
-rigidDiaphragm 3 1 2
+geomTransf Linear 2 1 0 0 -shift 1
+rigidDiaphragm 3 1
 ]])
   notes_are("tcl", notes, 2, { [1] = "-disp", [3] = { "no member", "masses along the axes differ" },
-    [4] = "inertia without a mass", [5] = "-releasez", [6] = "truss", [7] = "uniaxialMaterial",
-      [8] = "other than Elastic",
-    [11] = "section 1 was not read, see line 10", [12] = "equalDOF", [13] = "Path", [14] = "UniformExcitation",
-    [15] = "pattern was not read, see line 16", [17] = "command sp", [18] = "-beamUniform",
-    [19] = "a part of the element", [20] = "element 2 was not read, see line 8",
+    [4] = "inertia without a mass", [5] = "-damp", [6] = "element shell", [7] = "uniaxialMaterial Viscous",
+      [9] = "uniaxialMaterial 1 was not read, see line 9",
+    [11] = "section 1 was not read, see line 11", [12] = "hinge ties", [13] = "MPAcc", [14] = "by its acceleration",
+    [15] = "pattern was not read, see line 16",
+    [16] = "timeSeries 1 was not read", [17] = "command sp", [18] = "-beamUniform",
+    [19] = "-beamPoint", [20] = "element 2 was not read, see line 8",
     [22] = "procedure f is not followed; nor is what stands in it, 2 lines", [25] = "command f ",
     [26] = "value of the command f", [27] = "variable b has no value; nor is", [30] = "node 7 is not there; a line",
-    [31] = "HingeRadau", [32] = "-jntOffset", [33] = "rigidDiaphragm" })
+    [31] = "section 1 was not read", [32] = "-shift", [33] = "needs two nodes" })
   equal(#frame.members, 1, "members")
   local _, of_python = python(python_head .. [[
 import matplotlib.pyplot as plt
@@ -943,13 +944,13 @@ x = [1, 2][0:1]
 class C: pass
 u = nodeDisp(1, 1)
 print(f"{u}")
-element('truss', 2, 1, 2, 1, 1)
+element('shell', 2, 1, 2, 1, 1)
 for i in range(3):
     equalDOF(1, 2, 1)
 ]] .. python_end)
   notes_are("python", of_python, 4, { [4] = "def is not followed; nor is what stands in it, 1 line",
     [6] = "variable unknown", [7] = "variable a", [8] = "variable a has no value; nor is what stands in it, 2 lines",
-    [11] = "missing", [12] = "class", [15] = "truss", [17] = "equalDOF" })
+    [11] = "missing", [12] = "class", [15] = "element shell", [17] = "hinge ties" })
   equal(at_line(of_python, 21).count, 3, "how often a line in a loop was run")
   equal(#of_python.skipped, 3, "no part of a frame: " .. tostring(of_python))
 end)
@@ -1051,8 +1052,8 @@ case("broken scripts of OpenSees are refused with the line", function()
     { "node 1.5 0 0 0", "3: the tag is '1.5'; must be a whole number" },
     { "for {set i 0} {$i < 3} {incr i} {\n node $i 0 0 0\n", "3: the brace { is not closed" },
     { "set a \"x\n\n", "3: the quotes are not closed" }, { "set a [expr 1\n", "3: the bracket [ is not closed" },
-    { "set a {1}2", "3: there is no blank after a brace" }, { "model basic -ndm 2 -ndf 2",
-      "3: -ndm 2 -ndf 2 is no frame" },
+    { "set a {1}2", "3: there is no blank after a brace" }, { "model basic -ndm 2 -ndf 1",
+      "3: -ndm 2 -ndf 1 is no frame" },
     { "while {1} {}", "more than 200000 commands" },
   } do
     refused(row[2], row[2], tcl, tcl_head .. row[1])

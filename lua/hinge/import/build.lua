@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.check"
 local in_full = require "hinge.import.in_full"
 local named = require "hinge.named"
+local ties = require "hinge.import.ties"
 
 local where = "hinge.import.build"
 
@@ -16,7 +17,16 @@ local function section_of(s)
 end
 
 local function material_of(m)
-  return core.material { E = m.E, G = m.G, nu = m.nu, density = m.density, yield_stress = m.yield_stress }
+  return core.material { E = m.E, G = m.G, nu = m.nu, density = m.density, yield_stress = m.yield_stress,
+    hardening = m.hardening }
+end
+
+-- Joints of a member's ends.
+local function ends_of(m)
+  if not m.ends then return nil end
+  local ends = {}
+  for at, options in pairs(m.ends) do ends[at] = core.joint(options) end
+  return ends
 end
 
 local function add_releases(model, full, nodes)
@@ -35,7 +45,7 @@ local function add_loads(model, full, nodes, members)
     if c.gravity then case:gravity { 0, 0, c.gravity } end
     for _, l in ipairs(c.loads) do
       case:load { node = l.node and nodes[l.node], member = l.member and members[l.member], force = l.force,
-        moment = l.moment, q = l.q, at = l.at, from = l.from, to = l.to, axes = l.axes }
+        moment = l.moment, q = l.q, at = l.at, from = l.from, to = l.to, axes = l.axes, history = c.history }
     end
   end
 end
@@ -53,12 +63,13 @@ return function(frame, options, ...)
   for _, m in ipairs(full.materials) do materials[m.name] = material_of(m) end
   for _, m in ipairs(full.members) do
     members[m.name] = model:member { nodes[m.a], nodes[m.b], section = sections[m.section],
-      material = materials[m.material], up = m.up, group = m.group }
+      material = materials[m.material], up = m.up, group = m.group, ends = ends_of(m) }
   end
   add_releases(model, full, nodes)
   for _, m in ipairs(full.masses) do
-    model:mass { node = nodes[m.node], mass = m.mass, inertia = m.inertia }
+    model:mass { node = nodes[m.node], mass = m.mass, inertia = m.inertia, offset = m.offset }
   end
+  ties.build(core, model, full, nodes)
   add_loads(model, full, nodes, members)
   return model, nodes, members
 end

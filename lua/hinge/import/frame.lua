@@ -7,16 +7,20 @@
 -- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = },
 --                    offset = { a =, b = } }
 -- frame.cases      { name =, self_weight =, loads = { { node = or member =, and what case:load takes } } }
--- frame.masses     { node =, mass =, inertia = }
+-- frame.masses     { node =, mass =, inertia =, offset = }
+-- and those of ties.lua: links, diaphragms, connectors, joints, motions, damping, model.
 --
 -- An offset { x, y, z } (m, in the axes of the frame) leads from a node to the member's end, and is rigid and has no
 -- mass: rigid ends, insertion points. The member, its length, loads and releases are those between these ends.
 -- A load on a member has q = { x, y, z }, or { a =, b = } where it varies linearly from a value to another one. It is
 -- spread from `from` to `to` (0 to 1 of the member's length; without them over all of it), and a and b are its values
 -- there.
+-- A material may have `hardening`, a member `ends` = { a = { Mx = ... }, b = } as hinge.joint takes them, and a case
+-- `history`, points { time, factor } of all its loads, and `held` = true: it acts before the others and while they do.
 local check = require "hinge.check"
 local named = require "hinge.named"
 local notes = require "hinge.import.notes"
+local ties = require "hinge.import.ties"
 
 local frame_module = {}
 
@@ -47,12 +51,14 @@ local rules = {
   materials = { name = text, E = { "number", unit = "Pa", above = 0 }, nu = optional "number",
     G = optional("number", { unit = "Pa", above = 0 }), yield_stress = optional("number", { unit = "Pa", above = 0 }),
     density = optional("number", { unit = "kg/m^3", at_least = 0 }),
-    unit_weight = optional("number", { unit = "N/m^3" }) },
+    unit_weight = optional("number", { unit = "N/m^3" }), hardening = optional "table" },
   members = { name = text, a = text, b = text, section = text, material = text, up = vector(),
-    group = optional "string", release = optional "table", offset = optional "table" },
-  cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} } },
-  masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2" },
+    group = optional "string", release = optional "table", offset = optional "table", ends = optional "table" },
+  cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} },
+    history = optional "table", held = optional "boolean" },
+  masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2", offset = vector "m" },
 }
+for part, rule in pairs(ties.rules) do rules[part] = rule end
 local general = { name = text, named = optional "string" }
 for _, field in ipairs { "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0",
   "My0", "Mz0" } do general[field] = optional "number" end
@@ -184,9 +190,10 @@ function frame_module.check(where, frame)
       frame == nil and "missing" or check.show(frame))
   end
   for key in pairs(frame) do
-    if not rules[key] and key ~= "source" then
-      check.unknown(where .. ": frame", "field", key, { "cases", "masses", "materials", "members", "nodes", "sections",
-        "source" })
+    if not rules[key] and not ties.options[key] and key ~= "source" then
+      local all = check.keys(rules)
+      table.insert(all, "source")
+      check.unknown(where .. ": frame", "field", key, all)
     end
   end
   local parts = { source = frame.source }
@@ -196,10 +203,13 @@ function frame_module.check(where, frame)
   parts.members, parts.member = rows_of(where, frame, "members")
   parts.cases = rows_of(where, frame, "cases")
   parts.masses = rows_of(where, frame, "masses")
+  for part in pairs(ties.rules) do parts[part] = rows_of(where, frame, part) end
+  parts.damping, parts.model = frame.damping, frame.model
   if #parts.members == 0 then check.fail("%s: the frame has no member", where) end
   check_members(where, parts)
   check_loads(where, parts)
   check_lonely(where, parts)
+  ties.check(where, parts, known)
   return parts
 end
 
@@ -234,7 +244,9 @@ end
 
 --- A frame without rows.
 function frame_module.new(source)
-  return { source = source, nodes = {}, materials = {}, sections = {}, members = {}, cases = {}, masses = {} }
+  local frame = { source = source, nodes = {}, materials = {}, sections = {}, members = {}, cases = {}, masses = {} }
+  for part in pairs(ties.rules) do frame[part] = {} end
+  return frame
 end
 
 --- The properties of a row of frame.sections.

@@ -189,7 +189,11 @@ return function(where, frame, options)
   })
   local parts = frame_module.check(where, frame)
   for _, case in ipairs(parts.cases) do case.loads = table.move(case.loads, 1, #case.loads, 1, {}) end
-  parts.links, parts.springs, parts.options, parts.scenario = {}, {}, o.model, o.scenario
+  parts.ties, parts.options = parts.links, {} -- `links` become those of released ends
+  for _, of in ipairs { parts.model or {}, o.model } do
+    for key, value in pairs(of) do parts.options[key] = value end
+  end
+  parts.links, parts.springs, parts.scenario = {}, {}, o.scenario
   expand_ends(where, parts)
   expand_weight(where, parts, o)
   return parts

@@ -376,11 +376,11 @@ end
 -- A command of OpenSees. The loads of a pattern stand in braces.
 function Script:opensees(name, words, place)
   local last = words[#words]
-  if name == "pattern" and last.braces then
+  if (name == "pattern" or name == "section") and last.braces then
     words = table.move(words, 1, #words - 1, 1, {})
     self.reader:run(name, texts(words), place)
     self:body(last)
-    self.reader.case = nil -- loads after the braces belong to no pattern
+    if name == "pattern" then self.reader.case = nil end -- loads after the braces belong to no pattern
     return
   end
   self.reader:run(name, texts(words), place)
@@ -443,8 +443,9 @@ end
 return function(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { file = { "string" }, units = { "table", optional = true },
+    model = { "number", whole = true, at_least = 1, optional = true },
     language = { "string", one_of = { "tcl", "python" }, optional = true } })
-  local reader = opensees.new(where, o.file, o.units)
+  local reader = opensees.new(where, o.file, o.units, o.model)
   local text = notes.read(where, o.file)
   local python = o.language == "python" or not o.language and o.file:find "%.py$"
   if python then

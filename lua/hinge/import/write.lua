@@ -3,6 +3,7 @@ local check = require "hinge.check"
 local core = require "hinge.core"
 local in_full = require "hinge.import.in_full"
 local quote = require "hinge.quote"
+local ties = require "hinge.import.ties"
 
 local where = "hinge.import.write"
 local widest = 118 -- columns of a line
@@ -89,7 +90,7 @@ local function add_materials(lines, full)
   lines[#lines + 1] = "local materials = {"
   for _, m in ipairs(full.materials) do
     add_line(lines, ("  [%s] = hinge.material { %s },"):format(quote.lua(m.name),
-      fields(m, { "E", "G", "nu", "density", "yield_stress" })), "  ")
+      fields(m, { "E", "G", "nu", "density", "yield_stress", "hardening" })), "  ")
   end
   lines[#lines + 1] = "}\n\n-- m^2, m^3, m^4; x and y are the section's axes, and Ix bends about x\nlocal sections = {"
   for _, s in ipairs(full.sections) do
@@ -114,17 +115,23 @@ end
 local function add_members(lines, full)
   lines[#lines + 1] = "-- Members: name; first and second node; section; material; direction of the section's y axis; "
     .. "group\nlocal members = {}\nfor _, m in ipairs {"
+  local joints = false
   for _, m in ipairs(full.members) do
-    local more = fields(m, { "up", "group" })
+    local more = fields(m, { "up", "group", "ends" })
+    joints = joints or m.ends ~= nil
     lines[#lines + 1] = ("  { %s, %s, %s, %s, %s%s },"):format(quote.lua(m.name), quote.lua(m.a), quote.lua(m.b),
       quote.lua(m.section), quote.lua(m.material), more ~= "" and ", " .. more or "")
   end
-  lines[#lines + 1] = [=[
-} do
+  lines[#lines + 1] = "} do"
+  if joints then
+    lines[#lines + 1] = "  local ends = m.ends and {} -- joints: rad, N m\n"
+      .. "  for at, options in pairs(m.ends or {}) do ends[at] = hinge.joint(options) end"
+  end
+  lines[#lines + 1] = ([=[
   members[m[1]] = model:member { nodes[m[2]], nodes[m[3]], section = sections[m[4]], material = materials[m[5]],
-    up = m.up, group = m.group }
+    up = m.up, group = m.group%s }
 end
-]=]
+]=]):format(joints and ", ends = ends" or "")
 end
 
 -- Ends that are released: links and springs between the joint and the member's own node.
@@ -146,12 +153,15 @@ end
 
 local function add_masses(lines, full)
   if #full.masses == 0 then return end
+  local offset = false
   lines[#lines + 1] = "-- Point masses: node; kg; inertia in kg m^2\nfor _, m in ipairs {"
   for _, m in ipairs(full.masses) do
-    local inertia = m.inertia and ", inertia = " .. literal(m.inertia) or ""
-    lines[#lines + 1] = ("  { %s, %s%s },"):format(quote.lua(m.node), number(m.mass), inertia)
+    local more = fields(m, { "inertia", "offset" })
+    lines[#lines + 1] = ("  { %s, %s%s },"):format(quote.lua(m.node), number(m.mass), more ~= "" and ", " .. more or "")
+    offset = offset or m.offset ~= nil
   end
-  lines[#lines + 1] = "} do\n  model:mass { node = nodes[m[1]], mass = m[2], inertia = m.inertia }\nend\n"
+  lines[#lines + 1] = ("} do\n  model:mass { node = nodes[m[1]], mass = m[2], inertia = m.inertia%s }\nend\n"):format(
+    offset and ", offset = m.offset" or "")
 end
 
 -- The loads of a case on nodes, or those on members.
@@ -167,8 +177,9 @@ local function add_loads(lines, case, what)
   lines[#lines + 1] = "  for _, l in ipairs {"
   for _, row in ipairs(rows) do add_line(lines, row, "    ") end
   lines[#lines + 1] = "  } do"
-  lines[#lines + 1] = ("    case:load { %s = %ss[l[1]], force = l.force, moment = l.moment%s }"):format(what, what,
-    what == "member" and ", q = l.q, at = l.at,\n      from = l.from, to = l.to, axes = l.axes" or "")
+  lines[#lines + 1] = ("    case:load { %s = %ss[l[1]], force = l.force, moment = l.moment%s%s }"):format(what, what,
+    what == "member" and ", q = l.q, at = l.at,\n      from = l.from, to = l.to, axes = l.axes" or "",
+    case.history and ",\n      history = history" or "")
   lines[#lines + 1] = "  end"
 end
 
@@ -177,6 +188,10 @@ local function add_case(lines, case)
   lines[#lines + 1] = ("  local case = model:case %s"):format(quote.lua(case.name))
   if case.gravity then
     lines[#lines + 1] = ("  case:gravity { 0, 0, %s } -- self weight, m/s^2"):format(number(case.gravity))
+  end
+  if case.history then
+    lines[#lines + 1] = "  -- factor over time (s) in dynamics; statics takes the loads in full"
+    add_line(lines, "  local history = " .. literal(case.history), "  ")
   end
   for _, what in ipairs { "node", "member" } do
     add_loads(lines, case, what)
@@ -200,15 +215,49 @@ return hinge.scenario {
   end,
 }]=]
 
+-- The same where some cases are held while the others act.
+local scenario_of_held = [=[
+return hinge.scenario {
+  run = function(_, job)
+    local held = model:static { steps = 1, loads = %s }:finish()
+    job:picture(held, { title = "held", scale = "auto", ghost = true, loads = true }, "held.png")
+    for i, name in ipairs { %s } do
+      local loads = %s
+      loads[name] = 1
+      local run = model:static { steps = 1, from = held, loads = loads }:finish()
+      job:picture(run, { title = name, scale = "auto", ghost = true, loads = true }, ("case_%%d.png"):format(i))
+    end
+  end,
+}]=]
+
+local unloaded = [=[
+-- The file has no load that was read: add a case, and run it as below.
+return hinge.scenario {
+  run = function(_, job)
+    local run = model:static { steps = 1 }:finish()
+    job:picture(run, { title = "without load" }, "frame.png")
+  end,
+}]=]
+
+local function write_scenario(lines, full)
+  local names, held = {}, {}
+  for _, case in ipairs(full.cases) do
+    if case.held then held[case.name] = 1 else names[#names + 1] = quote.lua(case.name) end
+  end
+  if #full.cases == 0 then
+    lines[#lines + 1] = unloaded
+  elseif #names == 0 or not next(held) then
+    for i, case in ipairs(full.cases) do names[i] = quote.lua(case.name) end
+    lines[#lines + 1] = scenario:format(table.concat(names, ", "))
+  else
+    local given = literal(held)
+    lines[#lines + 1] = scenario_of_held:format(given, table.concat(names, ", "), given)
+  end
+end
+
 -- How a script goes on: as a scenario, or a static run of the first case.
 local function add_end(lines, full)
-  if full.scenario then
-    local names = {}
-    for i, case in ipairs(full.cases) do names[i] = quote.lua(case.name) end
-    if #names == 0 then check.fail("%s: a scenario needs a load case; the frame has none", where) end
-    lines[#lines + 1] = scenario:format(table.concat(names, ", "))
-    return
-  end
+  if full.scenario then return write_scenario(lines, full) end
   local first = full.cases[1]
   local loads = first and (", loads = %s"):format(literal { [first.name] = 1 }) or ""
   lines[#lines + 1] = ("-- To go on: local run = model:static { steps = 1%s }:finish()"):format(loads)
@@ -250,6 +299,7 @@ return function(frame, file, options, ...)
   add_members(lines, full)
   add_releases(lines, full)
   add_masses(lines, full)
+  ties.write({ line = function(text) add_line(lines, text, "") end, literal = literal, quote = quote.lua }, full)
   add_cases(lines, full)
   add_end(lines, full)
   local path = path_of(file)
