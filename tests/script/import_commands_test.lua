@@ -232,4 +232,216 @@ case("units are known by their kind, in any order", function()
   refused("a length as a force", "units.force is 'm'", read, column(tip), { length = "m", force = "m" })
 end)
 
+-- Elements ------------------------------------------------------------------------------------------------------------
+
+-- End forces of a member under the first pattern.
+local function end_moments(name, letter)
+  return function(model, _, members)
+    local a, b = members[name]:forces(static(model))
+    return math.abs(a["M" .. letter]) + 1e-3 * math.abs(b["M" .. letter])
+  end
+end
+
+case("-release, -releasez and -releasey free the bending of each end about its axis", function()
+  local beam = [[
+model basic -ndm 2 -ndf 3
+node 1 0 0
+node 2 6 0
+fix 1 1 1 1
+fix 2 1 1 1
+geomTransf Linear 1
+element elasticBeamColumn 1 1 2 0.01 2e11 1e-4 1 -release %d
+pattern Plain 1 Linear { eleLoad -ele 1 -type -beamUniform -8000. }
+]]
+  -- q L^2 / 12 at both ends, q L^2 / 8 at the one that is held
+  for code, wanted in pairs { [0] = 24024, [1] = 36, [2] = 36000, [3] = 0 } do
+    near(both(read_whole(beam:format(code)), end_moments("1", "x")), wanted, 1e-3 * 36e3, "-release " .. code)
+  end
+  local space = [[
+model basic -ndm 3 -ndf 6
+node 1 0 0 0
+node 2 0 6 0
+fix 1 1 1 1 1 1 1
+fix 2 1 1 1 1 1 1
+geomTransf Linear 1 0 0 1
+element elasticBeamColumn 1 1 2 0.01 2e11 8e10 1e-4 1e-4 2e-4 1 %s
+pattern Plain 1 Linear { eleLoad -ele 1 -type -beamUniform %s }
+]]
+  -- about z of OpenSees, for loads along its y, is about y of hinge; about y, for loads along z, is about x
+  for _, r in ipairs { { "-releasez 1", "-8000. 0.", "y", 36 }, { "-releasez 2", "-8000. 0.", "y", 36000 },
+    { "-releasey 1", "-8000. 0.", "y", 24024 }, { "-releasey 1", "0. -8000.", "x", 36 },
+    { "-releasey 3 -releasez 1", "0. -8000.", "x", 0 }, { "-releasey 3 -releasez 1", "-8000. 0.", "y", 36 } } do
+    near(both(read_whole(space:format(r[1], r[2])), end_moments("1", r[3])), r[4], 1e-3 * 36e3, r[1] .. " " .. r[2])
+  end
+end)
+
+case("trusses: bars that are pinned at both ends, alone and beside frames, in the plane and in space", function()
+  -- a bracket: two bars of EA from (0, 0) and (0, 3) to (4, 0), loaded by P downwards
+  local EA, P = 2e11 * 1e-3, 1e4
+  local bracket = [[
+model basic -ndm 2 -ndf %d
+node 1 0 0
+node 2 0 3
+node 3 4 0
+fix 1 1 1%s
+fix 2 1 1%s
+uniaxialMaterial Elastic 1 2e11
+element truss 1 1 3 1e-3 1
+element %s 2 2 3 1e-3 1
+pattern Plain 1 Linear { load 3 0 -1e4%s }
+]]
+  -- bar 2 carries P / sin = 5/3 P, bar 1 -4/3 P; virtual work
+  local down = P / EA * ((5 / 3) ^ 2 * 5 + (4 / 3) ^ 2 * 4)
+  for _, r in ipairs { { 2, "", "truss" }, { 3, " 1", "truss" }, { 3, " 0", "corotTruss" } } do
+    local frame = read_whole(bracket:format(r[1], r[2], r[2], r[3], r[1] == 3 and " 0" or ""))
+    near(both(frame, moved("3", "z")), -down, (r[3] == "truss" and 1e-7 or 2e-3) * down, r[3] .. " -ndf " .. r[1])
+  end
+  -- a tripod of three bars from (3, 0, 0), (-1.5, +-2.598, 0) to (0, 0, 4): P L^3 / (3 EA h^2)
+  local tripod = [[
+model basic -ndm 3 -ndf %d
+node 1 3 0 0
+node 2 -1.5 2.598076211353316 0
+node 3 -1.5 -2.598076211353316 0
+node 4 0 0 4
+fixZ 0 1 1 1%s
+uniaxialMaterial Steel01 1 3e8 2e11 0.01
+element truss 1 1 4 1e-3 1
+element truss 2 2 4 1e-3 1
+element truss 3 3 4 1e-3 1
+pattern Plain 1 Linear { load 4 %s%s }
+]]
+  local wanted = P * 5 ^ 3 / (3 * EA * 16)
+  for _, ndf in ipairs { 3, 6 } do
+    local zeros = ndf == 6 and " 0 0 0" or ""
+    local of_z = both(read_whole(tripod:format(ndf, zeros, "0 0 -1e4", zeros)), moved("4", "z"))
+    near(of_z, -wanted, 1e-6 * wanted, "a tripod, -ndf " .. ndf)
+    -- across: sum of cos^2 over three directions is 3/2 (3/5)^2
+    local of_x = both(read_whole(tripod:format(ndf, zeros, "1e4 0 0", zeros)), moved("4", "x"))
+    near(of_x, P * 5 / (EA * 1.5 * 0.36), 1e-6 * of_x, "across")
+  end
+  -- a brace beside a frame: the tip of the column has the stiffness of both
+  local braced = column([[
+node 3 4 0
+fix 3 1 1 1
+uniaxialMaterial Elastic 1 2e11
+element truss 2 3 2 1e-4 1
+pattern Plain 1 Linear { load 2 1000. 0. 0. }
+]])
+  local k, column_k, EAc = 2e11 * 1e-4 / 5, 3 * EI / 27, 2e11 * 0.01 / 3
+  -- two displacements of the tip: along x and z
+  local kxx, kxz, kzz = column_k + k * 0.64, -k * 0.48, EAc + k * 0.36
+  near(both(read_whole(braced), moved("2", "x")), 1000 * kzz / (kxx * kzz - kxz ^ 2), 1e-8, "a brace")
+end)
+
+-- Constraints ---------------------------------------------------------------------------------------------------------
+
+case("equalDOF ties a floor in a plane frame, and ends at one place; a support holds what follows it", function()
+  -- two columns of 3 m and 4 m, whose tips move alike: their stiffnesses add up
+  local floor = column [[
+node 3 5 -1
+node 4 5 3
+fix 3 1 1 1
+element elasticBeamColumn 2 3 4 0.01 2e11 1e-4 1
+%s
+pattern Plain 1 Linear { load 2 1000. 0. 0. }
+]]
+  local stiff = 3 * EI * (1 / 27 + 1 / 64)
+  for _, words in ipairs { "equalDOF 2 4 1", "equalDOF 4 2 1" } do
+    near(both(read_whole(floor:format(words)), moved("2", "x")), 1000 / stiff, 1e-5 * 1000 / stiff, words) -- shear
+  end
+  -- a second node at the tip: with displacements alone it is a pin, with rotations it is rigid
+  local arm = column [[
+node 3 0 3
+node 4 4 3
+%s
+element elasticBeamColumn 2 3 4 0.01 2e11 1e-4 1
+fix 4 0 1 0
+pattern Plain 1 Linear { load 2 1000. 0. 0. }
+]]
+  near(both(read_whole(arm:format "equalDOF 2 3 1 2"), moved("2", "x")), 1000 * 27 / (3 * EI), 1e-6, "a pin")
+  -- the beam of 4 m on a roller resists the rotation of the tip by 3 EI / 4
+  local k = 3 / 4
+  local rigid = 1000 * 27 / EI * (4 / 3 + k) / (4 * (1 + 3 * k)) -- h = 3
+  local found = both(read_whole(arm:format "equalDOF 2 3 1 2 3"), moved("2", "x"))
+  local joined = arm:format(""):gsub("node 3 0 3\n", ""):gsub("2 3 4 0.01", "2 2 4 0.01")
+  local one = both(read_whole(joined), moved("2", "x"))
+  near(found, one, 1e-7 * one, "rigid")
+  expect(found < 0.6 * 1000 * 27 / (3 * EI) and rigid > 0, "it is stiffer")
+  -- a node that follows a support is held
+  local held = column "node 3 0 3\nnode 4 4 3\nfix 4 1 1 1\nequalDOF 4 2 1 2 3\n"
+    .. "pattern Plain 1 Linear { load 2 1000. 0. 0. }"
+  local frame = read(held)
+  equal(frame.nodes[2].fix, "all", "held with node 4")
+end)
+
+case("rigidLink beam is a rigid arm; a node without a member gives its load and mass to the other end", function()
+  local text = column [[
+node 3 2 3
+rigidLink beam 2 3
+mass 3 500 500 0
+pattern Plain 1 Linear { load 3 0 -1000. 0 }
+]]
+  local frame = read_whole(text)
+  -- the moment 1000 N * 2 m at the tip: M h^2 / 2 EI
+  near(both(frame, moved("2", "x")), 2000 * 9 / (2 * EI), 1e-6, "the tip")
+  equal(("%s %g"):format(frame.masses[1].node, frame.masses[1].offset[1]), "2 2", "the mass at the end of the arm")
+  local arm = column [[
+node 3 1 3
+node 4 5 3
+rigidLink beam 2 3
+element elasticBeamColumn 2 3 4 0.01 2e11 1e-4 1
+pattern Plain 1 Linear { load 4 0 -1000. 0 }
+]]
+  -- a moment of 5 kN m at the tip of the column, and a cantilever of 4 m behind an arm of 1 m
+  local turn = 5000 * 3 / EI
+  near(both(read_whole(arm), moved("4", "z")), -(turn * 5 + 1000 * 64 / (3 * EI) + 1000 * 3 / (2e11 * 0.01)), 1e-6,
+    "a beam behind an arm")
+end)
+
+case("rigidDiaphragm: a master node with a member, and one without, whose load and mass go to the floor", function()
+  -- four columns of 4 m at the corners of 6 m by 4 m; node 9 is in the middle, without a member
+  local text = [[
+model basic -ndm 3 -ndf 6
+node 1 0 0 0
+node 2 6 0 0
+node 3 6 4 0
+node 4 0 4 0
+node 5 0 0 4
+node 6 6 0 4
+node 7 6 4 4
+node 8 0 4 4
+fixZ 0 1 1 1 1 1 1
+geomTransf Linear 1 1 0 0
+element elasticBeamColumn 1 1 5 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+element elasticBeamColumn 2 2 6 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+element elasticBeamColumn 3 3 7 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+element elasticBeamColumn 4 4 8 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+]]
+  local lonely = text .. [[
+node 9 3 2 4
+fix 9 0 0 1 1 1 0
+mass 9 4000 4000 0 0 0 60000
+rigidDiaphragm 3 9 5 6 7 8
+pattern Plain 1 Linear { load 9 1000. 0 0 0 0 500. }
+]]
+  local frame = read_whole(lonely)
+  -- each column: 3 EI / h^3 across, its head free to turn but about z; GJ / h of four columns about z
+  local k = 3 * 2e11 * 1e-4 / 64
+  local turn = 500 / (4 * k * (9 + 4) + 4 * 8e10 * 2e-4 / 4)
+  near(both(frame, moved("5", "x")), 1000 / (4 * k) + turn * 2, 1e-5 * 1000 / (4 * k), "a corner, along x")
+  near(both(frame, moved("7", "y")), turn * 3, 1e-4 * turn * 3, "a corner, along y")
+  local mass, J = 0, 0
+  for _, m in ipairs(frame.masses) do
+    mass = mass + m.mass
+    J = J + m.mass * 13 + (m.inertia and m.inertia[3] or 0)
+  end
+  near(mass, 4000, 1e-6, "the mass of the floor")
+  near(J, 60000, 1e-6, "its inertia about its centre")
+  local at_corner = text .. "rigidDiaphragm 3 5 6 7 8\npattern Plain 1 Linear { load 5 1000. 0 0 0 0 -1500. }\n"
+  -- 1 kN at the corner is one in the middle and a moment of 1 kN * 2 m
+  local second = (2000 - 1500) / (4 * k * 13 + 4 * 8e10 * 2e-4 / 4)
+  near(both(read_whole(at_corner), moved("5", "x")), 1000 / (4 * k) + second * 2, 1e-5 * 1000 / (4 * k),
+    "a master with a member")
+end)
+
 checks.done()

@@ -147,6 +147,31 @@ local function add_masses(self)
   for _, row in ipairs(self.more_masses) do table.insert(self.frame.masses, row) end
 end
 
+-- Takes out the nodes at which no member ends, with their loads and masses. Those of springs and ties have done what
+-- they are for; of the others one note says how many there are.
+local function drop_lonely(self, joined)
+  local function lonely(name, row, reason)
+    if joined[name] then return false end
+    local place = self.places[row]
+    if place and not self.used[name] then notes.once(self.notes, place, place.text, reason) end
+    return true
+  end
+  local function keep(list, name_of, reason)
+    local kept = {}
+    for _, row in ipairs(list) do
+      if not name_of(row) or not lonely(name_of(row), row, reason) then kept[#kept + 1] = row end
+    end
+    return kept
+  end
+  local function of_row(row) return row.node end
+  local function of_node(row) return row.name end
+  self.frame.nodes = keep(self.frame.nodes, of_node, "no member that was read ends at this node")
+  self.frame.masses = keep(self.frame.masses, of_row, "no member that was read ends at the node of this mass")
+  for _, case in ipairs(self.frame.cases) do
+    case.loads = keep(case.loads, of_row, "no member that was read ends at the node of this load")
+  end
+end
+
 -- What hinge takes of supports: letters, or all.
 local function write_supports(self)
   for _, node in ipairs(self.frame.nodes) do
@@ -182,6 +207,7 @@ function Reader:finish()
     #self.notes > 0 and "; the first line that was not read: " .. self.notes[1].text or "") end
   local joined = {}
   for _, m in ipairs(self.frame.members) do joined[m.a], joined[m.b] = true, true end
+  self.used = {} -- nodes without a member that a spring or a tie has read
   springs.finish(self, joined)
   constraints.finish(self, joined)
   self.spins = {}
@@ -189,6 +215,7 @@ function Reader:finish()
   add_spins(self)
   choose_displacement(self)
   add_masses(self)
+  drop_lonely(self, joined)
   add_motions(self)
   drop_empty_cases(self)
   write_supports(self)

@@ -78,6 +78,7 @@ end
 
 -- Moves the loads and the mass of a node that no member joins to one that moves with it as a rigid body.
 local function move_to(self, from, to)
+  self.used[from.name] = true
   local arm = { from.x - to.x, from.y - to.y, from.z - to.z }
   for _, case in ipairs(self.frame.cases) do
     for _, l in ipairs(case.loads) do
@@ -121,8 +122,12 @@ local read = {}
 
 function read.equal(self, row, joined)
   local r, c, letters = self.node[row.from], self.node[row.to], row.letters
-  if has_all(r.fixed, letters) then return hold(c, letters) end
-  if has_all(c.fixed, letters) then return hold(r, letters) end
+  local held, free = r, c
+  if not has_all(r.fixed, letters) then held, free = c, r end
+  if has_all(held.fixed, letters) then
+    self.used[held.name] = true
+    return hold(free, letters)
+  end
   if not joined[c.name] or not joined[r.name] then
     return self:not_read "no member that was read ends at one of its nodes"
   end
@@ -142,6 +147,7 @@ end
 function read.beam(self, row, joined)
   local r, c = self.node[row.from], self.node[row.to]
   if has_all(r.fixed, { x = true, y = true, z = true, rx = true, ry = true, rz = true }) then
+    self.used[r.name] = true
     return hold(c, r.fixed)
   end
   if not joined[r.name] and not joined[c.name] then

@@ -5,6 +5,7 @@
 local arguments = require "hinge.import.opensees.arguments"
 local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
+local notes = require "hinge.import.notes"
 local materials = require "hinge.import.opensees.materials"
 local sections = require "hinge.import.opensees.sections"
 local springs = require "hinge.import.opensees.springs"
@@ -325,7 +326,10 @@ function commands.element(self, args)
   local name = tag(self, rest[1], "the tag")
   arguments.is_new(self, "element", name)
   self.element[name] = { unread = self.place }
-  if not elements[kind] then give_up("element %s is not read", kind) end
+  if not elements[kind] then
+    notes.once(self.notes, self.place, self.place.text, ("element %s is not read"):format(kind))
+    return
+  end
   for i, what in ipairs { "node i", "node j" } do find(self, "node", tag(self, rest[i + 1], what)) end
   elements[kind](self, rest)
 end

@@ -237,6 +237,9 @@ local function of_fibres(self, s)
     assume(self, "a section with concrete is elastic, with the stiffness of its fibres at the start, without cracks")
     return p
   end
+  if self.ndm == 2 and sums.EIy <= 1e-9 * sums.EIz then -- one fibre across; bending out of the plane does not matter
+    p.Iy, sums.My0 = p.Iz, nil
+  end
   local fy, count = common(s.list, "fy"), #s.parts
   if fy and count > 0 then p.outline = outline_of(s, sums) end
   p.fy, p.b, p.kinematic = fy, common(s.list, "b"), common(s.list, "kinematic")

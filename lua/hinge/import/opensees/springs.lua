@@ -208,6 +208,7 @@ local function finish(self, joined)
     elseif not is_held(self, b) then
       self:not_read(("node %s is free, and no member ends there"):format(b.name))
     else
+      self.used[b.name] = true
       local tie = tied(self, row.a, row.b)
       if tie then
         constraints.hold(a, tie.letters)
