@@ -444,4 +444,252 @@ pattern Plain 1 Linear { load 9 1000. 0 0 0 0 500. }
     "a master with a member")
 end)
 
+-- Springs ---------------------------------------------------------------------------------------------------------------
+
+case("zeroLength and twoNodeLink: elastic springs to the ground and between members", function()
+  -- a column on a foot that turns: PL^3 / 3EI + PL^2 / k
+  local foot = [[
+model basic -ndm 2 -ndf 3
+node 1 0 0
+node 11 0 0
+node 2 0 3
+fix 1 1 1 1
+geomTransf Linear 1
+uniaxialMaterial Elastic 1 5e6
+uniaxialMaterial Elastic 2 1e8
+%s
+element elasticBeamColumn 1 11 2 0.01 2e11 1e-4 1
+pattern Plain 1 Linear { load 2 1000. 0. 0. }
+]]
+  local bends, turns = 1000 * 27 / (3 * EI), 1000 * 9 / 5e6
+  for words, wanted in pairs {
+    ["equalDOF 1 11 1 2\nelement zeroLength 1 1 11 -mat 1 -dir 6"] = bends + turns,
+    ["element zeroLength 1 11 1 -mat 1 -dir 6\nequalDOF 1 11 1 2"] = bends + turns,
+    ["fix 11 1 1 0\nelement zeroLength 5 1 11 -mat 1 -dir 6"] = bends + turns,
+    ["element zeroLength 5 1 11 -mat 2 2 1 -dir 1 2 6"] = bends + turns + 1000 / 1e8,
+    ["element zeroLength 5 1 11 -mat 2 2 1 -dir 1 2 6 -orient 0 1 0 -1 0 0"] = bends + turns + 1000 / 1e8,
+    ["element twoNodeLink 5 1 11 -mat 2 2 1 -dir 1 2 3 -orient 1 0 0 0 1 0"] = bends + turns + 1000 / 1e8,
+  } do
+    local text = foot:format(words):gsub("element elasticBeamColumn 1 ", "element elasticBeamColumn 7 ")
+    near(both(read_whole(text), moved("2", "x")), wanted, 2e-5 * wanted, words)
+  end
+  -- a strut with a length: twoNodeLink along its axis alone, k cos^2 beside the column
+  local strut = column([[
+node 3 4 0
+fix 3 1 1 1
+uniaxialMaterial Elastic 1 4e5
+element twoNodeLink 2 3 2 -mat 1 -dir 1
+pattern Plain 1 Linear { load 2 1000. 0. 0. }
+]])
+  local k, column_k, EAc = 4e5, 3 * EI / 27, 2e11 * 0.01 / 3
+  local kxx, kxz, kzz = column_k + k * 0.64, -k * 0.48, EAc + k * 0.36
+  near(both(read_whole(strut), moved("2", "x")), 1000 * kzz / (kxx * kzz - kxz ^ 2), 1e-8, "a strut")
+  -- between members, in space: a beam whose end turns on a spring about y of the file
+  local space = [[
+model basic -ndm 3 -ndf 6
+node 1 0 0 0
+node 2 0 0 3
+node 3 0 0 3
+node 4 4 0 3
+fix 1 1 1 1 1 1 1
+geomTransf Linear 1 0 1 0
+uniaxialMaterial Elastic 1 5e6
+uniaxialMaterial Elastic 2 1e12
+element elasticBeamColumn 1 1 2 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+element elasticBeamColumn 2 3 4 0.01 2e11 8e10 2e-4 1e-4 1e-4 1
+element zeroLength 3 2 3 -mat 2 2 2 2 1 2 -dir 1 2 3 4 5 6
+pattern Plain 1 Linear { load 4 0 0 -1000. 0. 0. 0. }
+]]
+  local M = 4000
+  local down = M * 3 / EI * 4 + M * 4 / 5e6 + 1000 * 64 / (3 * EI) + 1000 * 3 / 2e9
+  near(both(read_whole(space), moved("4", "z")), -down, 2e-5 * down, "in space")
+end)
+
+case("zeroLength that yields becomes a joint: at a foot, and between members", function()
+  local foot = [[
+model basic -ndm 2 -ndf 3
+node 1 0 0
+node 11 0 0
+node 2 0 3
+fix 1 1 1 1
+geomTransf Linear 1
+uniaxialMaterial %s
+equalDOF 1 11 1 2
+element zeroLength 1 1 11 -mat 1 -dir 6
+element elasticBeamColumn 7 11 2 0.01 2e11 1e-4 1
+pattern Plain 1 Linear { load 2 10000. 0. 0. }
+]]
+  -- 30 kN m at the foot; the spring yields at 20 kN m and hardens by 2 %
+  local bends = 1e4 * 27 / (3 * EI)
+  local elastic, hard = 20e3 / 5e6, 10e3 / (0.02 * 5e6)
+  near(both(read_whole(foot:format "Steel01 1 20e3 5e6 0.02"), moved("2", "x")), bends + 3 * (elastic + hard),
+    1e-4 * (bends + 3 * (elastic + hard)), "Steel01")
+  near(both(read_whole(foot:format "Steel01 1 40e3 5e6 0.02"), moved("2", "x")), bends + 3 * 30e3 / 5e6,
+    1e-4 * (bends + 3 * 30e3 / 5e6), "below its strength")
+  -- Bilin: K as+ as- My+ My- L L L L c c c c thp+ thp- thpc+ thpc- res res thu thu D D
+  local bilin = "Bilin 1 5e6 0.02 0.02 20e3 -20e3 1 1 1 1 1 1 1 1 0.15 0.15 0.3 0.3 0.4 0.4 0.9 0.9 1 1"
+  local frame, notes = read_whole(foot:format(bilin))
+  near(both(frame, moved("2", "x")), bends + 3 * (elastic + hard), 1e-4 * (bends + 3 * (elastic + hard)), "Bilin")
+  has_note(notes.assumed, "up to the greatest moment")
+  local imk = "IMKBilin 1 5e6 0.15 0.3 0.9 20e3 1.75 0.4 0.15 0.3 0.9 20e3 1.75 0.4 1 1 1 1 1 1 1 1"
+  near(both(read_whole(foot:format(imk)), moved("2", "x")), bends + 3 * (elastic + hard),
+    1e-4 * (bends + 3 * (elastic + hard)), "IMKBilin")
+  local between = column [[
+node 3 0 3
+node 4 4 3
+uniaxialMaterial Steel01 1 20e3 5e6 0.02
+equalDOF 2 3 1 2
+element zeroLength 5 2 3 -mat 1 -dir 6
+element elasticBeamColumn 7 3 4 0.01 2e11 1e-4 1
+pattern Plain 1 Linear { load 4 0. -7500. 0. }
+]]
+  local M = 30e3
+  local down = M * 3 / EI * 4 + (elastic + hard) * 4 + 7500 * 64 / (3 * EI) + 7500 * 3 / 2e9
+  near(both(read_whole(between), moved("4", "z")), -down, 1e-4 * down, "between a column and a beam")
+end)
+
+-- Sections of fibres ------------------------------------------------------------------------------------------------------
+
+-- A cantilever of 3 m with the section 5 that the text makes, loaded across at its tip.
+local function cantilever(section, load)
+  return ([[
+model basic -ndm 2 -ndf 3
+node 1 0 0
+node 2 0 3
+fix 1 1 1 1
+geomTransf Linear 1
+uniaxialMaterial Steel01 1 3e8 2e11 0.01
+%s
+element forceBeamColumn 1 1 2 5 5 1
+pattern Plain 1 Linear { load 2 %s 0. }
+]]):format(section, load or "1000. 0.")
+end
+
+case("section Fiber: area and second moments are those of the fibres, strength that of full yield", function()
+  local rectangle = "section Fiber 5 {\npatch rect 1 20 4 -0.15 -0.1 0.15 0.1\n}"
+  local frame, notes = read_whole(cantilever(rectangle))
+  local s, m = frame.sections[1], frame.materials[1]
+  near(s.area, 0.06, 1e-12, "area")
+  near(s.Ix, 0.2 * 0.3 ^ 3 / 12 * (1 - 1 / 400), 1e-12, "20 fibres: 1 - 1 / n^2 of b h^3 / 12")
+  near(s.Mx0, 3e8 * 0.2 * 0.3 ^ 2 / 4, 1, "fy b h^2 / 4")
+  near(s.N0, 3e8 * 0.06, 1, "fy A")
+  equal(("%g %g"):format(m.yield_stress, m.hardening.tangent), "3e+08 2e+09", "yield stress and hardening")
+  has_note(notes.assumed, "fully plastic moments")
+  near(both(frame, moved("2", "x")), 1000 * 27 / (3 * 2e11 * s.Ix), 1e-5 * 1000 * 27 / (3 * 2e11 * s.Ix), "elastic")
+  -- quad and rect are one, and WFSection2d is its three patches
+  local quad = read_whole(cantilever "section Fiber 5 {\npatch quad 1 20 4 -0.15 -0.1 0.15 -0.1 0.15 0.1 -0.15 0.1\n}")
+  near(quad.sections[1].Ix, s.Ix, 1e-15, "patch quad")
+  local wf = read_whole(cantilever "section WFSection2d 5 1 0.3 0.01 0.2 0.015 40 4").sections[1]
+  near(wf.area, 2 * 0.2 * 0.015 + 0.27 * 0.01, 1e-12, "an I: area")
+  near(wf.Ix, 0.2 * 0.3 ^ 3 / 12 - 0.19 * 0.27 ^ 3 / 12, 1e-3 * wf.Ix, "an I: second moment")
+  -- a pipe: the exact area, pi / 64 (D^4 - d^4) by 64 sectors to 1 %
+  local pipe = read_whole(cantilever "section Fiber 5 {\npatch circ 1 64 4 0 0 0.08 0.1 0 360\n}").sections[1]
+  near(pipe.area, math.pi * (0.01 - 0.0064), 1e-12, "a pipe: area")
+  near(pipe.Ix, math.pi / 4 * (1e-4 - 0.08 ^ 4), 0.01 * pipe.Ix, "a pipe: second moment")
+  -- single fibres, off the axis: the axis goes through their centre
+  local two = read_whole(cantilever "section Fiber 5 {\nfiber 0.1 0 0.01 1\nfiber 0.3 0 0.01 1\n}").sections[1]
+  near(two.Ix, 2 * 0.01 * 0.01, 1e-12, "two fibres")
+  near(two.Mx0, 3e8 * 0.02 * 0.1, 1, "two fibres: N0 / 2 times their distance")
+  local layer = read_whole(cantilever "section Fiber 5 {\nlayer straight 1 2 0.01 0.1 0 0.3 0\n}").sections[1]
+  near(layer.Ix, two.Ix, 1e-15, "a layer of two")
+end)
+
+case("section Fiber: a cantilever yields at its fully plastic moment", function()
+  local section = "section Fiber 5 {\npatch rect 1 20 4 -0.15 -0.1 0.15 0.1\n}"
+  local limit = 3e8 * 0.2 * 0.3 ^ 2 / 4 / 3
+  local soft = (cantilever(section, "1. 0."):gsub("2e11 0.01", "2e11 0.0"))
+  local frame = read_whole(soft)
+  both(frame, function(model)
+    local run = model:static { steps = 20, loads = { ["pattern 1"] = 1.2 * limit } }:finish()
+    expect(run.reason:find "limit load", "there is a limit load: %s", run.reason)
+    near(run.factor, 1 / 1.2, 2e-3, "the limit load by fy b h^2 / 4") -- found to 1e-3 of the load
+    return run.factor
+  end)
+end)
+
+case("section Aggregator adds shear and torsion; section Elastic with shear keeps it", function()
+  local text = cantilever("section Elastic 4 2e11 0.01 1e-4\nuniaxialMaterial Elastic 2 1e7\n"
+    .. "section Aggregator 5 2 Vy -section 4")
+  local wanted = 1000 * 27 / (3 * EI) + 1000 * 3 / 1e7
+  near(both(read_whole(text), moved("2", "x")), wanted, 1e-6 * wanted, "Vy")
+  local plain = cantilever("uniaxialMaterial Elastic 2 2e9\nuniaxialMaterial ElasticPP 3 2e7 0.002\n"
+    .. "section Aggregator 5 2 P 3 Mz")
+  local frame = read_whole(plain)
+  near(both(frame, moved("2", "x")), 1000 * 27 / (3 * EI), 1e-6, "P and Mz")
+  near(frame.sections[1].Mx0, 4e4, 1e-6, "its plastic moment")
+end)
+
+case("elements with hinges are elastic between their ends, and yield there", function()
+  local section = "section Elastic 4 2e11 0.06 4.5e-4\nsection Fiber 5 {\npatch rect 1 40 1 -0.15 -0.1 0.15 0.1\n}\n"
+  for _, words in ipairs { "beamIntegration HingeRadau 1 5 0.15 5 0.15 4\nelement forceBeamColumn 1 1 2 1 1",
+    "element beamWithHinges 1 1 2 5 0.15 5 0.15 2e11 0.06 4.5e-4 1" } do
+    local text = cantilever(section):gsub("element forceBeamColumn 1 1 2 5 5 1", words)
+    local frame = read_whole(text)
+    near(frame.sections[1].Ix, 4.5e-4, 1e-12, words)
+    near(frame.sections[1].Mx0, 3e8 * 0.2 * 0.3 ^ 2 / 4, 1, words)
+    near(both(frame, moved("2", "x")), 1000 * 27 / (3 * 2e11 * 4.5e-4), 1e-7, words)
+  end
+end)
+
+-- Loads and motion --------------------------------------------------------------------------------------------------------
+
+case("eleLoad -beamPoint is a force at a part of the length", function()
+  local text = column "pattern Plain 1 Linear { eleLoad -ele 1 -type -beamPoint -1000. 0.4 500. }"
+  -- P a^2 (3 L - a) / 6 EI at the tip; along y of the column is -x
+  local a = 0.4 * 3
+  near(both(read_whole(text), moved("2", "x")), 1000 * a ^ 2 * (9 - a) / (6 * EI), 1e-8, "across")
+  near(both(read_whole(text), moved("2", "z")), 500 * a / (2e11 * 0.01), 1e-14, "along")
+end)
+
+case("time series: their factors in statics, their form in dynamics", function()
+  local function factor(series) -- of the load in statics
+    return both(read_whole(column(series .. "\npattern Plain 1 1 { load 2 1000. 0. 0. }")), moved("2", "x"))
+      / (1000 * 27 / (3 * EI))
+  end
+  near(factor "timeSeries Linear 1 -factor 3", 3, 1e-4, "Linear")
+  near(factor "timeSeries Path 1 -dt 0.1 -values {0 1 2} -factor 2", 2, 1e-4, "Path")
+  local frame = read_whole(column("timeSeries Path 1 -time {0 1 3} -values {1 0.5 2}\n"
+    .. "timeSeries Rectangular 2 0.5 1.5\ntimeSeries Trig 3 0 2 1 -factor 4\n"
+    .. "pattern Plain 1 1 { load 2 1. 0. 0. }\npattern Plain 2 2 { load 2 1. 0. 0. }\n"
+    .. "pattern Plain 3 3 { load 2 1. 0. 0. }"))
+  local function at(points, t)
+    for i = 2, #points do
+      local p, q = points[i - 1], points[i]
+      if t > p[1] and t <= q[1] then return p[2] + (t - p[1]) / (q[1] - p[1]) * (q[2] - p[2]) end
+    end
+  end
+  near(at(frame.cases[1].history, 2), 1.25, 1e-12, "Path with times")
+  near(at(frame.cases[2].history, 1), 1, 1e-12, "Rectangular")
+  near(at(frame.cases[3].history, 0.25), 1, 1e-3, "Trig")
+  near(frame.cases[3].loads[1].force[1], 4, 1e-12, "its factor")
+end)
+
+case("UniformExcitation and rayleigh: the ground moves, in the units of the file", function()
+  local text = column([[
+mass 2 500 500 0
+rayleigh 0.5 0.001 0 0.0002
+timeSeries Path 1 -dt 0.01 -values {0 1 2 1 0} -factor 9.81
+pattern UniformExcitation 1 1 -accel 1 -fact 0.5
+]]):gsub("1e%-4 1\n", "1e-4 1 -mass 50\n")
+  local frame = read_whole(text)
+  equal(("%s %g %g"):format(frame.motions[1].axis, frame.motions[1].dt, frame.motions[1].scale), "x 0.01 4.905", "motion")
+  equal(("%g %g"):format(frame.damping.alpha, frame.damping.beta), "0.5 0.0012", "damping")
+  both(frame, function(model, nodes)
+    local run = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
+    -- after the record the foot has the velocity of its acceleration: 4 * 0.01 * 4.905 m/s
+    near(nodes["1"]:velocity(run), 0.04 * 4.905, 1e-3, "the velocity of the ground")
+    return nodes["2"]:displacement(run)
+  end)
+  local file = write("quake.txt", "0 1\n2 1 0\n")
+  expect(file:find "quake.txt", "a file beside the script")
+  local of_file = read_whole(column([[
+mass 2 500 500 0
+pattern UniformExcitation 1 2 -accel "Series -dt 0.01 -filePath quake.txt -factor 2"
+]]), { length = "mm", force = "N" })
+  local m = of_file.motions[1]
+  equal(("%s %d %g"):format(m.axis, #m.acceleration, m.scale), "z 5 0.002", "of a file")
+  local _, notes = read(column "pattern UniformExcitation 1 1 -accel \"Series -dt 0.01 -filePath ../quake.txt\"")
+  has_note(notes, "is not below the folder of the script")
+end)
+
 checks.done()
