@@ -444,7 +444,7 @@ pattern Plain 1 Linear { load 9 1000. 0 0 0 0 500. }
     "a master with a member")
 end)
 
--- Springs ---------------------------------------------------------------------------------------------------------------
+-- Springs -------------------------------------------------------------------------------------------------------------
 
 case("zeroLength and twoNodeLink: elastic springs to the ground and between members", function()
   -- a column on a foot that turns: PL^3 / 3EI + PL^2 / k
@@ -548,7 +548,7 @@ pattern Plain 1 Linear { load 4 0. -7500. 0. }
   near(both(read_whole(between), moved("4", "z")), -down, 1e-4 * down, "between a column and a beam")
 end)
 
--- Sections of fibres ------------------------------------------------------------------------------------------------------
+-- Sections of fibres --------------------------------------------------------------------------------------------------
 
 -- A cantilever of 3 m with the section 5 that the text makes, loaded across at its tip.
 local function cantilever(section, load)
@@ -631,7 +631,7 @@ case("elements with hinges are elastic between their ends, and yield there", fun
   end
 end)
 
--- Loads and motion --------------------------------------------------------------------------------------------------------
+-- Loads and motion ----------------------------------------------------------------------------------------------------
 
 case("eleLoad -beamPoint is a force at a part of the length", function()
   local text = column "pattern Plain 1 Linear { eleLoad -ele 1 -type -beamPoint -1000. 0.4 500. }"
@@ -672,7 +672,8 @@ timeSeries Path 1 -dt 0.01 -values {0 1 2 1 0} -factor 9.81
 pattern UniformExcitation 1 1 -accel 1 -fact 0.5
 ]]):gsub("1e%-4 1\n", "1e-4 1 -mass 50\n")
   local frame = read_whole(text)
-  equal(("%s %g %g"):format(frame.motions[1].axis, frame.motions[1].dt, frame.motions[1].scale), "x 0.01 4.905", "motion")
+  equal(("%s %g %g"):format(frame.motions[1].axis, frame.motions[1].dt, frame.motions[1].scale), "x 0.01 4.905",
+    "motion")
   equal(("%g %g"):format(frame.damping.alpha, frame.damping.beta), "0.5 0.0012", "damping")
   both(frame, function(model, nodes)
     local run = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
