@@ -1383,14 +1383,15 @@ local import = {}
 
 ---Reads text tables of SAP2000 (.s2k): TABLE: "NAME", then rows of Key=Value. ETABS writes such tables too; its frames
 ---get the local axes of SAP2000. For its files .e2k there is import.e2k. Read are PROGRAM CONTROL (units), ACTIVE
----DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES
----01 - GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
+---DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES 01
+---- GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
 ---(M2, M3, T), FRAME INSERTION POINT ASSIGNMENTS, FRAME OFFSET ALONG LENGTH ASSIGNMENTS (rigid ends; where they are
----automatic, to the face of the columns or beams at the joint), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA
----(Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, and FRAME LOADS -
----DISTRIBUTED if uniform over the whole frame. Sections have the properties that the file states, and the size, the outline and what
----is left out of their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear
----area becomes 1000 times the area. A file that contradicts itself is an error with its line.
+---automatic, to the face of the columns or beams at the joint), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 -
+---BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS -
+---FORCE, FRAME LOADS - POINT, and FRAME LOADS - DISTRIBUTED if uniform over the whole frame. Sections have the
+---properties that the file states, and the size, the outline and what is left out of their shape: I/Wide Flange,
+---Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000 times the area. A file that
+---contradicts itself is an error with its line.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1426,13 +1427,13 @@ function import.s2k(options) end
 ---@field file string path of the file
 
 ---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
----(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT,
----OFFSETXI to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT), MATERIAL PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC
----LOADS, POINT OBJECT LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS if uniform over the whole line. A joint is a
----point on a storey, "3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces.
----Local axes, releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
----hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Areas, diaphragms
----and springs are not read; the notes name them.
+---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
+---to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT), MATERIAL PROPERTIES (E, U, weight,
+---FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC LOADS, POINT OBJECT LOADS, and FRAME OBJECT LOADS
+---or LINE OBJECT LOADS if uniform over the whole line. A joint is a point on a storey, "3@Storey 2", a member a line on
+---a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes, releases, shapes and the division at
+---joints are as those of import.s2k. A shape may also be a name of hinge.section.named. Insertion points and offsets
+---count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Areas, diaphragms and springs are not read; the notes name them.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -2118,8 +2119,10 @@ function section.concrete(options) end
 ---of beams, and of columns with N up to 0.1 of area times strength (ASCE 41-17, table 10-5; 0.7 from 0.5 on)
 ---@field stiffness? number|"gross"|"cracked"
 
----A section by its name in tables: HEB 300, IPE 300, HEA, HEM, UPN; UB, UC; L; W14X90, HSS; SHS, RHS, CFSHS, CFRHS,
----CHS; H, BCR and BCP of Japan. Properties and outline are computed from the published dimensions, with fillets and
+---A section by its name in tables: HEB 300, IPE 300, HEA, HEM, HD, UPN; UB, UC; L; W14X90, S, HP, M, C, MC, HSS; SHS,
+---RHS, CFSHS, CFRHS, CHS; H, BCR and BCP of Japan; HW, HM and HN of China. Also American angles (L4X4X1/2) and pairs of
+---them (2L4X4X1/2X3/8, LLBB or SLBB), tees (WT8X50 is half of W16X100), pipes (Pipe6STD), and metric names of American
+---sections (W360X79 is W14X53). Properties and outline are computed from the published dimensions, with fillets and
 ---rounded corners; `kind` is the name. Case, blanks and zeros at the end do not count: "HE 300 B" is HEB 300, "SHS
 ---100x5" is SHS 100x100x5. SHS and RHS are hot finished, CFSHS and CFRHS cold formed. HSS have the design thickness,
 ---0.93 of the nominal one. An unknown name is an error that names the nearest. hinge.section.channel and

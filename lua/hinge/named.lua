@@ -4,21 +4,30 @@
 -- SHS 100x100x5, and "HSS8X8X.5" is HSS8X8X1/2.
 local core = require "hinge.core"
 local check = require "hinge.check"
+local further = require "hinge.further_names"
 local shapes = require "hinge.shapes"
+local tees = require "hinge.tees"
 
 local named = {}
 
-local files = { "european", "british", "angles", "american", "hollow", "japanese" }
+local files = { "european", "british", "angles", "american", "hollow", "japanese", "american_more", "hd", "chinese" }
 local units = { mm = 1e-3, ["in"] = 0.0254 }
 
 -- What hinge.shapes makes of a row's dimensions, m.
 local function rolled(d) return shapes.h(d) end
+-- ASTM A6: `flange` is the mean thickness of the part beside the web
+local function tapered_channel(d, slope)
+  d.slope, d.flange_at = slope, (d.width + d.web) / 2
+  return shapes.channel(d)
+end
 local function with_corners(d, outer, inner)
   d.r, d.r_inner = outer * d.thickness, inner * d.thickness
   return shapes.box(d)
 end
 local makers = {
-  h = rolled,
+  h = rolled, tapered = function(d) return tees.tapered(d) end,
+  tapered_channel = function(d) return tapered_channel(d, 1 / 6) end,
+  flat_channel = function(d) return tapered_channel(d, 1 / 12) end,
   angle = function(d) return shapes.angle(d) end,
   pipe = function(d) return shapes.pipe(d) end,
   w = function(d)
@@ -92,11 +101,21 @@ local function read()
 end
 
 local others = { UKB = "UB", UKC = "UC", HFSHS = "SHS", HFRHS = "RHS", HFCHS = "CHS", CFCHS = "CHS", IPB = "HEB",
-  IPBL = "HEA", IPBV = "HEM", ROR = "CHS" }
+  IPBL = "HEA", IPBV = "HEM", ROR = "CHS", UNP = "UPN" }
+
+-- The dimensions of a row, m.
+local function dimensions_of(row)
+  local dimensions, unit, values = {}, units[row.kind.unit], row.text:gmatch "[%d.]+"
+  for field in row.kind.columns:gmatch "%S+" do dimensions[field] = unit * tonumber(values()) end
+  return dimensions
+end
+
+-- A name in capitals and without blanks.
+local function text_of(name) return (name:upper():gsub("×", "X"):gsub("%*", "X"):gsub("[%s_]", "")) end
 
 -- Family and sizes as a script wrote them; the second is nil where they cannot be read.
 local function taken_apart(name)
-  local text = name:upper():gsub("×", "X"):gsub("%*", "X"):gsub("[%s_]", "")
+  local text = text_of(name)
   local before, letters = text:match "^HE%-?(%d+)([ABM])$"
   if before then return "HE" .. letters, { tonumber(before) } end
   local family, rest = text:match "^(%a+)%-?(.*)$"
@@ -162,10 +181,15 @@ local function family_names()
 end
 
 local function not_found(name, family, sizes)
+  if text_of(name):find "^PIPE" then
+    check.fail("hinge.section.named: unknown section '%s'; pipes are Pipe1/2STD to Pipe26STD, with STD, XS or XXS; "
+      .. "Pipe20 is one of 20 in or of 20 mm", name)
+  end
   local known = families[family]
   if known then
+    local metric = sizes and further.in_inches(known, sizes)
     check.fail("hinge.section.named: unknown section '%s'; the nearest are %s; hinge.section.names '%s' gives all",
-      name, quoted(nearest(known, sizes or {}, 3)), family)
+      name, quoted(nearest(known, metric or sizes or {}, 3)), family)
   end
   local meant = core.did_you_mean(family, family_names()):match "'(.-)'"
   local row = meant and sizes and rows[key_of(meant, sizes)]
@@ -186,11 +210,16 @@ function named.properties(name, options)
   read()
   local family, sizes = taken_apart(name)
   if columns[family] then return column(name, family, sizes, options) end
-  local row = sizes and rows[key_of(family, sizes)]
-  if not row then not_found(name, family, sizes) end
-  local dimensions, unit = { interaction = options.interaction }, units[row.kind.unit]
-  local values = row.text:gmatch "[%d.]+"
-  for field in row.kind.columns:gmatch "%S+" do dimensions[field] = unit * tonumber(values()) end
+  local row = sizes and (rows[key_of(family, sizes)] or further.row(families, family, sizes))
+  if not row then
+    local made = family == "L" and further.angle(sizes)
+      or further.made(text_of(name), families, sizes_of, dimensions_of)
+    if not made then not_found(name, family, sizes) end
+    made.interaction = options.interaction
+    return made
+  end
+  local dimensions = dimensions_of(row)
+  dimensions.interaction = options.interaction
   local made = makers[row.kind.shape](dimensions)
   made.kind, made.shape = row.name, made.kind
   return made

@@ -31,6 +31,10 @@ local limits = {
   CFSHS = { area = 0.5, Ix = 0.5, Iy = 0.5, Zx = 0.5, Zy = 0.5, J = 0.5 },
   CFRHS = { area = 0.5, Ix = 0.5, Iy = 0.5, Zx = 0.5, Zy = 0.5, J = 0.5 },
   CHS = { area = 0.5, Ix = 0.5, Zx = 0.5, J = 0.5 },
+  -- without fillets; the radii of HP and M are those of the area; the slope of MC is not in the tables
+  S = { area = 1.9, Ix = 1.6, Iy = 3.5 }, HP = { area = 0.4, Ix = 1.2, Iy = 1.6 }, M = { area = 0.6, Ix = 1, Iy = 1 },
+  C = { area = 1.3, Ix = 1.3, Iy = 3.9 }, MC = { area = 1.8, Ix = 2, Iy = 6 },
+  HD = { area = 0.1, Ix = 0.1, Iy = 0.1 }, HW = { area = 0.1 }, HM = { area = 0.1 }, HN = { area = 0.1 },
   H = { area = 0.1, Ix = 0.1, Iy = 0.1, Zx = 0.1 }, -- the table itself is computed: this holds its dimensions
 }
 local counts = { IPE = 18, HEA = 24, HEB = 24, HEM = 24, UPN = 16, W = 289, H = 14 }
@@ -41,7 +45,7 @@ for _, family in ipairs(hinge.section.names()) do
   if family ~= "BCR" and family ~= "BCP" then
     case("sections " .. family .. " have the published properties", function()
       local names, worst = hinge.section.names(family), {}
-      expect(#names >= 14, "%d sections", #names)
+      expect(#names >= 9, "%d sections", #names)
       equal(counts[family] or #names, #names, "sections")
       local seen = {}
       for _, name in ipairs(names) do
@@ -112,6 +116,38 @@ local function complains(f, ...)
     expect(tostring(message):find(part, 1, true), "'%s' does not say '%s'", tostring(message), part)
   end
 end
+case("names in another writing: metric names, tees, pairs of angles, pipes", function()
+  for name, wanted in pairs { W360X79 = "W14X53", W310X97 = "W12X65", ["W150X22.5"] = "W6X15", W920X344 = "W36X231",
+    ["W360X57.8"] = "W14X38", ["W1000X415"] = "W40X278", ["W310X38.7"] = "W12X26", W360X216 = "W14X145",
+    W1100X343 = "W44X230",
+    ["C310X30.8"] = "C12X20.7",
+    MC460X86 = "MC18X58", S310X74 = "S12X50", HP310X79 = "HP12X53",
+    ["HSS203.2X203.2X6.4"] = "HSS8X8X1/4", ["HSS168.3X7.1"] = "HSS6.625X0.28", ["L102X102X12.7"] = "L4X4X1/2",
+    ["L152X102X9.5"] = "L6X4X3/8", PIPE152XS = "Pipe6XS", ["Pipe 6 STD"] = "Pipe6STD", UNP200 = "UPN 200",
+    ["C8X18.7"] = "C8X18.75", ["HN400X200X8X13"] = "HN 400x200", HM294X200 = "HM 300x200",
+    ["WT205X37.5"] = "WT8X25" } do
+    equal(named.properties(name).kind, wanted, name)
+  end
+  -- AISC Manual: area, Ix, Iy in in^2, in^4
+  for name, values in pairs { WT8X50 = { 14.7, 76.8, 93.1 }, ["WT10.5X34"] = { 10, 103, 32.4 },
+    ["MT5X4.5"] = { 1.33, 3.46, 0.336 }, ["2L4X4X1/2"] = { 7.5, 11, 21.6 }, ["2L6X4X3/8X3/8LLBB"] = { 7.22, 26.8, 19 },
+    ["L4X4X1/2"] = { 3.75, 8.82, 2.3 }, Pipe6STD = { 5.2, 26.5, 26.5 }, Pipe8XXS = { 20, 154, 154 } } do
+    local made = named.properties(name)
+    for i, field in ipairs { "area", "Ix", "Iy" } do
+      local found = made[field] / 0.0254 ^ (i == 1 and 2 or 4)
+      expect(math.abs(found / values[i] - 1) <= 0.025, "%s: %s is %.4g, wanted %.4g", name, field, found, values[i])
+    end
+    expect(hinge.section.named(name, { interaction = "exact" }).area == made.area, "%s in the engine", name)
+  end
+  for _, name in ipairs { "W360X999", "W310X80.5", "W920X342", "Pipe20STD", "C310X31.6", "HSS203.2X203.2X7.2",
+    "L102X102X11.9", "2L4X4", "PIPE7STD",
+    "WT8X51", "HW310X310" } do
+    local good, problem = pcall(named.properties, name)
+    expect(not good and problem:find("unknown section '" .. name, 1, true), "%s: %s", name, tostring(problem))
+  end
+  expect(not select(2, pcall(named.properties, "PIPE7STD")):find("IPE'", 1, true), "a pipe is no IPE")
+end)
+
 case("an unknown name is told the nearest", function()
   local by = hinge.section.named
   for _, wrong in ipairs {
@@ -140,7 +176,7 @@ case("the guide's page has names and numbers of sections that there are", functi
   for names, number in page:match "## Sections\n(.-)\nCase":gmatch "\n| (`[^|]*) |[^|]*| (%d*) ?|" do
     local families, sections = {}, 0
     for name in names:gmatch "`(.-)`" do
-      local family = hinge.section.named(name).kind:match "^%u+"
+      local family = hinge.section.named(name).kind:match "%u+"
       counted = counted + 1
       if not families[family] and number ~= "" then sections = sections + #hinge.section.names(family) end
       families[family] = true
@@ -148,7 +184,7 @@ case("the guide's page has names and numbers of sections that there are", functi
     equal(sections, tonumber(number) or 0, "sections of the row " .. names)
     told = told + 1
   end
-  expect(told == 9 and counted > 15, "%d rows, %d names", told, counted)
+  expect(told == 15 and counted > 25, "%d rows, %d names", told, counted)
 end)
 
 -- A square column by the formulas for round corners of EN 10219-2, whose check is in rounded_sections_test.lua.
