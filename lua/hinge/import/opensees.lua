@@ -22,16 +22,7 @@ for _, part in ipairs { require "hinge.import.opensees.nodes", models.commands, 
   for name, run in pairs(part) do commands[name] = run end
 end
 
--- Commands that say nothing about the frame.
-local beside = {}
-for name in ([[algorithm analysis analyze basicForce close constraints database defaultUnits domainChange eigen eleForce
-  eleNodes eleResponse eleType exit getEleTags getLoadFactor getNodeTags getTime integrator limitCurve logCommands
-  logFile metaData modalProperties nodeAccel nodeBounds nodeCoord nodeDisp nodeEigenvector nodeMass nodeReaction nodeVel
-  numberer parameter playback print printA printB printModel puts reactions record recorder region reset save
-  sensitivityAlgorithm setElementRayleighFactors setMaxOpenFiles setNumThread setNumThreads setPrecision setTime start
-  stop system test updateMaterialStage updateParameter version video wipeAnalysis]]):gmatch "%S+" do
-  beside[name] = true
-end
+local beside = require "hinge.import.opensees.beside"
 
 -- Commands that are not read and make nothing that others refer to.
 local alone = {}
@@ -49,7 +40,7 @@ local function fresh(file)
     return { frame = frame_module.new(file), notes = notes.new(), places = {}, node = {}, section = {},
       geomTransf = {}, beamIntegration = {}, uniaxialMaterial = {}, element = {}, timeSeries = {}, pattern = {},
       shared = { sections = {}, materials = {} }, mass_of = {}, more_masses = {}, ties = {}, springs = {}, motions = {},
-      transformation_of = {}, bars = {}, damping = {} }
+      transformation_of = {}, elements_lost = false, bars = {}, damping = {} }
   end
 end
 
@@ -59,19 +50,25 @@ function Reader:begin()
   self.ndm, self.ndf, self.case, self.section_now, self.analysed = nil, nil, nil, nil, false
 end
 
+--- Notes that a command says nothing about the frame: one line in total.
+function Reader:computed(place)
+  notes.once(self.notes.skipped, place, place.text, "commands of the analysis and its results")
+end
+
 --- Runs a command of OpenSees, or of another kind, which is noted. args: a list of texts; place: { file =, line =, text
 --- = }.
 function Reader:run(name, args, place)
   self.place, self.command = place, name
   if beside[name] then
-    notes.once(self.notes.skipped, place, place.text, "commands of the analysis and its results")
+    self:computed(place)
     if not commands[name] then return end
   end
   if commands[name] then
     local good, problem = pcall(commands[name], self, args)
     if good then return end
     if type(problem) ~= "table" or not problem.not_read then error(problem, 0) end
-    self:not_read(problem.not_read)
+    if not problem.follows then return self:not_read(problem.not_read) end
+    notes.once(self.notes, place, place.text, problem.not_read) -- what follows from a line that was not read
   else
     self:not_read(("the command %s is not read"):format(name))
     if not alone[name] then self.incomplete = self.incomplete + 1 end
@@ -153,7 +150,7 @@ local function drop_lonely(self, joined)
   local function lonely(name, row, reason)
     if joined[name] then return false end
     local place = self.places[row]
-    if place and not self.used[name] then notes.once(self.notes, place, place.text, reason) end
+    if place and not self.used[name] and reason then notes.once(self.notes, place, place.text, reason) end
     return true
   end
   local function keep(list, name_of, reason)
@@ -165,7 +162,9 @@ local function drop_lonely(self, joined)
   end
   local function of_row(row) return row.node end
   local function of_node(row) return row.name end
-  self.frame.nodes = keep(self.frame.nodes, of_node, "no member that was read ends at this node")
+  -- those of elements that are not read have a note already
+  self.frame.nodes = keep(self.frame.nodes, of_node, not self.elements_lost
+    and "no member that was read ends at this node" or nil)
   self.frame.masses = keep(self.frame.masses, of_row, "no member that was read ends at the node of this mass")
   for _, case in ipairs(self.frame.cases) do
     case.loads = keep(case.loads, of_row, "no member that was read ends at the node of this load")

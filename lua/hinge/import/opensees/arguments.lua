@@ -10,13 +10,16 @@ function arguments.give_up(reason, ...)
   error({ not_read = select("#", ...) > 0 and reason:format(...) or reason }, 0)
 end
 
+--- The same for what follows from a line that was not read: one note for all that do.
+function arguments.follows(reason, ...) error({ not_read = reason:format(...), follows = true }, 0) end
+
 --- Notes once for each reason what the file says otherwise or not at all, and what is taken.
 function arguments.assume(self, reason, ...)
   notes.once(self.notes.assumed, self.place, self.place.text, select("#", ...) > 0 and reason:format(...) or reason)
 end
 
 function arguments.number(self, text, what)
-  if text == "unknown" then arguments.give_up("%s hangs on a result of the analysis", what) end
+  if text == "\0" or text == "unknown" then arguments.give_up("%s hangs on a result of the analysis", what) end
   local x = tonumber(text)
   if not x or x ~= x or math.abs(x) == math.huge then
     self:fail("%s is %s; must be a number", what, text == nil and "missing" or "'" .. text .. "'")
@@ -84,9 +87,9 @@ function arguments.find(self, kind, name)
   local found = self[kind][name]
   if found and not found.unread then return found end
   if found then
-    arguments.give_up("its %s %s was not read, see line %d", kind, name, found.unread.line)
+    arguments.follows("its %s %s was not read, see line %d", kind, name, found.unread.line)
   elseif self.incomplete > 0 then
-    arguments.give_up("%s %s is not there; a line that was not read may make it", kind, name)
+    arguments.follows("%s %s is not there; a line that was not read may make it", kind, name)
   end
   self:fail("%s %s is not there", kind, name)
 end

@@ -208,8 +208,8 @@ local with_ends = { HingeRadau = true, HingeRadauTwo = true, HingeMidpoint = tru
 
 -- Properties of an element whose ends have other sections than the rest: it is elastic between its ends.
 local function with_hinges(self, first, second, interior)
-  if first ~= second then give_up "different sections at the two ends are not read" end
   local ends, p = sections.properties(self, first, false), interior
+  if first ~= second then give_up "different sections at the two ends are not read" end
   if math.abs(ends.E * ends.Iz - p.E * p.Iz) > 0.01 * p.E * p.Iz then
     assume(self, "an element with hinges has the stiffness of its middle along its whole length")
   end
@@ -327,6 +327,7 @@ function commands.element(self, args)
   arguments.is_new(self, "element", name)
   self.element[name] = { unread = self.place }
   if not elements[kind] then
+    self.elements_lost = true
     notes.once(self.notes, self.place, self.place.text, ("element %s is not read"):format(kind))
     return
   end

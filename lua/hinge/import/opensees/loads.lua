@@ -83,7 +83,7 @@ end
 -- The load case of a load.
 local function case_of(self)
   if not self.case or self.case.motion then self:fail("the load stands outside of a pattern") end
-  if self.case.unread then give_up("its pattern was not read, see line %d", self.case.unread.line) end
+  if self.case.unread then arguments.follows("its pattern was not read, see line %d", self.case.unread.line) end
   return self.case
 end
 

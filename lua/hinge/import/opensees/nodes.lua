@@ -28,7 +28,7 @@ function commands.node(self, args)
   local ndm = dimensions(self)
   local name = tag(self, args[1], "the tag")
   arguments.is_new(self, "node", name)
-  if positional(args) ~= 1 + ndm then
+  if positional(args) < 1 + ndm then -- OpenSees ignores more of them
     self:fail("node %s has %s; must be %d", name, check.count(positional(args) - 1, "coordinate"), ndm)
   end
   local at = numbers(self, args, 2, 1 + ndm, "coordinate")

@@ -233,12 +233,12 @@ local function of_fibres(self, s)
   if math.abs(sums.off) > 1e-3 * math.sqrt(p.Iz / p.A) then
     assume(self, "the axis of a section of fibres is where the axial force causes no bending")
   end
+  if self.ndm == 2 and sums.EIy <= 1e-9 * sums.EIz then -- one fibre across; bending out of the plane does not matter
+    p.Iy, sums.My0 = p.Iz, nil
+  end
   if sums.concrete then
     assume(self, "a section with concrete is elastic, with the stiffness of its fibres at the start, without cracks")
     return p
-  end
-  if self.ndm == 2 and sums.EIy <= 1e-9 * sums.EIz then -- one fibre across; bending out of the plane does not matter
-    p.Iy, sums.My0 = p.Iz, nil
   end
   local fy, count = common(s.list, "fy"), #s.parts
   if fy and count > 0 then p.outline = outline_of(s, sums) end
@@ -254,7 +254,7 @@ end
 --- Properties of a section that was read, for an element with or without shear strain.
 local function properties(self, name, shear)
   local s = arguments.find(self, "section", tag(self, name, "the section"))
-  if s.unread then give_up("%s was not read, see line %d", s.name, s.unread.line) end
+  if s.unread then arguments.follows("%s was not read, see line %d", s.name, s.unread.line) end
   if s.uniaxial then give_up("%s has one deformation alone", s.name) end
   local p = s.list and of_fibres(self, s) or s.aggregated and of_resultants(self, s) or {}
   if not s.list and not s.aggregated then
