@@ -13,14 +13,14 @@ options=()  # of cmake, beside the mode
 # What each is for stands in lua/guide/install.md.
 debian=(g++ cmake ninja-build libeigen3-dev libspectra-dev liblua5.4-dev lua5.4 libvtk9-dev nlohmann-json3-dev
   libcli11-dev libedit-dev zlib1g-dev libgif-dev xvfb fonts-dejavu-core
-  gnuplot-nox dpkg-dev file)
+  gnuplot-nox tcl python3 dpkg-dev file)
 # The tests hold the tree to these tools as Debian 12 has them, look at the page of hinge report in a browser, and
 # submit a study to a Slurm of their own. python3-pandas: the guide's page on Python. ccache: two builds of one tree
 # share what does not depend on the processor. demo.sh and package.sh do without.
 debian_tests=(catch2 clang-format lua-check chromium-headless-shell nodejs slurm-wlm munge ccache python3-pandas)
 fedora=(gcc-c++ cmake ninja-build eigen3-devel spectra-devel lua-devel lua vtk-devel json-devel cli11-devel
   libedit-devel zlib-devel giflib-devel libX11-devel libxcb-devel libglvnd-devel xorg-x11-server-Xvfb dejavu-sans-fonts
-  gnuplot)
+  gnuplot tcl python3)
 
 stop() {
   echo "hinge: $*" >&2

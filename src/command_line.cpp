@@ -147,6 +147,9 @@ void add_export(CLI::App& app, Request& request) {
          "Of a script of OpenSees that makes several models, one after the other (wipe, remove): which one, from 1 "
          "(default: the one at its end)",
          "N");
+    verb->add_flag_callback(
+        "--run-python", [&request] { request.texts["run_python"] = "yes"; },
+        "A file .py is a program: run it, with limits of time and memory, without files of others and network");
     verb->footer(
         "Exit status: 0 the script was written, also where something was not read; 1 it cannot be written; 2 the file "
         "is wrong.");

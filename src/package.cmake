@@ -20,6 +20,7 @@ set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # the packages of the shared libraries that are used
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, fonts-dejavu-core, libgl1-mesa-dri, gnuplot-nox")  # pictures; plots
+# pictures; plots; scripts of OpenSees
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "xvfb, fonts-dejavu-core, libgl1-mesa-dri, gnuplot-nox, tcl, python3")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "lua5.4, ffmpeg")  # ffmpeg: films as MP4 and WebM
 include(CPack)

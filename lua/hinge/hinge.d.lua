@@ -1472,16 +1472,17 @@ function import.e2k(options) end
 ---@class hinge.import_e2k_options
 ---@field file string path of the file
 
----Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). Commands: model BasicBuilder with -ndm 2 -ndf 3 or -ndm
----3 -ndf 6, node, fix, fixX, fixY, fixZ, mass, geomTransf (vecxz), section Elastic, beamIntegration, element
+---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). Commands: model BasicBuilder with -ndm 2 -ndf 3 or
+----ndm 3 -ndf 6, node, fix, fixX, fixY, fixZ, mass, geomTransf (vecxz), section Elastic, beamIntegration, element
 ---elasticBeamColumn, ElasticTimoshenkoBeam, forceBeamColumn, nonlinearBeamColumn and dispBeamColumn, timeSeries Linear
----and Constant, pattern Plain, load, and eleLoad -beamUniform. A small evaluator follows the script. Tcl: variables,
----expr, lists, format, for, foreach, while, if, source. Python: assignments, arithmetic, lists, tuples, dictionaries,
----for, while, if, comprehensions, range and the like, math. Procedures, functions and classes are not followed; notes
----name them, and lines that use what they would have made. Load cases are "pattern 1" and so on. A plane frame in x and
----y becomes one in x and z, held against moving out of that plane. Elements without shear strain get shear areas of
----1000 times the area. The transformations Linear, PDelta and Corotational are not read: the option displacement of
----hinge.model decides.
+---and Constant, pattern Plain, load, and eleLoad -beamUniform. The script is run: Tcl by tclsh (Debian's package tcl),
+---in a safe interpreter; Python by python3, and only with run_python, since a Python file is a program. Both are
+---behind walls of the kernel: they read the folder of the script and their own library, write nothing, start no
+---program, reach no network, and end after 60 s or 1000 MB. Results of the analysis (nodeDisp, eigen) are made up:
+---where a number of the model hangs on one, notes name the line, and it is not read. What is not read is in the notes,
+---with its line. Load cases are "pattern 1" and so on. A plane frame in x and y becomes one in x and z, held against
+---moving out of that plane. Elements without shear strain get shear areas of 1000 times the area. The transformations
+---Linear, PDelta and Corotational are not read: the option displacement of hinge.model decides.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1512,6 +1513,7 @@ function import.tcl(options) end
 ---force s^2 / length, which OpenSees needs
 ---@field units { length: string|number, force: string|number, mass?: string|number }
 ---@field language? "tcl"|"python" default: python for a name that ends in .py, else tcl
+---@field run_python? boolean run a script in Python; default false: it is refused
 
 ---Reads tables in CSV, in SI. The first line of each file has the names of its columns, in any order. Cells are
 ---separated by commas, semicolons or tabs. With semicolons a comma may be the decimal point. Cells in double quotes may

@@ -3,8 +3,9 @@
 local check = require "hinge.check"
 
 local import = {}
-for _, name in ipairs { "s2k", "e2k", "tcl", "csv", "build", "write" } do
-  import[name] = function(...) return require("hinge.import." .. name)(...) end
+for name, file in pairs { s2k = "s2k", e2k = "e2k", tcl = "recorded", csv = "csv", build = "build",
+  write = "write" } do
+  import[name] = function(...) return require("hinge.import." .. file)(...) end
 end
 
 return check.strict(import, "hinge.import")

@@ -29,25 +29,66 @@ local function says(name, text, wanted)
   expect(problem:find(wanted, 1, true), "%s: %s, wanted %s", name, problem, wanted)
 end
 
+local seconds, memory = notes.most_seconds, notes.most_memory
+
 case("Tcl: values that grow without bound, loops and files without end", function()
+  notes.most_seconds, notes.most_memory = 2, 200
   for text, wanted in pairs {
-    ["set x a\nwhile {1} { lappend x $x }"] = ":2: a value has more than 10000000 characters",
-    ["set x a\nwhile {1} { append x $x }"] = ":2: a value has more than 10000000 characters",
-    ["set x abcdefgh\nwhile {1} { set x $x$x }"] = ":2: a value has more than 10000000 characters",
-    ["set x abcdefgh\nwhile {1} { set x [concat $x $x $x] }"] = ":2: a value has more than 10000000 characters",
-    ["while {1} {}"] = ":1: the script runs more than 200000 commands",
-    ["source /dev/zero"] = "cannot read /dev/zero: it is a pipe, a socket or a device",
-    ["source self.tcl\nsource self.tcl"] = "the script runs more than 200000 commands",
+    ["set x a\nwhile {1} { lappend x $x }"] = "it takes more than 200 MB of memory",
+    ["set x a\nwhile {1} { append x $x }"] = "it takes more than 200 MB of memory",
+    ["set x abcdefgh\nwhile {1} { set x $x$x }"] = "it takes more than 200 MB of memory",
+    ["set x abcdefgh\nwhile {1} { set x [concat $x $x $x] }"] = "200 MB of memory",
+    ["string repeat x 1500000000"] = "200 MB of memory",
+    ["model basic -ndm 2\nnode 1 0 0\nset x a\nwhile {1} { append x $x }"] =
+      "a.tcl:2: behind this command: it takes",
+    ["set x 1\nwhile {1} {}"] = "a.tcl:2: the script takes more than 2 s",
+    ["while {1} { after 100000 }"] = "a.tcl:1: the script ",
+    ["while {1} { catch { while 1 {} } }"] = "a.tcl:1: the script takes more than 2 s",
+    ["vwait forever\nafter 1000000\nwhile {1} {set x 1}"] = "a.tcl:3: the script ",
+    ["proc f {} { f }\nf"] = "a.tcl:2: too many nested evaluations",
+    ["source self.tcl\nsource self.tcl"] = "self.tcl:1: too many nested evaluations",
   } do
     says(text:find "self" and "self.tcl" or "a.tcl", text, wanted)
   end
+  notes.most_seconds, notes.most_memory = seconds, memory
 end)
 
 case("Tcl: brackets within each other", function()
   says("a.tcl", "set x " .. ("["):rep(1e5), "nested too deeply")
-  says("a.tcl", "set x " .. ("{"):rep(1e5), ":1: the brace { is not closed")
-  says("a.tcl", ("if {1} {"):rep(2000) .. ("}"):rep(2000), "nested too deeply")
+  says("a.tcl", "set x " .. ("{"):rep(1e5), ":1: missing close-brace")
+  says("a.tcl", ("if {1} {"):rep(2000) .. ("}"):rep(2000), "a.tcl:1: too many nested")
   says("a.tcl", "set x [expr " .. ("("):rep(1e5) .. "1" .. (")"):rep(1e5) .. "]", "a.tcl")
+end)
+
+case("Tcl: no program, no socket, no file outside of the folder, nothing written", function()
+  support.run(("cd %s && mkdir -p in/deep && ln -sf /etc/passwd in/link && ln -sf ../../out.tcl in/deep/out.tcl")
+    :format(support.quote(folder)))
+  support.write(folder .. "/out.tcl", "node 1 0 0\n")
+  for text, wanted in pairs {
+    ["exec touch " .. folder .. "/made"] = "exec is not available",
+    ["catch {exec touch " .. folder .. "/made}\nset f [open " .. folder .. "/made w]\nputs $f x\nclose $f\n"
+      .. "file mkdir " .. folder .. "/made"] = "has no node that was read",
+    ["open {|ls} r"] = "open: a program is not started",
+    ["socket localhost 22"] = "socket is not available",
+    ["glob *"] = "glob is not available",
+    ["file stat /etc/passwd x"] = "file stat is not available",
+    ["interp create x"] = "interp is not available",
+    ["open /etc/passwd r"] = "open /etc/passwd: only files in the folder",
+    ["open link r"] = "open link: only files in the folder",
+    ["open ../out.tcl r"] = "open ../out.tcl: only files in the folder",
+    ["source ../out.tcl"] = "source ../out.tcl: only files in the folder",
+    ["source deep/out.tcl"] = "source deep/out.tcl: only files in the folder",
+    ["source /etc/passwd"] = "source /etc/passwd: only files in the folder",
+    ["cd ..\nsource out.tcl"] = "cd ..: only files in the folder",
+    ["if {[file exists /etc/passwd] || [file exists link]} { error seen }"] = "has no node that was read",
+    ["puts $env(HOME)\nnode 1 0 0"] = "can't read \"env(HOME)\"",
+  } do
+    says("in/a.tcl", "set a 1\n" .. text, wanted)
+  end
+  expect(not support.is_there(folder .. "/made"), "a file was made")
+  support.run(("mkfifo %s/in/pipe"):format(support.quote(folder)))
+  says("in/a.tcl", "open pipe r", "open pipe: it is no file")
+  says("in/a.tcl", "source pipe", "source pipe: it is no file")
 end)
 
 case("Python: lists and texts that grow without bound", function()
@@ -85,13 +126,10 @@ case("devices, pipes and very large files are refused before they are read", fun
 end)
 
 case("limits of time and memory hold wherever a reader is, and leave no hook", function()
-  local seconds, memory = notes.most_seconds, notes.most_memory
   notes.most_seconds = 0.05
   says("a.tcl", "while {1} {}", "takes more than 0.05 s")
   notes.most_seconds, notes.most_memory = seconds, 2
-  local lines = {}
-  for i = 1, 30000 do lines[i] = ('set a(%d) "%s"'):format(i, ("x"):rep(100)) end
-  says("a.tcl", table.concat(lines, "\n"), "takes more than 2 MB of memory")
+  says("a.tcl", "set x 1", "takes more than 2 MB of memory")
   notes.most_memory = memory
   equal(debug.gethook(), nil, "a hook")
 end)

@@ -5,6 +5,7 @@
 -- Commands: the wiki of OpenSees and the documentation of OpenSeesPy. A plane frame in x and y becomes one in x and z
 -- of hinge: y of OpenSees is z of hinge, and rotations about z of OpenSees are those about -y.
 local check = require "hinge.check"
+local command_names = require "hinge.import.opensees_names"
 local constraints = require "hinge.import.opensees.constraints"
 local frame_module = require "hinge.import.frame"
 local models = require "hinge.import.opensees.models"
@@ -59,6 +60,13 @@ end
 --- = }.
 function Reader:run(name, args, place)
   self.place, self.command = place, name
+  for _, text in ipairs(args) do
+    if text == command_names.unknown and not beside[name] then
+      if name == "pattern" then self.case = { unread = place } end
+      if not alone[name] then self.incomplete = self.incomplete + 1 end
+      return self:not_read "it hangs on a result of the analysis, which hinge does not compute here"
+    end
+  end
   if beside[name] then
     self:computed(place)
     if not commands[name] then return end

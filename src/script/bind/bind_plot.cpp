@@ -60,15 +60,6 @@ std::string text_of(int file) {
     return all;
 }
 
-/// Whether a program is a script for another one, as `#!/bin/sh`.
-bool is_wrapper(const std::string& program) {
-    char first[2] = {};
-    std::FILE* file = std::fopen(program.c_str(), "rb");
-    const bool read = file && std::fread(first, 1, 2, file) == 2;
-    if (file) std::fclose(file);
-    return read && first[0] == '#' && first[1] == '!';
-}
-
 /// What gnuplot may open: it writes beside the picture alone, and starts nothing. It has no option for that: `system`,
 /// `!` and names that begin with < or | are part of its language.
 Reach reach_of_gnuplot(const std::string& folder, const std::string& program) {

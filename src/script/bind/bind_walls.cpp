@@ -13,28 +13,11 @@
 namespace hinge::script {
 namespace {
 
-/// What a script's process still reads: hinge's own library, the script, and what the C library and the look at free
-/// memory (script/checks/size_notice.cpp) open.
+/// What a script's process still reads: hinge's own library and the script, beside the system's files.
 std::vector<std::string> files_to_read(const Context& c, const std::string& script) {
-    return {c.library,
-            script,
-            "/usr/lib",
-            "/usr/local/lib",
-            "/lib",
-            "/lib64",
-            "/etc/ld.so.cache",
-            "/etc/localtime",
-            "/usr/share/zoneinfo",
-            "/proc/meminfo",
-            "/proc/self/status",
-            "/proc/self/statm",
-            "/proc/self/exe",
-            "/sys/fs/cgroup/memory.max",
-            "/sys/fs/cgroup/memory.current",
-            "/sys/devices/system/cpu",
-            "/dev/null",
-            "/dev/zero",
-            "/dev/urandom"};
+    std::vector<std::string> files = system_files();
+    files.insert(files.begin(), {c.library, script});
+    return files;
 }
 
 /// core.raise_walls(script, folder): from now on this process reads the script and hinge's own files alone, writes

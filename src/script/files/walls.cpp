@@ -83,8 +83,7 @@ constexpr std::uint32_t architecture = 0;  // no wall of this kind
 constexpr std::uint32_t newest = 450;  ///< the last call that this list was made with: Linux 6.1
 
 constexpr int refused[] = {
-    // programs and processes; clone is looked at below
-    SYS_execve,
+    // processes; clone and execve are looked at below
     SYS_execveat,
 #ifdef SYS_fork
     SYS_fork,
@@ -236,7 +235,7 @@ private:
     std::size_t n_ = 0, begun_ = 0;
 };
 
-Filter make_filter() {
+Filter make_filter(bool may_exec) {
     Filter f;
     f.load(offsetof(seccomp_data, arch));
     f.end_if(architecture, no_right, true);
@@ -244,6 +243,7 @@ Filter make_filter() {
     f.end_if_above(newest, no_such_call);
     f.end_if(SYS_clone3, no_such_call);  // its flags are out of sight; the C library then takes clone
     for (const int call : refused) f.end_if(std::uint32_t(call), no_right);
+    if (!may_exec) f.end_if(SYS_execve, no_right);
     f.begin_call(SYS_clone);  // threads only
     f.load_argument(0), f.end_without(CLONE_THREAD, no_right);
     f.done();
@@ -266,15 +266,40 @@ bool keep_privileges_low() noexcept { return ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 
 
 }  // namespace
 
+std::vector<std::string> system_files() {
+    return {"/usr/lib",
+            "/usr/local/lib",
+            "/lib",
+            "/lib64",
+            "/etc/ld.so.cache",
+            "/etc/localtime",
+            "/usr/share/zoneinfo",
+            "/proc/meminfo",
+            "/proc/self/status",
+            "/proc/self/statm",
+            "/proc/self/exe",
+            "/sys/fs/cgroup/memory.max",
+            "/sys/fs/cgroup/memory.current",
+            "/sys/devices/system/cpu",
+            "/dev/null",
+            "/dev/zero",
+            "/dev/urandom"};
+}
+
 KernelWalls kernel_walls() {
     const std::uint32_t action = SECCOMP_RET_ERRNO;
     return {landlock_version(), architecture != 0 && ::syscall(SYS_seccomp, SECCOMP_GET_ACTION_AVAIL, 0, &action) == 0};
 }
 
-std::string missing_walls(const KernelWalls& has) {
+std::string lacking(const KernelWalls& has) {
     std::string text;
     if (has.landlock < 1) text = "Landlock (files outside the output folder)";
     if (!has.seccomp) text += (text.empty() ? "" : " and ") + std::string("seccomp (programs and the network)");
+    return text;
+}
+
+std::string missing_walls(const KernelWalls& has) {
+    const std::string text = lacking(has);
     if (text.empty()) return "";
     return "warning: this kernel lacks " + text +
            ": only Lua keeps the script in the sandbox; "
@@ -303,9 +328,9 @@ bool restrict_files(int rules) noexcept {
     return rules >= 0 && keep_privileges_low() && ::syscall(restrict_self, rules, 0) == 0;
 }
 
-bool refuse_calls() noexcept {
+bool refuse_calls(bool may_exec) noexcept {
     if (architecture == 0 || !keep_privileges_low()) return false;
-    Filter filter = make_filter();
+    Filter filter = make_filter(may_exec);
     sock_fprog program = filter.program();
     return ::syscall(SYS_seccomp, SECCOMP_SET_MODE_FILTER, SECCOMP_FILTER_FLAG_TSYNC, &program) == 0;
 }

@@ -19,12 +19,19 @@ struct Reach {
     bool network = false;              ///< TCP, and sockets in folders that it writes or of other processes
 };
 
+/// What programs read that do nothing with the user's files: system libraries, time zones, what the C library and the
+/// look at free memory open.
+std::vector<std::string> system_files();
+
 /// What this kernel has.
 struct KernelWalls {
     int landlock = 0;  ///< its version; 0: none
     bool seccomp = false;
 };
 KernelWalls kernel_walls();
+
+/// The walls that are missing, with what they would be for; "" where both stand.
+std::string lacking(const KernelWalls& has);
 
 /// The line for the user where a wall is missing or has a gap; "" where both stand.
 std::string missing_walls(const KernelWalls& has);
@@ -37,8 +44,10 @@ int make_rules(const Reach& reach);
 bool restrict_files(int rules) noexcept;
 
 /// Refuses system calls of all threads from now on with EPERM: programs, processes, sockets, other processes' memory
-/// and signals, mounts, owners and rights of files, the kernel's settings. It cannot be undone.
-bool refuse_calls() noexcept;
+/// and signals, mounts, owners and rights of files, the kernel's settings. It cannot be undone. `may_exec`: the process
+/// may become another program, for a child that is about to do so; no second process comes of that. May be called
+/// between fork and exec.
+bool refuse_calls(bool may_exec = false) noexcept;
 
 /// The loader of this program, which other programs of the system have too; "" for a static one.
 std::string program_loader();

@@ -80,6 +80,7 @@ int open_core(lua_State* L) {
     open_hinges(L, module);
     open_measure(L, module);
     open_processes(L, module);
+    open_interpreters(L, module);
     open_interrupts(L, module);
     open_film(L, module);
     open_walls(L, module);
