@@ -319,6 +319,10 @@ pattern Plain 1 Linear { load 4 %s%s }
     local of_x = both(read_whole(tripod:format(ndf, zeros, "1e4 0 0", zeros)), moved("4", "x"))
     near(of_x, P * 5 / (EA * 1.5 * 0.36), 1e-6 * of_x, "across")
   end
+  -- a section of one deformation
+  local of_section = bracket:format(2, "", "", "truss", ""):gsub("element truss 1", "uniaxialMaterial Elastic 2 2e8\n"
+    .. "section Uniaxial 7 2 P\nelement truss 1"):gsub("1e%-3 1\n", "7\n")
+  near(both(read_whole(of_section), moved("3", "z")), -down, 1e-7 * down, "section Uniaxial")
   -- a brace beside a frame: the tip of the column has the stiffness of both
   local braced = column([[
 node 3 4 0
@@ -681,6 +685,9 @@ pattern UniformExcitation 1 1 -accel 1 -fact 0.5
     near(nodes["1"]:velocity(run), 0.04 * 4.905, 1e-3, "the velocity of the ground")
     return nodes["2"]:displacement(run)
   end)
+  local sine = read_whole(column "mass 2 5 5 0\npattern UniformExcitation 1 1 -accel \"Sine 0 2 0.5 -factor 3\"")
+  equal(("%s %d %g %.3g"):format(sine.motions[1].axis, #sine.motions[1].acceleration, sine.motions[1].scale,
+    sine.motions[1].dt), "x 401 3 0.005", "a sine of four periods")
   local file = write("quake.txt", "0 1\n2 1 0\n")
   expect(file:find "quake.txt", "a file beside the script")
   local of_file = read_whole(column([[

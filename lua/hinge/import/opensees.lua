@@ -35,6 +35,9 @@ function Reader:fail(...) notes.fail(self.where, self.place, ...) end
 --- Notes that the command that runs now is not read.
 function Reader:not_read(reason) notes.add(self.notes, self.place, self.place.text, reason) end
 
+--- The same, with one note for all commands of one reason.
+function Reader:not_read_once(reason) notes.once(self.notes, self.place, self.place.text, reason) end
+
 -- What a model of the script consists of. wipe makes all of it anew.
 local function fresh(file)
   return function()
@@ -76,7 +79,7 @@ function Reader:run(name, args, place)
     if good then return end
     if type(problem) ~= "table" or not problem.not_read then error(problem, 0) end
     if not problem.follows then return self:not_read(problem.not_read) end
-    notes.once(self.notes, place, place.text, problem.not_read) -- what follows from a line that was not read
+    self:not_read_once(problem.not_read) -- what follows from a line that was not read
   else
     self:not_read(("the command %s is not read"):format(name))
     if not alone[name] then self.incomplete = self.incomplete + 1 end
@@ -194,7 +197,14 @@ end
 -- Motion of the supports, and damping.
 local function add_motions(self)
   for _, row in ipairs(self.motions) do
-    table.insert(self.frame.motions, { axis = row.axis, dt = row.dt, acceleration = row.values, scale = row.scale })
+    local any = false
+    for _, node in ipairs(self.frame.nodes) do any = any or node.fixed[row.axis] end
+    self.place = row.place
+    if any then
+      table.insert(self.frame.motions, { axis = row.axis, dt = row.dt, acceleration = row.values, scale = row.scale })
+    else
+      self:not_read "no node is held along the motion of the ground"
+    end
   end
   local d = self.damping
   if d.alpha and (d.alpha > 0 or d.beta > 0) then self.frame.damping = { alpha = d.alpha, beta = d.beta } end
@@ -221,6 +231,10 @@ function Reader:finish()
   hold_bars(self)
   add_spins(self)
   choose_displacement(self)
+  if math.abs(self.mass / self.fitting_mass - 1) > 0.01 then
+    notes.add(self.notes.assumed, { file = self.frame.source }, ("units.mass is %.6g kg"):format(self.mass),
+      ("the mass that fits the units of force and length is %.6g kg"):format(self.fitting_mass))
+  end
   add_masses(self)
   drop_lonely(self, joined)
   add_motions(self)
@@ -238,11 +252,8 @@ function opensees.new(where, file, given, wanted)
   local self = setmetatable({ where = where, beside = beside, length = size.length, force = size.force,
     mass = size.mass, time = size.time, stress = size.force / size.length ^ 2, wanted = wanted, models = 0,
     incomplete = 0, fresh = fresh(file) }, Reader)
+  self.fitting_mass = fitting
   self:begin()
-  if math.abs(size.mass / fitting - 1) > 0.01 then
-    notes.add(self.notes.assumed, { file = file }, ("units.mass is %.6g kg"):format(size.mass),
-      ("the mass that fits the units of force and length is %.6g kg"):format(fitting))
-  end
   return self
 end
 

@@ -129,7 +129,7 @@ function read.equal(self, row, joined)
     return hold(free, letters)
   end
   if not joined[c.name] or not joined[r.name] then
-    return self:not_read "no member that was read ends at one of its nodes"
+    return self:not_read_once "no member that was read ends at one of its nodes"
   end
   local moves, turns = {}, {}
   for letter in pairs(letters) do
@@ -151,7 +151,7 @@ function read.beam(self, row, joined)
     return hold(c, r.fixed)
   end
   if not joined[r.name] and not joined[c.name] then
-    return self:not_read "no member that was read ends at one of its nodes"
+    return self:not_read_once "no member that was read ends at one of its nodes"
   end
   if not joined[c.name] then return move_to(self, c, r) end
   if not joined[r.name] then

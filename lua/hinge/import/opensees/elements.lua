@@ -5,7 +5,6 @@
 local arguments = require "hinge.import.opensees.arguments"
 local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
-local notes = require "hinge.import.notes"
 local materials = require "hinge.import.opensees.materials"
 local sections = require "hinge.import.opensees.sections"
 local springs = require "hinge.import.opensees.springs"
@@ -290,7 +289,7 @@ local function truss(kind)
     local a, b = self.node[tag(self, args[2], "node i")], self.node[tag(self, args[3], "node j")]
     local p
     if n == 4 then
-      p = sections.properties(self, args[4], false)
+      p = sections.of_bar(self, args[4])
     elseif n == 5 then
       local m = materials.of(self, args[5])
       if m.concrete then give_up "a bar of concrete is not read" end
@@ -328,7 +327,7 @@ function commands.element(self, args)
   self.element[name] = { unread = self.place }
   if not elements[kind] then
     self.elements_lost = true
-    notes.once(self.notes, self.place, self.place.text, ("element %s is not read"):format(kind))
+    self:not_read_once(("element %s is not read"):format(kind))
     return
   end
   for i, what in ipairs { "node i", "node j" } do find(self, "node", tag(self, rest[i + 1], what)) end

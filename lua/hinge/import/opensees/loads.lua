@@ -50,12 +50,12 @@ local function excitation(self, args, name)
   local fact = arguments.number_of(self, args, "-fact", "-factor") or 1
   local s = series_of(self, args, a + 1)
   if not tonumber(args[a + 1]) then fact = 1 end -- then -factor is that of the series
-  if not s.dt then give_up "a ground motion is read as a series Path with -dt" end
+  if not s.dt then give_up "a ground motion is read as a series of equal steps from 0 on: Path, or Trig" end
   for _, row in ipairs(self.motions) do
     if row.axis == axis then give_up("the ground moves along %s twice", args[3]) end
   end
   if option(args, "-vel0") then self:not_read "-vel0 is not read" end
-  table.insert(self.motions, { pattern = name, axis = axis, dt = s.dt, values = s.values,
+  table.insert(self.motions, { pattern = name, axis = axis, place = self.place, dt = s.dt, values = s.values,
     scale = s.factor * fact * self.length / self.time ^ 2 })
 end
 

@@ -269,6 +269,17 @@ local function properties(self, name, shear)
   return p
 end
 
+--- Area, E and strength of a section for a bar, which has an axial force alone.
+local function of_bar(self, name)
+  local s = arguments.find(self, "section", tag(self, name, "the section"))
+  if not s.EA or s.list then
+    local p = properties(self, name, false)
+    return { A = p.A, E = p.E, N0 = p.N0, fy = p.N0 and p.N0 / p.A, b = p.b, kinematic = p.kinematic }
+  end
+  local E = 2e11 / self.stress
+  return { A = s.EA / E, E = E, N0 = s.N0, fy = s.N0 and s.N0 * E / s.EA }
+end
+
 -- beamIntegration kind tag section points | HingeRadau tag sectionI lpI sectionJ lpJ sectionE
 function commands.beamIntegration(self, args)
   local name = tag(self, args[2], "the tag")
@@ -276,4 +287,4 @@ function commands.beamIntegration(self, args)
   self.beamIntegration[name] = { kind = args[1], args = rest }
 end
 
-return { commands = commands, properties = properties }
+return { commands = commands, properties = properties, of_bar = of_bar }

@@ -35,9 +35,11 @@ function readers.Trig(self, args, factor)
     points[#points + 1] = { a + t, math.sin(2 * math.pi * t / period + shift) }
   end
   points[#points + 1] = { b, 0 }
+  local values = {}
+  for i = 0, count do values[i + 1] = points[i + 2][2] end
   if math.abs(points[2][2]) < 1e-12 then table.remove(points, 1) end
   if math.abs(points[#points - 1][2]) < 1e-9 then table.remove(points, #points - 1) end
-  return of_points(factor, points)
+  return { factor = factor, history = points, dt = a == 0 and (b - a) / count or nil, values = values }
 end
 readers.Sine, readers.TrigSeries = readers.Trig, readers.Trig
 
@@ -87,6 +89,12 @@ function readers.Path(self, args, factor)
   if not arguments.option(args, "-useLast") then points[#points + 1] = { points[#points][1], 0 } end
   local first = points[1]
   if first[1] > 0 and first[2] ~= 0 then table.insert(points, 1, { first[1], 0 }) end
+  if times and times[1] == 0 then
+    dt = (times[#times] - times[1]) / (#times - 1)
+    for i, t in ipairs(times) do
+      if math.abs(t - (i - 1) * dt) > 1e-6 * dt * #times then dt = nil break end
+    end
+  end
   return { factor = factor, history = points, dt = dt and start == 0 and dt * self.time or nil, values = values }
 end
 readers.Series = readers.Path

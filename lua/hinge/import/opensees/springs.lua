@@ -202,7 +202,7 @@ local function finish(self, joined)
     local a, b = self.node[row.a], self.node[row.b]
     if not joined[row.a] then a, b = b, a end
     if not joined[a.name] then
-      self:not_read "no member that was read ends at one of its nodes"
+      self:not_read_once "no member that was read ends at one of its nodes"
     elseif joined[b.name] then
       if yields(row.parts) then add_joint(self, row, a, b) else add_connector(self, row, a, b) end
     elseif not is_held(self, b) then
