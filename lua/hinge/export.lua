@@ -65,11 +65,21 @@ local function name_of(source)
   return (stem == "" and "frame" or stem) .. ".lua"
 end
 
+-- Writes the script. Self weight that gravity cannot be is loads along the members, as the file has it.
+local function write(frame, file)
+  local good, path = pcall(import.write, frame, file, { scenario = true })
+  if good then return path end
+  local reason = tostring(path):match "import%.write: (.-); choose self_weight"
+  if not reason then error(path, 0) end
+  print(("self weight: loads along the members, as in the file, for %s"):format(reason))
+  return import.write(frame, file, { scenario = true, self_weight = "loads" })
+end
+
 --- The program: source, units and file as the command line has them. Returns the exit status.
 function export.main(options)
   local frame, notes = export.read(options.script, options.units, options.model)
   print(notes)
-  local path = import.write(frame, options.file or name_of(options.script), { scenario = true })
+  local path = write(frame, options.file or name_of(options.script))
   local count = notes_module.count(notes)
   local lost = count > 0 and (" without the %s above that %s not read"):format(
     check.count(count, "thing"), count == 1 and "was" or "were") or ""

@@ -1386,12 +1386,15 @@ local import = {}
 ---DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES 01
 ---- GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
 ---(M2, M3, T), FRAME INSERTION POINT ASSIGNMENTS, FRAME OFFSET ALONG LENGTH ASSIGNMENTS (rigid ends; where they are
----automatic, to the face of the columns or beams at the joint), FRAME AUTO MESH (at joints), MATERIAL PROPERTIES 02 -
----BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS, LOAD PATTERN DEFINITIONS, JOINT LOADS -
----FORCE, FRAME LOADS - POINT, and FRAME LOADS - DISTRIBUTED if uniform over the whole frame. Sections have the
----properties that the file states, and the size, the outline and what is left out of their shape: I/Wide Flange,
----Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000 times the area. A file that
----contradicts itself is an error with its line.
+---automatic, to the face of the columns or beams at the joint), FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY (M2, M3,
+---T), FRAME AUTO MESH (at joints), JOINT CONSTRAINT ASSIGNMENTS with CONSTRAINT DEFINITIONS - DIAPHRAGM, - BODY and -
+---EQUAL (where a support holds one of the joints), JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED, JOINT and FRAME ADDED MASS
+---ASSIGNMENTS, MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS,
+---LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, and FRAME LOADS - DISTRIBUTED if uniform over the
+---whole frame. Sections have the properties that the file states, and the size, the outline and what is left out of
+---their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000
+---times the area. Areas are one note with their size, loads and weight. A file that contradicts itself is an error with
+---its line.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1428,12 +1431,13 @@ function import.s2k(options) end
 
 ---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
 ---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
----to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT), MATERIAL PROPERTIES (E, U, weight,
----FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC LOADS, POINT OBJECT LOADS, and FRAME OBJECT LOADS
----or LINE OBJECT LOADS if uniform over the whole line. A joint is a point on a storey, "3@Storey 2", a member a line on
----a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes, releases, shapes and the division at
----joints are as those of import.s2k. A shape may also be a name of hinge.section.named. Insertion points and offsets
----count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Areas, diaphragms and springs are not read; the notes name them.
+---to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT, DIAPH, SPRINGPROP), MATERIAL
+---PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC LOADS, POINT OBJECT
+---LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS if uniform over the whole line. A joint is a point on a storey,
+---"3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes,
+---releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
+---hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Of areas the
+---rigid diaphragm alone is read; a note has their size, loads and weight.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1707,6 +1711,7 @@ function import.write(frame, file, options) end
 ---@field node string
 ---@field mass number kg
 ---@field inertia? vec3 kg m^2, about the x, y and z axes of space, as in model:mass; default 0
+---@field weight? number N, what of it is in the self weight of the file; default: it is in none
 
 -- Robustness ---------------------------------------------------------------------------------------------------------
 

@@ -75,7 +75,7 @@ case("a section without dimensions has the properties of the file", function()
     equal(frame.sections[1].outline, nil, shape .. ": outline")
   end
   local _, notes = read(column '   SectionName=P   Material=S   Shape=Pipe   tw=0.005')
-  expect(#notes > 0 and notes[3].reason:find("Area, I33, I22 and TorsConst above 0", 1, true), "%s", tostring(notes))
+  expect(#notes > 0 and notes[2].reason:find("Area, I33, I22 and TorsConst above 0", 1, true), "%s", tostring(notes))
 end)
 
 case("a section of a known name without dimensions has the outline and the plastic moduli of that name", function()
@@ -132,6 +132,142 @@ case("ETABS: notes of one kind are one note with a count, and what has no meanin
   equal(notes[1].count, 2, "count")
   equal(table.concat(notes[1].lines, " "), "25 26", "lines")
   equal(frame.members[3].release.a .. " " .. frame.members[3].release.b, "rx,ry rx,ry", "PINNED")
+end)
+
+-- Constraints, springs, floors ----------------------------------------------------------------------------------------
+
+-- Two posts of 3 m with their heads at joints 2 and 4; joint 5 has no member.
+local function posts(more)
+  return import.s2k { file = write("frame.s2k", ([[
+TABLE:  "PROGRAM CONTROL"
+   ProgramName=SAP2000   Version=24.1.0   CurrUnits="KN, m, C"
+TABLE:  "JOINT COORDINATES"
+   Joint=1   XorR=0   Y=0   Z=0
+   Joint=2   XorR=0   Y=0   Z=3
+   Joint=3   XorR=5   Y=0   Z=0
+   Joint=4   XorR=5   Y=0   Z=3
+   Joint=5   XorR=5   Y=4   Z=3
+TABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+   Joint=3   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
+   Material=S   UnitWeight=77   UnitMass=7.85   E1=2E8   G12=8E7
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   SectionName=P   Material=S   Shape=General   Area=0.01   TorsConst=1E-06   I33=1E-04   I22=2E-05   AS2=0.004 _
+        AS3=0.005
+   SectionName=list   Material=S   Shape="Auto Select"
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=1   JointI=1   JointJ=2
+   Frame=2   JointI=3   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=1   AnalSect=P
+   Frame=2   AnalSect=P
+TABLE:  "LOAD PATTERN DEFINITIONS"
+   LoadPat=W   SelfWtMult=0
+TABLE:  "JOINT LOADS - FORCE"
+   Joint=2   LoadPat=W   CoordSys=GLOBAL   F1=10
+%s]]):format(more or "")) }
+end
+
+local function moved(frame, ...)
+  local model, nodes = import.build(frame, { model = { displacement = "small" } })
+  local run = model:static { steps = 1, loads = { W = 1 } }:finish()
+  local list = {}
+  for i, name in ipairs { ... } do list[i] = (nodes[name]:displacement(run)) end
+  return table.unpack(list)
+end
+
+case("diaphragms and bodies tie the heads of two posts, equal displacements are held with one of them", function()
+  local alone = by_hand(2e11, 8e10, 1e-4, 0.004)
+  near(moved(posts(), "2"), alone, 1e-9, "one post")
+  local constraint = 'TABLE:  "CONSTRAINT DEFINITIONS - %s"\n   Name=C1   CoordSys=GLOBAL   %s\n'
+    .. 'TABLE:  "JOINT CONSTRAINT ASSIGNMENTS"\n   Joint=2   Constraint=C1   Type=X\n   Joint=4   Constraint=C1\n'
+    .. "   Joint=5   Constraint=C1\n"
+  for _, axis in ipairs { "Axis=Z   MultiLevel=No", "Axis=Auto", "Axis=Z   MultiLevel=Yes" } do
+    local frame, notes = posts(constraint:format("DIAPHRAGM", axis))
+    equal(#notes, 1, tostring(notes)) -- joint 5, which has no member
+    local a, b = moved(frame, "2", "4")
+    near(a, alone / 2, 1e-9, "the head with the load: " .. axis)
+    near(b, a, 1e-12, "the other head")
+  end
+  local body = posts(constraint:format("BODY", "UX=Yes   UY=Yes   UZ=Yes   RX=Yes   RY=Yes   RZ=Yes"))
+  equal(body.links[1].from .. " " .. body.links[1].to .. " " .. body.links[1].dofs, "2 4 all", "a body")
+  local equals = posts(constraint:format("EQUAL", "UX=Yes   UY=No   UZ=No   RX=No   RY=No   RZ=No")
+    .. "   Joint=3   Constraint=C1\n")
+  near(moved(equals, "2"), 0, 1e-12, "held with joint 3")
+  equal(equals.nodes[2].fix, "x", "fix")
+  local _, notes = posts(constraint:format("EQUAL", "UX=Yes"))
+  expect(notes[2].reason:find "no support holds", "%s", tostring(notes))
+end)
+
+case("springs to the ground, by their own stiffness", function()
+  local spring = 'TABLE:  "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"\n   Joint=2   U1=500   U2=0   R1=0\n'
+  local frame, notes = posts(spring)
+  equal(#notes, 1, tostring(notes))
+  local alone = by_hand(2e11, 8e10, 1e-4, 0.004)
+  near(moved(frame, "2"), 10e3 / (10e3 / alone + 500e3), 1e-9, "post and spring side by side")
+  -- a foot on a spring against rotation: 10 kN times 3 m over 2000 kN m/rad, times 3 m more
+  local turning = posts('TABLE:  "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"\n   Joint=1   R2=2000\n'
+    .. 'TABLE:  "JOINT RESTRAINT ASSIGNMENTS"\n   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R3=Yes\n')
+  near(moved(turning, "2"), alone + 10e3 * 9 / 2000e3, 1e-9, "a foot that turns")
+end)
+
+case("an end with partial fixity has its spring", function()
+  local frame, notes = posts('TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"\n   Frame=1   M3I=Yes   PartialFix=Yes\n'
+    .. 'TABLE:  "FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY"\n   Frame=1   M3I=2000\n')
+  equal(#notes, 1, tostring(notes)) -- joint 5
+  equal(frame.members[1].ends.a.Mx.stiffness, 2e6, "N m/rad")
+  equal(frame.members[1].release, nil, "release")
+  local alone = by_hand(2e11, 8e10, 1e-4, 0.004)
+  near(moved(frame, "2"), alone + 10e3 * 9 / 2000e3, 1e-8, "sway")
+end)
+
+case("areas are one note with their size, loads and weight; a section without a member is none", function()
+  local _, notes = posts [[
+TABLE:  "CONNECTIVITY - AREA"
+   Area=1   NumJoints=3   Joint1=2   Joint2=4   Joint3=5
+   Area=2   NumJoints=4   Joint1=1   Joint2=3   Joint3=4   Joint4=2
+TABLE:  "AREA SECTION PROPERTIES"
+   Section=slab   Material=S   AreaType=Shell   Type=Membrane   Thickness=0.1   Color=Green
+TABLE:  "AREA SECTION ASSIGNMENTS"
+   Area=1   Section=slab   MatProp=Default
+TABLE:  "AREA LOADS - UNIFORM TO FRAME"
+   Area=1   LoadPat=DEAD   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=2   DistType="Two way"
+   Area=1   LoadPat=LIVE   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=3   DistType="Two way"
+   Area=2   LoadPat=DEAD   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=1   DistType="Two way"
+]]
+  equal(#notes, 2, tostring(notes))
+  equal(notes[2].reason, "2 areas of 25 m^2 in all (floors and walls) are not read; with them go the loads DEAD 35 kN, "
+    .. "LIVE 30 kN, their own weight 77 kN", "the note")
+end)
+
+case("ETABS: diaphragms of points and of floors, springs, and floors", function()
+  local frame, notes = import.e2k { file = write("frame.e2k", (storey:gsub('COLOURED "Yes"', "")
+    :gsub('USERJOINT  "Yes"', 'DIAPH "D1"', 1)) .. [[
+$ DIAPHRAGM NAMES
+  DIAPHRAGM "D1"    TYPE RIGID
+$ POINT SPRING PROPERTIES
+  POINTSPRING  "S1"  STIFFNESSOPTION  "USERDEFINED"  UX  211000 UY  0 UZ  0
+$ POINT ASSIGNS
+  POINTASSIGN  "2"  "Top"  SPRINGPROP "S1"
+  POINTASSIGN  "3"  "Top"  DIAPH "D1"
+$ POINT COORDINATES
+  POINT "3"  6 4
+$ AREA CONNECTIVITIES
+  AREA "F1"  FLOOR  3  "1"  "2"  "3"  0  0  0
+$ SLAB PROPERTIES
+  SHELLPROP  "L10"  PROPTYPE  "Slab"  MATERIAL "S"  MODELINGTYPE "Membrane"  SLABTYPE "Slab"  SLABTHICKNESS 0.1
+$ AREA ASSIGNS
+  AREAASSIGN  "F1"  "Top"  SECTION "L10"  DIAPH "D1"
+$ SHELL OBJECT LOADS
+  AREALOAD  "F1"  "Top"  TYPE "UNIFF"  DIR "GRAV"  LC "DEAD"  FVAL 250
+]]) }
+  equal(#notes, 1, tostring(notes))
+  equal(notes[1].reason, "1 area of 12 m^2 in all (floors and walls) is not read; with it go the loads DEAD 3000 kN, "
+    .. "their own weight 92.4 kN", "the note")
+  equal(#frame.diaphragms, 1, "diaphragms")
+  equal(table.concat(frame.diaphragms[1].nodes, " "), "1@Top 2@Top", "its joints")
+  equal(frame.connectors[1].a .. " " .. frame.connectors[1].stiffness.x, "2@Top 211000000.0", "spring")
 end)
 
 checks.done()

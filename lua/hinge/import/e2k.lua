@@ -6,6 +6,7 @@
 -- has its second point on the storey to which LINEASSIGN puts it, and its first point one storey below. The third
 -- number of a POINT is how far it lies below its storey.
 local check = require "hinge.check"
+local e2k_areas = require "hinge.import.e2k_areas"
 local named = require "hinge.named"
 local notes = require "hinge.import.notes"
 local sap_frame = require "hinge.import.sap_frame"
@@ -88,7 +89,7 @@ end
 
 -- The reader ----------------------------------------------------------------------------------------------------------
 
-local Reader = {}
+local Reader = { pairs_after = pairs_after }
 Reader.__index = Reader
 
 --- The lines of a section that begin with a word; marks the section as read.
@@ -384,8 +385,48 @@ function Reader:read_lines()
   for _, l in ipairs(list) do self:read_line(l.line, l.name, l.storey, l.given) end
 end
 
+-- A point in a diaphragm, of which each storey has its own. One without a line at it is a corner of floors alone.
+function Reader:read_diaphragm(line, point, storey, diaphragm)
+  if not diaphragm or diaphragm:upper() == "DISCONNECTED" then return end
+  if not self.joints[point .. "@" .. storey.name] then return end
+  local kind = self.diaphragm_kinds[diaphragm]
+  if kind and kind ~= "RIGID" then
+    return self:remark(line, ("diaphragm %s is %s: its floors are not read, and nothing ties its points"):format(
+      diaphragm, kind:lower()), true, "soft diaphragm")
+  end
+  local name, joint = diaphragm .. " on " .. storey.name, point .. "@" .. storey.name
+  if not self.diaphragms[name] then
+    self.diaphragms[name] = {}
+    self:row("CONSTRAINT DEFINITIONS - DIAPHRAGM", "DIAPHRAGM NAMES", line, { Name = name, Axis = "Z" })
+  end
+  if self.diaphragms[name][joint] then return end
+  self.diaphragms[name][joint] = true
+  self:row("JOINT CONSTRAINT ASSIGNMENTS", "POINT ASSIGNS", line, { Joint = joint, Constraint = name })
+end
+
+-- Springs of a point to the ground.
+function Reader:read_spring(line, storey, name)
+  local given = self.springs[name]
+  if not given then return self:remark(line, ("spring %s is not read"):format(name)) end
+  must_be_numbers(line, given, "UX UY UZ RX RY RZ")
+  self:row("JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED", "POINT ASSIGNS", line, { Joint = self:joint(line, line.words[2],
+    storey), U1 = given.UX, U2 = given.UY, U3 = given.UZ, R1 = given.RX, R2 = given.RY, R3 = given.RZ })
+end
+
+-- What points are assigned to: kinds of diaphragms, and springs.
+function Reader:read_point_properties()
+  self.diaphragm_kinds, self.diaphragms, self.springs = {}, {}, {}
+  for _, line in ipairs(self:lines("DIAPHRAGM NAMES", "DIAPHRAGM")) do
+    self.diaphragm_kinds[line.words[2]] = (pairs_after(line, 3).TYPE or "RIGID"):upper()
+  end
+  for _, line in ipairs(self:lines("POINT SPRING PROPERTIES", "POINTSPRING")) do
+    local given = pairs_after(line, 3)
+    local option = (given.STIFFNESSOPTION or "USERDEFINED"):upper()
+    if option == "USERDEFINED" then self.springs[line.words[2]] = given end
+  end
+end
+
 function Reader:read_point_assigns()
-  local diaphragms = {}
   for _, line in ipairs(self:lines("POINT ASSIGNS", "POINTASSIGN")) do
     local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
     if given.RESTRAINT then
@@ -399,20 +440,28 @@ function Reader:read_point_assigns()
       end
       self:row("JOINT RESTRAINT ASSIGNMENTS", "POINT ASSIGNS", line, fields)
     end
-    local diaphragm = given.DIAPH or given.DIAPHRAGM
-    if diaphragm and diaphragm:upper() ~= "DISCONNECTED" then
-      local key = diaphragm .. " on " .. storey.name
-      diaphragms[key] = diaphragms[key] or line
-    end
-    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM", { "GROUP", "USERJOINT", "MESH", "JOINTMESH", "GUID",
-      "PANELZONE" })
-  end
-  for _, key in ipairs(check.keys(diaphragms)) do
-    self:remark(diaphragms[key], ("diaphragm %s is not read; model:diaphragm makes one"):format(key))
+    self:read_diaphragm(line, line.words[2], storey, given.DIAPH or given.DIAPHRAGM)
+    if given.SPRINGPROP then self:read_spring(line, storey, given.SPRINGPROP) end
+    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM SPRINGPROP", { "GROUP", "USERJOINT", "MESH",
+      "JOINTMESH", "GUID" })
   end
 end
 
 -- Loads ---------------------------------------------------------------------------------------------------------------
+
+-- What the masses are made of, and the loads that the program makes by itself.
+function Reader:read_mass_source()
+  for _, line in ipairs(self:lines("MASS SOURCE", "MASSSOURCE")) do
+    local given = pairs_after(line, 3)
+    self:row("MASS SOURCE", "MASS SOURCE", line, { Elements = given.INCLUDEELEMENTS, Loads = given.INCLUDELOADS })
+  end
+  self:lines("MASS SOURCE", "MASSSOURCELOAD")
+  for _, word in ipairs { "SEISMIC", "WIND" } do
+    for _, line in ipairs(self:lines("LOAD PATTERNS", word)) do
+      self:remark(line, "loads of earthquake and wind that the program makes are not read", false, "automatic loads")
+    end
+  end
+end
 
 function Reader:read_patterns()
   for _, from in ipairs { { "LOAD PATTERNS", "LOADPATTERN" }, { "STATIC LOADS", "LOADCASE" } } do
@@ -479,13 +528,14 @@ end
 -- What is left --------------------------------------------------------------------------------------------------------
 
 -- Sections that say nothing about the frame. Beginnings of their names.
-local beside = { "PROGRAM INFORMATION", "CONTROLS", "GRIDS", "DIAPHRAGM NAMES", "ANALYSIS OPTIONS", "FUNCTIONS",
+local beside = { "PROGRAM INFORMATION", "CONTROLS", "GRIDS", "ANALYSIS OPTIONS", "FUNCTIONS",
   "LOAD CASES", "LOAD COMBINATIONS", "PROJECT INFORMATION", "DIMENSION LINES", "DEVELOPED ELEVATIONS", "GROUPS",
   "REBAR DEFINITIONS", "LOG", "PIER/SPANDREL NAMES", "TABLE SETS", "MODAL", "STEEL DESIGN", "STEEL PREFERENCES",
   "CONCRETE DESIGN", "CONCRETE PREFERENCES", "COMPOSITE", "WALL PREFERENCES", "WALL DESIGN", "SHEAR WALL DESIGN",
   "REFERENCE PLANES", "REFERENCE LINES", "RESPONSE SPECTRUM CASES", "PUSHOVER", "NAMED SETS", "AUTO SELECT",
   "SECTION CUTS", "GENERALIZED DISPLACEMENTS", "TOWERS", "DEFAULT", "DESIGN", "OPTIONS", "PREFERENCES", "SLAB DESIGN",
-  "ACCEPTANCE CRITERIA", "STORIES" }
+  "ACCEPTANCE CRITERIA", "STORIES", "PANEL ZONE PROPERTIES", "TENDON SECTIONS", "LINK PROPERTIES", "CONCRETE SLAB",
+  "CONCRETE SECTIONS" }
 
 -- Sections without a reader, and lines of the others that begin with a word that has none.
 function Reader:note_the_rest()
@@ -516,8 +566,11 @@ return function(options, ...)
   self:read_sections()
   self:read_connectivities()
   self:read_lines()
+  self:read_point_properties()
   self:read_point_assigns()
+  e2k_areas(self)
   self:read_patterns()
+  self:read_mass_source()
   self:read_point_loads()
   self:read_line_loads()
   self:note_the_rest()

@@ -7,7 +7,7 @@
 -- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = },
 --                    offset = { a =, b = } }
 -- frame.cases      { name =, self_weight =, loads = { { node = or member =, and what case:load takes } } }
--- frame.masses     { node =, mass =, inertia =, offset = }
+-- frame.masses     { node =, mass =, inertia =, offset =, weight = (N: what of it is in the file's self weight) }
 -- and those of ties.lua: links, diaphragms, connectors, joints, motions, damping, model.
 --
 -- An offset { x, y, z } (m, in the axes of the frame) leads from a node to the member's end, and is rigid and has no
@@ -56,7 +56,8 @@ local rules = {
     group = optional "string", release = optional "table", offset = optional "table", ends = optional "table" },
   cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} },
     history = optional "table", held = optional "boolean" },
-  masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2", offset = vector "m" },
+  masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2", offset = vector "m",
+    weight = optional("number", { unit = "N", at_least = 0 }) },
 }
 for part, rule in pairs(ties.rules) do rules[part] = rule end
 local general = { name = text, named = optional "string" }
@@ -294,8 +295,8 @@ function frame_module.finish(frame, list, places)
       local name = what == "node" and row.name or row.node
       if name == nil or joined[name] then return true end
       local place = places[row]
-      notes.add(list, place, place.text, what == "node" and "no member that was read ends at this node"
-        or ("no member that was read ends at its node %s"):format(name))
+      notes.once(list, place, place.text, what == "node" and "no member that was read ends at this node"
+        or ("no member that was read ends at its node %s"):format(name), "no member: " .. what)
       return false
     end
   end

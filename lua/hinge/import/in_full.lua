@@ -140,7 +140,9 @@ local function not_by_gravity(parts, g)
   local cases = 0
   for _, case in ipairs(parts.cases) do cases = cases + (case.self_weight ~= 0 and 1 or 0) end
   if cases > 1 then return ("%d load cases have self weight, and gravity belongs to one"):format(cases), true end
-  if #parts.masses > 0 then return "the self weight of the file leaves out the point masses, and gravity does not" end
+  local bare = 0
+  for _, m in ipairs(parts.masses) do bare = bare + (m.weight and 0 or 1) end
+  if bare > 0 then return "the self weight of the file leaves out the point masses, and gravity does not" end
   for _, m in ipairs(parts.members) do
     local material = parts.material[m.material]
     local by_mass = (material.density or 0) * g
@@ -160,6 +162,15 @@ local function weight_as_loads(parts, case, g)
   end
 end
 
+-- The weight of point masses that is in the file's self weight: that of rigid ends.
+local function weight_of_masses(parts, case)
+  for _, m in ipairs(parts.masses) do
+    if m.weight and m.weight > 0 then
+      table.insert(case.loads, { node = m.node, force = { 0, 0, -case.self_weight * m.weight } })
+    end
+  end
+end
+
 local function expand_weight(where, parts, options)
   local any, g = false, options.gravity
   for _, case in ipairs(parts.cases) do any = any or case.self_weight ~= 0 end
@@ -173,7 +184,10 @@ local function expand_weight(where, parts, options)
   end
   for _, case in ipairs(parts.cases) do
     if case.self_weight ~= 0 then
-      if way == "loads" then weight_as_loads(parts, case, g) else case.gravity = -case.self_weight * g end
+      if way == "loads" then
+        weight_as_loads(parts, case, g)
+        weight_of_masses(parts, case)
+      else case.gravity = -case.self_weight * g end
     end
   end
 end

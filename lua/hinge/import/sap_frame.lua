@@ -8,8 +8,10 @@ local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
 local divided = require "hinge.import.divided"
+local sap_areas = require "hinge.import.sap_areas"
 local sap_loads = require "hinge.import.sap_loads"
 local sap_offsets = require "hinge.import.sap_offsets"
+local sap_ties = require "hinge.import.sap_ties"
 local sap_section = require "hinge.import.sap_section"
 local units = require "hinge.units"
 
@@ -200,8 +202,9 @@ function Reader:read_sections()
     local name = row:need "SectionName"
     local section, reason = sap_section(self, row, name)
     if not section then
+      row.unread = true
       self.unreadable[name] = row
-      self:not_read(row, reason)
+      self.reasons[name] = reason -- told where a member has the section
     else
       if self.section[name] then fail(row, "section %s is there twice", name) end
       self.section[name] = { material = row:text "Material" }
@@ -224,6 +227,10 @@ function Reader:has(row, kind, name, known)
   if known then return true end
   local lost = self.unreadable[name]
   if not lost then fail(row, "%s %s of %s is not in the file", kind, name, row.table) end
+  if kind == "section" and self.reasons[name] then
+    self:not_read(lost, self.reasons[name])
+    self.reasons[name] = nil
+  end
   self:not_read(row, ("its %s %s was not read, see line %d"):format(kind, name, lost.place.line))
   return false
 end
@@ -260,7 +267,9 @@ end
 
 function Reader:releases(row)
   if not row then return nil end
-  if row:yes "PartialFix" then self:not_read(row, "a spring of a partial release is not read: the end is released") end
+  if row:yes "PartialFix" and not self.tables["FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY"] then
+    self:not_read(row, "a spring of a partial release is not read: the end is released")
+  end
   local release = { a = self:release(row, "I"), b = self:release(row, "J") }
   return next(release) and release or nil
 end
@@ -436,6 +445,10 @@ local function unused(found)
 end
 
 function Reader:note_the_rest(others)
+  for _, name in ipairs(check.keys(self.reasons)) do
+    local row = self.unreadable[name]
+    notes.once(self.notes.skipped, row.place, row.line, "no member has this section")
+  end
   for _, line in ipairs(others) do notes.add(self.notes.skipped, line.place, line.line) end
   for _, found in ipairs(self.tables) do
     for _, remark in ipairs(found.remarks or {}) do
@@ -443,6 +456,7 @@ function Reader:note_the_rest(others)
         remark.kind)
     end
     local title = found.title or ('TABLE: "%s"'):format(found.name)
+    if found.silent then goto next end
     if found.read then
       local keys = unused(found)
       if #keys > 0 then
@@ -453,6 +467,7 @@ function Reader:note_the_rest(others)
       notes.add(list, found.place, ("%s, %s"):format(title, check.count(#found.rows, "row")),
         list == self.notes and "the table is not read" or nil)
     end
+    ::next::
   end
 end
 
@@ -462,7 +477,7 @@ end
 function sap_frame.read(where, file, tables, others, program)
   local self = setmetatable({ where = where, file = file, tables = tables, program = program or "SAP2000",
     frame = frame_module.new(file), notes = notes.new(), places = {}, node = {}, material = {}, section = {},
-    member = {}, parts = {}, case = {}, unreadable = {}, lost = {} }, Reader)
+    member = {}, parts = {}, case = {}, unreadable = {}, reasons = {}, lost = {} }, Reader)
   self:read_units()
   self:read_freedoms()
   self:read_joints()
@@ -475,6 +490,8 @@ function sap_frame.read(where, file, tables, others, program)
   self:read_patterns()
   self:read_joint_loads()
   sap_loads(self)
+  sap_ties(self, frame_module.direction)
+  sap_areas(self)
   self:note_the_rest(others)
   return frame_module.finish(self.frame, self.notes, self.places)
 end

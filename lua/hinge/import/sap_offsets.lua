@@ -103,6 +103,7 @@ function Offsets:beside(member)
   local by = self:of_point(row, member, x, y)
   local axes = { z, y, { -x[1], -x[2], -x[3] } }
   local i, j = plus(by, 1, self:of_joint(row, "I", axes)), plus(by, 1, self:of_joint(row, "J", axes))
+  for _, key in ipairs { "Mirror2", "Mirror3", "CoordSys" } do row:text(key) end
   if is_zero(i) and is_zero(j) then return nil end
   if transform:lower() ~= "yes" then
     notes.once(self.reader.notes.assumed, row.place, row.line, "its insertion point does not enter the analysis, for "
@@ -137,6 +138,7 @@ end
 -- The lengths of the rigid ends of a member, m; nil: none.
 function Offsets:rigid(member)
   local row = self.lengths[member.name]
+  if row then row:text "SelfWeight" end
   local factor = row and (row:text "RigidFactor" and row:number "RigidFactor" or row:number("RigidFact", 0)) or 0
   if factor == 0 then return nil end
   local a, b, reader = member.a, member.b, self.reader
@@ -182,20 +184,25 @@ function Offsets:apply(member, parts, rigid)
   return i + j
 end
 
--- The weight of rigid ends acts on the joints, in every case with self weight; nothing else has their mass.
-function Offsets:weigh(part, ends, full)
+-- The mass and the weight of rigid ends are on the joints. Gravity acts on the mass; the moment that the weight has
+-- there is a load in every case with self weight, and so is a weight without mass.
+function Offsets:weigh(row, part, ends)
   local reader = self.reader
   local material, area = reader.material[part.material], self.area[part.section]
   local per_metre = (material.unit_weight or material.density * gravity) * area
   local d = frame_module.direction(reader.node[part.a], reader.node[part.b])
   for i, at in ipairs { "a", "b" } do
-    if ends[i] > 0 then
+    local weight, mass = per_metre * ends[i], material.density * area * ends[i]
+    if weight > 0 then
       local along = plus({ 0, 0, 0 }, (i == 1 and 0.5 or -0.5) * ends[i], d)
-      local force = { 0, 0, -per_metre * ends[i] }
-      if full then
-        table.insert(reader.weights, { node = part[at], force = force, moment = cross(along, force) })
-      end
-      self.mass = self.mass + material.density * area * ends[i]
+      table.insert(reader.weights, { node = part[at], force = mass > 0 and { 0, 0, 0 } or { 0, 0, -weight },
+        moment = cross(along, { 0, 0, -weight }) })
+    end
+    if mass > 0 then
+      local new = { node = part[at], mass = mass, weight = weight }
+      reader.places[new] = { file = reader.file, line = row.place.line, text = row.line }
+      table.insert(reader.frame.masses, new)
+      self.mass = self.mass + mass
     end
   end
 end
@@ -234,14 +241,14 @@ return function(reader)
     if rigid or self.moved[member.name] then
       local own = self:apply(member, parts, rigid)
       if own > 0 then length, first = length + own, first or rigid.row end
-      for _, part in ipairs(own > 0 and parts or {}) do
-        self:weigh(part, reader.rigid[part.name], rigid.full)
+      for _, part in ipairs(own > 0 and rigid.full and parts or {}) do
+        self:weigh(rigid.row, part, reader.rigid[part.name])
       end
     end
   end
   if length > 0 then
     notes.add(reader.notes.assumed, first.place, first.line, ("rigid ends of %.4g m in all: rigid in axial strain and "
-      .. "torsion, too, which %s leaves flexible there; their mass of %.4g kg is left out, their weight is not"):format(
+      .. "torsion, too, which %s leaves flexible there; their mass of %.4g kg is on the joints"):format(
       length, reader.program, self.mass))
   end
 end
