@@ -2,7 +2,8 @@
 -- take longer than its limit; what is not read has a reason. A table says how many are read, partly read and refused,
 -- and why. The tree has no such files: their authors have the rights to them.
 --
--- Run: HINGE_MODELS=folder lua5.4 tests/script/import_models_test.lua [table.csv], with the module on LUA_CPATH.
+-- Run: HINGE_MODELS=folder lua5.4 tests/script/import_models_test.lua [table.csv], with the module on LUA_CPATH. In the
+-- place of a folder it may be a text file, with a file or a folder on each line.
 -- HINGE_MODELS_PYTHON=yes runs the Python files too: they are programs, and run with the rights of who starts this.
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
@@ -18,22 +19,31 @@ local endings = { tcl = "Tcl", py = "Python", s2k = "SAP2000", ["$2k"] = "SAP200
 
 local function ending_of(path) return endings[path:lower():match "%.([^./]*)$" or ""] end
 
+-- The files below a folder, or those that a text file names.
 local function files_of(where)
-  local files = {}
-  for path in support.output(("find -L %s -type f"):format(support.quote(where))):gmatch "[^\n]+" do
-    if ending_of(path) then files[#files + 1] = path end
+  local folders, files, known = { where }, {}, {}
+  if support.run(("test -d %s"):format(support.quote(where))) ~= 0 then
+    folders = {}
+    for line in io.lines(where) do folders[#folders + 1] = line end
+  end
+  for _, name in ipairs(folders) do
+    for path in support.output(("find -L %s -type f"):format(support.quote(name))):gmatch "[^\n]+" do
+      if ending_of(path) and not known[path] then files[#files + 1], known[path] = path, true end
+    end
   end
   table.sort(files)
   return files
 end
 
--- Whether a text has a frame by itself: nodes and elements that are beams or bars. Files that only take part in a
--- model, such as a procedure, or that are no model at all, are counted apart.
+-- Whether a text has a frame by itself: a model, nodes and elements that are beams or bars. Files that only take part
+-- in a model, such as a procedure, or that are no model at all, are counted apart.
 local function has_frame(text, program)
   if program == "SAP2000" then return text:find 'TABLE:%s*"CONNECTIVITY %- FRAME"' ~= nil end
   if program == "ETABS" then return text:find "$ LINE CONNECTIVITIES" ~= nil end
-  if not text:find "%f[%a]node%f[%W]" or not text:find "%f[%a]model%f[%W]" then return false end
-  return text:find "[bB]eam[cC]olumn" or text:find "TimoshenkoBeam" or text:find "%f[%a][cC]?o?r?o?t?[tT]russ%f[%A]"
+  text = "\n" .. text
+  local begins = program == "Tcl" and text:find "[\n;{]%s*model%s+%a" or text:find "%f[%a]model%s*%(%s*['\"]"
+  return begins and text:find "%f[%a]node%f[%A]" and (text:find "[bB]eam[cC]olumn" or text:find "TimoshenkoBeam"
+    or text:find "%f[%a]truss%f[%A]" or text:find "%f[%a][cC]orotTruss%f[%A]" or text:find "%f[%a]Truss%f[%A]") ~= nil
 end
 
 -- Reads a file in another process: status, members, nodes, notes, kinds, seconds.
@@ -121,7 +131,7 @@ case("no file crashes a reader or takes longer than its limit", function()
     if not seen[text] then -- repositories have copies of others
       seen[text] = true
       local row = read(path)
-      row.program, row.frame = ending_of(path), has_frame(text, ending_of(path)) or row.members > 0
+      row.program, row.frame = ending_of(path), has_frame(text, ending_of(path)) and true or row.members > 0
       rows[#rows + 1] = row
       expect(row.status ~= "crashed" and row.status ~= "too long", "%s: %s", path, meaning[row.status])
       io.stderr:write(("\r%d files"):format(#rows))

@@ -10,7 +10,9 @@ local path, run_python = arg[1], arg[2] == "run_python"
 
 -- A reason without what differs between files of one kind: names in quotes, paths, numbers.
 local function kind_of(reason)
-  reason = reason:gsub("^.-hinge%.import%.[%w_]+: ", ""):gsub("[\t\n]", " ")
+  local at, to = reason:find(path, 1, true)
+  if at then reason = reason:sub(1, at - 1) .. "FILE" .. reason:sub(to + 1) end
+  reason = reason:gsub("^.-hinge%.import%.[%w_]+: ", ""):gsub("[\t\n]", " "):gsub("; the first line.*", "")
   reason = reason:gsub("'[^']*'", "'...'"):gsub("%S*/%S*:", "FILE:"):gsub("%S*/%S+", "FILE")
   return (reason:gsub("[+-]?%d+%.?%d*[eE][+-]?%d+", "N"):gsub("([^%w_])[+-]?%d+%.?%d*", "%1N"):gsub("FILE:N", "FILE:N")
     :sub(1, 160))
@@ -49,6 +51,6 @@ for _, note in ipairs(notes) do
 end
 if #frame.members == 0 then finish("empty", 0, #frame.nodes, #notes, kinds) end
 -- what is read must make a model
-local built, problem = pcall(import.build, frame, {})
+local built, problem = pcall(import.build, frame, { self_weight = "loads" })
 if not built then finish("unbuilt", #frame.members, #frame.nodes, #notes + 1, { [kind_of(tostring(problem))] = 1 }) end
 finish(#notes == 0 and "whole" or "partly", #frame.members, #frame.nodes, #notes, kinds)

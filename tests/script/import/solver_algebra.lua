@@ -144,7 +144,7 @@ function algebra.cholesky(A)
     L[i] = l
     for j = first, i do
       local sum, other = row[j], L[j]
-      for k = math.max(first, other.first), j - 1 do sum = sum - l[k] * other[k] end
+      for k = first > other.first and first or other.first, j - 1 do sum = sum - l[k] * other[k] end
       if j < i then
         l[j] = sum / other[j]
       else
