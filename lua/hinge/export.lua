@@ -45,17 +45,21 @@ local function model_of(text)
   return number
 end
 
---- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. units, model:
---- texts for a script of OpenSees.
-function export.read(source, units, model)
+--- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. o.units and
+--- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run.
+function export.read(source, o)
+  local units = o.units
   local tables_there = csv_of(source)
   local reader = by_ending[(source:match "%.([^./]*)$" or ""):lower()]
   if units and reader ~= "tcl" then check.fail("--units is for scripts of OpenSees; %s has its own", source) end
-  if model and reader ~= "tcl" then check.fail("--model is for scripts of OpenSees; %s has one model", source) end
+  if o.model and reader ~= "tcl" then check.fail("--model is for scripts of OpenSees; %s has one model", source) end
   if tables_there then return import.csv(tables_there) end
   if source:find "%.lua$" then check.fail("%s is a script of hinge already; export reads %s", source, known) end
   if not reader then check.fail("%s is of no kind that export reads: %s", source, known) end
-  if reader == "tcl" then return import.tcl { file = source, units = units_of(units), model = model_of(model) } end
+  if reader == "tcl" then
+    return import.tcl { file = source, units = units_of(units), model = model_of(o.model),
+      run_python = o.run_python and true }
+  end
   return import[reader] { file = source }
 end
 
@@ -67,17 +71,14 @@ end
 
 -- Writes the script. Self weight that gravity cannot be is loads along the members, as the file has it.
 local function write(frame, file)
-  local good, path = pcall(import.write, frame, file, { scenario = true })
-  if good then return path end
-  local reason = tostring(path):match "import%.write: (.-); choose self_weight"
-  if not reason then error(path, 0) end
-  print(("self weight: loads along the members, as in the file, for %s"):format(reason))
-  return import.write(frame, file, { scenario = true, self_weight = "loads" })
+  local path, reason = import.write(frame, file, { scenario = true, self_weight = "either" })
+  if reason then print("self weight: loads along the members, as in the file, for " .. reason) end
+  return path
 end
 
---- The program: source, units and file as the command line has them. Returns the exit status.
+--- The program: source, units, model, run_python and file as the command line has them. Returns the exit status.
 function export.main(options)
-  local frame, notes = export.read(options.script, options.units, options.model)
+  local frame, notes = export.read(options.script, options)
   print(notes)
   local path = write(frame, options.file or name_of(options.script))
   local count = notes_module.count(notes)

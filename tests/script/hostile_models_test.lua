@@ -16,7 +16,9 @@ local function said(name, text)
   if text then support.write(path, text) end
   local kind = name:match "[^.]*$"
   local options = { file = path }
-  if kind == "py" or kind == "tcl" then kind, options.units = "tcl", { force = "kN", length = "m" } end
+  if kind == "py" or kind == "tcl" then
+    kind, options.units, options.run_python = "tcl", { force = "kN", length = "m" }, true
+  end
   local began = os.clock()
   local good, problem = pcall(hinge.import[kind], options)
   local seconds = os.clock() - began
@@ -91,29 +93,69 @@ case("Tcl: no program, no socket, no file outside of the folder, nothing written
   says("in/a.tcl", "source pipe", "source pipe: it is no file")
 end)
 
-case("Python: lists and texts that grow without bound", function()
-  for line, wanted in pairs {
-    ["x = [0] * 1000000000"] = "the first line that was not read: x = [0] * 1000000000",
-    ["x = 1000000000 * [0]"] = "the first line that was not read: x = 1000000000 * [0]",
-    ["x = 'a' * 1000000000"] = "the first line that was not read: x = 'a' * 1000000000",
-    ["x = [0]\nfor i in range(100):\n    x = x + x"] = "the first line that was not read: x = x + x",
-    ["x = [0]\nfor i in range(100):\n    x.extend(x)"] = "the first line that was not read: x.extend(x)",
-    ["x = 'a'\nfor i in range(100):\n    x = x + x"] = "the first line that was not read: x = x + x",
-    ["x = [[0 for j in range(199999)] for i in range(199999)]"] = "the script runs more than 200000 statements",
-    ["for i in range(200000):\n    for j in range(200000):\n        x = 1"] =
-      "the script runs more than 200000 statements",
+case("Python: values that grow without bound, and loops without end", function()
+  notes.most_seconds, notes.most_memory = 3, 300
+  local memory_bomb = "it takes more than 300 MB of memory"
+  for text, wanted in pairs {
+    ["y = 1\nx = [0] * 1000000000"] = "a.py:2: " .. memory_bomb,
+    ["x = 'a' * 1000000000"] = "a.py:1: " .. memory_bomb,
+    ["x = [0]\nwhile True:\n    x = x + x"] = "a.py:3: " .. memory_bomb,
+    ["x = [0]\nwhile True:\n    try:\n        x = x + x\n    except BaseException: pass"] = "takes more than 3 s",
+    ["y = 1\nwhile True: pass"] = "a.py:2: the script takes more than 3 s",
+    ["import time\nwhile True: time.sleep(1000)"] = "a.py:2: the script takes more than 3 s",
+    ["import signal\nsignal.alarm(0)\nsignal.signal(signal.SIGALRM, signal.SIG_IGN)\nwhile True: pass"] =
+      "it takes more than 3 s",
+    ["def f(x): return f(x + 1)\nf(1)"] = "a.py:1: RecursionError",
+    ["import sys\nsys.setrecursionlimit(10**9)\nf = lambda x: f(x)\nfor i in range(9): f = (lambda g: lambda x: "
+      .. "max(x, key=g))(f)\ndef g(x): return max([x], key=g)\ng(1)"] = "nested too deeply",
+    ["input()"] = "a.py:1: EOFError",
   } do
-    says("a.py", line, wanted)
+    says("a.py", text, wanted)
   end
+  notes.most_seconds, notes.most_memory = seconds, memory
 end)
 
 case("Python: brackets and blocks within each other", function()
-  says("a.py", "x = " .. ("["):rep(1e5) .. ("]"):rep(1e5), ":1: more than 100 brackets are within each other")
-  says("a.py", "x = " .. ("("):rep(1e5), ":1: more than 100 brackets are within each other")
+  says("a.py", "x = " .. ("["):rep(1e5) .. ("]"):rep(1e5), "a.py:1: SyntaxError: too many nested parentheses")
   local lines = {}
   for i = 0, 300 do lines[i + 1] = (" "):rep(i) .. "if True:" end
-  says("a.py", table.concat(lines, "\n") .. "\n" .. (" "):rep(301) .. "x = 1\n", "more than 100 blocks")
+  says("a.py", table.concat(lines, "\n") .. "\n" .. (" "):rep(301) .. "x = 1\n", "IndentationError: too many levels")
   says("a.py", "x = " .. ("-"):rep(1e5) .. "1", "a.py")
+end)
+
+case("Python: no process, no program, no network, no file outside of the folder, nothing written", function()
+  support.write(folder .. "/secret.txt", "secret")
+  support.run(("cd %s && mkdir -p in && ln -sf /etc/passwd in/link"):format(support.quote(folder)))
+  local refused = "PermissionError: [Errno "
+  for text, wanted in pairs {
+    ["import os\nwhile True: os.fork()"] = "a.py:2: " .. refused .. "1]",
+    ["import subprocess\nsubprocess.run(['touch', 'made'])"] = "a.py:2: " .. refused,
+    ["import os\nif os.system('touch made') == 0: raise ValueError"] = "has no node that was read",
+    ["import os\nos.execv('/bin/touch', ['touch', 'made'])"] = "a.py:2: " .. refused .. "13]",
+    ["import multiprocessing as m\nm.Process(target=print).start()"] = "a.py:2: PermissionError",
+    ["import socket\nsocket.create_connection(('127.0.0.1', 22))"] = "a.py:2: " .. refused .. "1]",
+    ["import urllib.request\nurllib.request.urlopen('http://127.0.0.1')"] = "a.py:2: ",
+    ["open('/etc/passwd').read()"] = "a.py:1: " .. refused .. "13]",
+    ["open('link').read()"] = "a.py:1: " .. refused .. "13]",
+    ["open('../secret.txt').read()"] = "a.py:1: " .. refused .. "13]",
+    ["import os\nos.open('../secret.txt', os.O_RDONLY)"] = "a.py:2: " .. refused .. "13]",
+    ["import os\nos.listdir('..')"] = "a.py:2: " .. refused .. "13]",
+    ["import os\nos.open('made', os.O_CREAT | os.O_WRONLY)"] = "a.py:2: " .. refused .. "13]",
+    ["import os\nos.symlink('a.py', 'made')"] = "a.py:2: " .. refused .. "13]",
+    ["import os\nos.truncate('a.py', 0)"] = "a.py:2: " .. refused,
+    ["import os, signal\nos.kill(os.getppid(), signal.SIGKILL)"] = "a.py:2: " .. refused .. "1]",
+    ["import os\nos.chmod('a.py', 0)"] = "a.py:2: " .. refused .. "1]",
+    ["import ctypes\nctypes.CDLL(None).unlink(b'a.py')\nraise ValueError"] = "a.py:3: ValueError",
+    ["f = open('made', 'w')\nf.write('x')\nf.close()\nimport os\nos.remove('a.py')"] = "has no node that was read",
+    ["import sys\nsys.path.insert(0, '..')\nimport secret"] =
+      "has no node that was read; the first line that was not read: import secret",
+    ["import os\nos._exit(7)"] = "python3 ended by status 7",
+  } do
+    says("in/a.py", text, wanted)
+    expect(support.is_there(folder .. "/in/a.py"), "it removed itself: %s", text)
+  end
+  expect(not support.is_there(folder .. "/in/made") and not support.is_there(folder .. "/made"), "a file was made")
+  expect(not support.is_there(folder .. "/in/__pycache__"), "compiled modules were left")
 end)
 
 case("devices, pipes and very large files are refused before they are read", function()

@@ -83,7 +83,8 @@ mass 3 mass=1000
 
 case("OpenSees: a plane frame in m and kN, row by row, in Tcl and in Python", function()
   for name, text in pairs { ["plane.tcl"] = plane_tcl, ["plane.py"] = plane_python } do
-    local frame, notes = import.tcl { file = write(name, text), units = { length = "m", force = "kN" } }
+    local frame, notes = import.tcl { file = write(name, text), units = { length = "m", force = "kN" },
+      run_python = true }
       same_lines(dump(frame), plane_as_text, name)
     equal(#notes, 0, tostring(notes))
     local assumed = {}

@@ -1,5 +1,5 @@
--- hinge.import, rules of its formats one by one, by hand: releases of both ends by CSV, operators of Python and Tcl by
--- precedence and associativity, units and masses of ETABS.
+-- hinge.import, rules of its formats one by one, by hand: releases of both ends by CSV, axes of members, units and
+-- masses of ETABS.
 --
 -- Run: lua5.4 tests/script/import_rules_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
@@ -57,52 +57,7 @@ case("CSV: plastic moduli, and nu where G is missing", function()
   near(member.material.G, 8e10, 1, "G")
 end)
 
--- Python and Tcl ------------------------------------------------------------------------------------------------------
-
--- The x of node 2 of a script of OpenSees whose coordinate is an expression.
-local function python(expression)
-  local text = ("import openseespy.opensees as ops\nops.model('basic', '-ndm', 3, '-ndf', 6)\n"
-    .. "ops.node(1, 0.0, 0.0, 0.0)\nv = %s\nops.node(2, v, 0.0, 0.0)\nops.fix(1, 1, 1, 1, 1, 1, 1)\n"
-    .. "ops.geomTransf('Linear', 1, 0.0, 0.0, 1.0)\n"
-    .. "ops.element('elasticBeamColumn', 1, 1, 2, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1)\n"):format(expression)
-  local frame = import.tcl { file = write("frame.py", text), units = { length = "m", force = "N" } }
-  return frame.nodes[2].x
-end
-
-local function tcl(expression)
-  local text = ("model BasicBuilder -ndm 3 -ndf 6\nnode 1 0.0 0.0 0.0\nset v [expr %s]\nnode 2 $v 0.0 0.0\n"
-    .. "fix 1 1 1 1 1 1 1\ngeomTransf Linear 1 0.0 0.0 1.0\n"
-    .. "element elasticBeamColumn 1 1 2 1.0 1.0 1.0 1.0 1.0 1.0 1\n")
-    :format(expression)
-  local frame = import.tcl { file = write("frame.tcl", text), units = { length = "m", force = "N" } }
-  return frame.nodes[2].x
-end
-
-case("Python: precedence and associativity of operators, as python3 prints them", function()
-  for expression, wanted in pairs {
-    ["2**3**2"] = 512, ["(2**3)**2"] = 64, ["2**-1"] = 0.5, ["10 - -2**2"] = 14, ["2*3**2"] = 18, ["10 - 2 - 3"] = 5,
-    ["100 / 5 / 2"] = 10, ["2 + 3 * 4"] = 14, ["7 // 2 * 2"] = 6, ["7 % 4 + 1"] = 4, ["-7 // 2 + 10"] = 6,
-    ["-7 % 3"] = 2, ["1 / 2"] = 0.5, ["(1 + 2) * 3"] = 9, ["2 if 1 > 2 else 3"] = 3, ["1 + (2 < 3)"] = 2,
-    ["1 if 1 < 2 < 3 else 9"] = 1, ["1 if 1 < 3 < 2 else 9"] = 9, ["4 if 0 or 2 else 5"] = 4,
-    ["4 if 1 and 0 else 5"] = 5, ["6 if not 1 else 7"] = 7, ["8**(1/3)"] = 2,
-  } do
-    local good, x = pcall(python, expression)
-    if good then near(x, wanted, 1e-12, expression)
-    else expect(support.has(tostring(x), "not") or support.has(tostring(x), "cannot"), "%s is refused: %s", expression,
-      tostring(x)) end
-  end
-  near(python "2**3**2", 512, 0, "powers go from the right")
-end)
-
-case("Python: lists are joined, and values are taken from them", function()
-  for expression, wanted in pairs { ["([1, 2] + [3, 4, 5])[3]"] = 4, ["len([1, 2] + [3])"] = 3, ["[1, 2, 3][-1]"] = 3,
-    ["sum([1, 2] + [3])"] = 6, ["max([1, 7] + [3])"] = 7, ["(1, 2)[0] + 10"] = 11 } do
-    local good, x = pcall(python, expression)
-    if good then near(x, wanted, 1e-12, expression)
-    else expect(tostring(x):find("frame.py", 1, true), "%s is refused at its line: %s", expression, tostring(x)) end
-  end
-  near(python "([1, 2] + [3, 4, 5])[3]", 4, 0, "two lists")
-end)
+-- Axes ----------------------------------------------------------------------------------------------------------------
 
 case("axes of members: y is the part of `up` across the member, x follows", function()
   local axes = require "hinge.import.frame".axes
@@ -125,16 +80,6 @@ case("axes of members: y is the part of `up` across the member, x follows", func
       "right-handed")
   end
   equal(axes({ 1, 0, 0 }, { 2, 0, 0 }), nil, "`up` along the member")
-end)
-
-case("Tcl: precedence and associativity of operators, as tclsh prints them", function()
-  for expression, wanted in pairs {
-    ["{2**3**2}"] = 512, ["{(2**3)**2}"] = 64, ["{2*3**2}"] = 18, ["{10 - 2 - 3}"] = 5, ["{100 / 5 / 2}"] = 10,
-    ["{2 + 3 * 4}"] = 14, ["{7 / 2 * 2}"] = 6, ["{7.0 / 2}"] = 3.5, ["{-7 / 2 + 10}"] = 6, ["{-7 % 3}"] = 2,
-    ["{-2**2 + 10}"] = 14, ["{1 > 2 ? 3 : 4}"] = 4, ["{1 < 2 && 2 < 3 ? 5 : 6}"] = 5, ["{0 || 0 ? 5 : 6}"] = 6,
-    ["{!0 + 2}"] = 3, ["{sqrt(16) + 1}"] = 5, ["{pow(2, 3)}"] = 8, ["{abs(-3)}"] = 3, ["{1 == 1 ? 2 : 3}"] = 2,
-    ["{1 != 1 ? 2 : 3}"] = 3, ["{2 <= 1 ? 2 : 3}"] = 3, ["{2 >= 1 ? 2 : 3}"] = 2,
-  } do near(tcl(expression), wanted, 1e-12, expression) end
 end)
 
 -- ETABS ---------------------------------------------------------------------------------------------------------------

@@ -25,7 +25,8 @@ local function tcl(text, units)
 end
 
 local function python(text, units)
-  return import.tcl { file = write("frame.py", text), units = units or { length = "m", force = "N" } }
+  return import.tcl { file = write("frame.py", text), units = units or { length = "m", force = "N" },
+    run_python = true }
 end
 
 local function s2k(text) return import.s2k { file = write("frame.s2k", text) } end
@@ -135,7 +136,7 @@ local readers = {
     return import.tcl { file = samples .. "frame.tcl", units = { length = "m", force = "kN", mass = "t" } }
   end },
   { "OpenSeesPy", opensees_cases, function()
-    return import.tcl { file = samples .. "frame.py", units = { length = 1, force = "N" } }
+    return import.tcl { file = samples .. "frame.py", units = { length = 1, force = "N" }, run_python = true }
   end },
   { "CSV", sap_cases, read_csv },
   { "ETABS", sap_cases, function() return import.e2k { file = samples .. "frame.e2k" } end,
@@ -799,7 +800,7 @@ case("Python: variables, arithmetic, lists, loops and conditions", function()
     { "i = 0\nwhile True:\n    i += 1\n    if i > 2:\n        break\n    node(i, float(i), 0, i)", "1:1 2:2" },
     { "node(1, math.cos(math.pi) if 1 < 2 < 3 else 4, 0, 1)\nnode(2, int('3') + round(2.5), 0, 2)", "1:-1 2:5" },
     { '"""A comment\nof two lines."""\nnode(1, 1_000, 0, 1)  # a comment\nnode(2, \\\n  2, 0, 2)', "1:1000 2:2" },
-    { "def f(x):\n    node(5, x, 0, 0)\n    return x\nnode(1, 1, 0, 1)\nnode(2, 2, 0, 2)", "1:1 2:2", 1 },
+    { "def f(x):\n    node(5, x, 0, 0)\n    return x\nnode(1, 1, 0, 1)\nnode(2, f(2), 0, 2)", "1:1 2:2", 1 },
     { "if __name__ == '__main__':\n  node(1, 1, 0, 1)\n  pass\nelse:\n  node(9, 9, 9, 9)\nnode(2, 2, 0, 2)",
       "1:1 2:2" },
     { "for a, b in zip([1, 2], (3, 4)):\n  node(a, b, 0, a)", "1:3 2:4" },
@@ -939,24 +940,23 @@ node(1, 0, 0, 0)
 node(2, 0, 0, 1)
 def f(x):
     node(7, x, 0, 0)
-a = unknown + 1
+a = nodeDisp(1, 1) + 1
 node(3, a, 0, 0)
-for i in range(a):
-    node(9, 0, 0, 0)
-    node(10, 0, 0, 0)
+import pylib
+node(9, pylib.height, 0, 0)
+for x in pylib.nodes: node(10, x, 0, 0)
 x = [1, 2][0:1]
+f(x)
 class C: pass
-u = nodeDisp(1, 1)
-print(f"{u}")
+print(f"{a}")
 element('shell', 2, 1, 2, 1, 1)
 for i in range(3):
     equalDOF(1, 2, 1)
 ]] .. python_end)
-  notes_are("python", of_python, 4, { [4] = "def is not followed; nor is what stands in it, 1 line",
-    [6] = "variable unknown", [7] = "variable a", [8] = "variable a has no value; nor is what stands in it, 2 lines",
-    [11] = "missing", [12] = "class", [15] = "element shell", [17] = "hinge ties" })
+  notes_are("python", of_python, 4, { [5] = "no member", [7] = "hangs on a result of the analysis",
+    [8] = "the module pylib is not there", [9] = "hangs on a result", [15] = "element shell", [17] = "hinge ties" })
   equal(at_line(of_python, 21).count, 3, "how often a line in a loop was run")
-  equal(#of_python.skipped, 3, "no part of a frame: " .. tostring(of_python))
+  equal(#of_python.skipped, 1, "what is computed is one entry: " .. tostring(of_python))
 end)
 
 -- CSV -----------------------------------------------------------------------------------------------------------------
@@ -1065,10 +1065,11 @@ case("broken scripts of OpenSees are refused with the line", function()
   refused("before model", "1: the command stands before: model", tcl, "node 1 0 0 0")
   refused("no node", "has no node that was read", tcl, tcl_head)
   for _, row in ipairs {
-    { "x = (1,\n  2\n", "5: a bracket is not closed" }, { "x = 1)", "5: the bracket ) closes nothing" },
-    { "x = 'a\n", "5: the quotes are not closed" }, { "x = 1\n  y = 2", "6: the line is indented" },
-    { "if 1:\n    x = 1\n  y = 2", "7: the indentation fits no line above" }, { "x = 1 ? 2",
-      "5: '?' is no part of Python" },
+    { "x = (1,\n  2\n", "5: SyntaxError: '(' was never closed" }, { "x = 1)", "5: SyntaxError: unmatched ')'" },
+    { "x = 'a\n", "5: SyntaxError: unterminated string literal" },
+    { "x = 1\n  y = 2", "6: IndentationError: unexpected indent" },
+    { "if 1:\n    x = 1\n  y = 2", "7: IndentationError: unindent does not match" }, { "x = 1 ? 2",
+      "5: SyntaxError: invalid syntax" },
     { "\nnode(1, 0, 0)", "6: node 1 has 2 coordinates" }, { "for i in [1]:\n  fix(9, *[1] * 6)",
       "6: node 9 is not there" },
   } do

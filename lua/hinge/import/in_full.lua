@@ -178,7 +178,9 @@ local function expand_weight(where, parts, options)
   local way = options.self_weight
   if way ~= "loads" then
     local reason, never = not_by_gravity(parts, g)
-    if reason and (never or not way) then
+    if way == "either" then
+      way, parts.not_by_gravity = reason and "loads" or "gravity", reason
+    elseif reason and (never or not way) then
       check.fail("%s: %s; choose %s", where, reason, never and "self_weight = 'loads'" or weight_words)
     end
   end
@@ -193,11 +195,12 @@ local function expand_weight(where, parts, options)
 end
 
 --- The parts of frame_module.check, in which no member has a release or an offset and no case a self weight (but
---- `gravity`, m/s^2 along z), with links = { { from =, to =, dofs = } } and
+--- `gravity`, m/s^2 along z; not_by_gravity: why self_weight = "either" took loads), with links = { { from =, to =, dofs = } } and
 --- springs = { { a =, b = (nil: the ground), x =, y =, stiffness = } }.
 return function(where, frame, options)
   local o = check.options(where, options, {
-    model = { "table", default = {} }, self_weight = { "string", one_of = { "gravity", "loads" }, optional = true },
+    model = { "table", default = {} }, self_weight = { "string", one_of = { "gravity", "loads", "either" },
+      optional = true },
     gravity = { "number", unit = "m/s^2", above = 0, default = 9.80665 },
     scenario = { "boolean", default = false },
   })

@@ -19,11 +19,12 @@ names.results = "analyze basicDeformation basicForce basicStiffness betaResponse
   .. "sensSectionForce solveCPU systemSize testIter testNorm testNorms totalCPU version"
 
 --- They compute, print or set how it is computed, and change no model. Records of two turns may differ in them.
-names.quiet = "algorithm analysis barrier constraints convertBinaryToText convertTextToBinary database "
-  .. "InitialStateAnalysis integrator logFile modalDamping modalDampingQ numberer partition print printA printB "
-  .. "printGID printModel puts reactions record recorder save setMaxOpenFiles setNumThread setNumThreads "
-  .. "setPrecision setStartNodeTag start stop system test video visual wipeAnalysis wipeReliability defaultUnits "
-  .. "stripXML logCommands progress sensitivityAlgorithm runFORMAnalysis runFOSMAnalysis runSORMAnalysis "
+names.quiet = "initialize pragma vrp vup vpn prp viewWindow plane port projection fill display reliability algorithm "
+  .. "analysis barrier constraints convertBinaryToText convertTextToBinary database InitialStateAnalysis "
+  .. "integrator logFile modalDamping modalDampingQ numberer partition print printA printB printGID printModel "
+  .. "puts reactions record recorder save setMaxOpenFiles setNumThread setNumThreads setPrecision "
+  .. "setStartNodeTag start stop system test video visual wipeAnalysis wipeReliability defaultUnits stripXML "
+  .. "logCommands progress sensitivityAlgorithm runFORMAnalysis runFOSMAnalysis runSORMAnalysis "
   .. "runImportanceSamplingAnalysis"
 
 --- They make or change the model.

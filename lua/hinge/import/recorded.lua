@@ -64,11 +64,11 @@ local function reason_of(program, result)
     says ~= "" and ": " .. says or "")
 end
 
--- Runs the script once. Returns its records, of which the last one tells how it ended.
-local function run(o, language, turn)
+-- Runs the script once. Returns its records, of which the last one tells how it ended, and the seconds it took.
+local function run(o, language, turn, seconds)
   local result = core.interpret { program = language.program, words = language.words, file = o.file,
-    script = own_folder .. language.script, seconds = notes.most_seconds, memory = notes.most_memory * 1e6,
-    more = { ("%d"):format(turn), ("%.15g"):format(notes.most_seconds), ("%d"):format(most_commands), names.results,
+    script = own_folder .. language.script, seconds = seconds, memory = notes.most_memory * 1e6,
+    more = { ("%d"):format(turn), ("%.15g"):format(seconds), ("%d"):format(most_commands), names.results,
       names.quiet, names.model } }
   if not result then
     check.fail("%s: '%s' is run by %s, which is not installed: apt-get install %s", where, o.file, language.program,
@@ -80,7 +80,7 @@ local function run(o, language, turn)
   if not last or not ("xl."):find(last[1], 1, true) then
     list[#list + 1] = { "d", last and last[2], last and last[3], reason_of(language.program, result) }
   end
-  return list
+  return list, result.seconds
 end
 
 -- The place of a record: { file =, line =, text = }. Its file is seen from the folder of the script, "" the script.
@@ -178,6 +178,21 @@ local function feed(o, reader, list)
   end
 end
 
+-- A Python file is a program: it runs only where the user says so, and behind walls that this kernel has.
+local function allow_python(o)
+  if not o.run_python then
+    check.fail("%s: '%s' is a program in Python, and reading it is running it. If you want that, say so: "
+      .. "hinge export --run-python, or run_python = true. It then reads its own folder and Python's library alone, "
+      .. "writes no file, starts no program, reaches no network, and ends after %g s or %d MB", where, o.file,
+      notes.most_seconds, notes.most_memory)
+  end
+  local lacks = core.lacking_walls()
+  if lacks ~= "" then
+    check.fail("%s: this kernel lacks %s: nothing would keep '%s' from your files; take Linux 5.13 or later", where,
+      lacks, o.file)
+  end
+end
+
 return function(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { file = { "string" }, units = { "table", optional = true },
@@ -187,16 +202,12 @@ return function(options, ...)
   local reader = opensees.new(where, o.file, o.units, o.model)
   notes.text_of(where, o.file) -- refuses the sandbox, pipes, devices and very large files
   local python = o.language == "python" or not o.language and o.file:lower():find "%.py$" ~= nil
-  if python then
-    notes.within_limits(where, o.file, function()
-      require "hinge.import.python"(where, reader, o.file, notes.read(where, o.file))
-    end)
-    return reader:finish()
-  end
+  if python then allow_python(o) end
   local language = languages[python and "python" or "tcl"]
-  local first = run(o, language, 1)
+  local first, seconds = run(o, language, 1, notes.most_seconds)
   if not is_complete(o, first) then stopped(o, first[#first]) end
-  compare(first, run(o, language, 2))
+  -- a loop whose number of turns is a result may be long in the second turn
+  compare(first, (run(o, language, 2, math.min(notes.most_seconds, 3 + 5 * seconds))))
   feed(o, reader, first)
   return reader:finish()
 end

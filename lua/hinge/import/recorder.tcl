@@ -85,11 +85,12 @@ array set elements {}
 set node_order {}
 set element_order {}
 
-# A result that is not known. It grows with the analyses, so that loops up to a displacement end.
+# A result that is not known. It grows with the analyses, so that loops up to a displacement end; it is small in one
+# turn and large in the other, so that what a script does beyond a limit differs.
 proc made_up {{n 1}} {
   global turn steps
   set grown [expr {min($steps, 100)}]
-  return [expr {($turn == 1 ? 1.0e-3 * 1.31**$grown : 1.7e-3 * 1.47**$grown) * (1 + 0.1*$n)}]
+  return [expr {($turn == 1 ? 1.0e-3 * 1.31**$grown : 1.7e4 * 1.47**$grown) * (1 + 0.1*$n)}]
 }
 
 proc made_up_list count {
@@ -128,6 +129,9 @@ proc computed {name arguments} {
       return $elements($first)
     }
     testIter - numIter { global turn; return $turn }
+    getPID { return 0 }
+    getNP { return 1 }
+    testNorm - testNorms { return 0.0 }
   }
   if {[string match ele* $name] || [string match basic* $name] || [string match section* $name]} {
     return [made_up_list 12]
@@ -344,6 +348,7 @@ interp eval $s {
       ::hinge_end
     }
   }
+  proc pset {name value} { uplevel 1 [list set $name $value] }
   proc section args {
     if {[::hinge_block section $args]} {
       uplevel 1 [lindex $args end]

@@ -305,5 +305,5 @@ return function(frame, file, options, ...)
   local path = path_of(file)
   must_be_own(path)
   if not core.planning() then core.write_text(path, table.concat(lines, "\n") .. "\n") end
-  return path
+  return path, full.not_by_gravity
 end

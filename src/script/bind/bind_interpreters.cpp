@@ -139,7 +139,8 @@ double number_of(lua_State* L, const char* name) {
 /// the interpreter's own script and the path of the file with symbolic links resolved, in the folder of the file. The
 /// process reads that folder, the script's and the interpreter's library, writes nothing, starts nothing, and reaches
 /// no network. Returns nil where the program is not installed; else a table { out =, err =, ended =, number = }:
-/// what it wrote, and how it ended ("exit", "signal", "time", "interrupted") with its status or signal.
+/// what it wrote, how it ended ("exit", "signal", "time", "interrupted") with its status or signal, and after how many
+/// `seconds`.
 int interpret(lua_State* L) {
     const auto c = context(L);
     luaL_checktype(L, 1, LUA_TTABLE);
@@ -179,19 +180,22 @@ int interpret(lua_State* L) {
     s.out = ::memfd_create("interpreter-output", MFD_CLOEXEC), s.err = ::memfd_create("messages", MFD_CLOEXEC);
     s.rules = make_rules(reach);
     std::fflush(nullptr);
+    const auto began = std::chrono::steady_clock::now();
     const pid_t child = s.out < 0 || s.err < 0 ? -1 : ::fork();
     if (child == 0) become(s);
     int number = 0;
     const char* ended = child < 0 ? nullptr : wait_for(child, s.seconds + 5, *c, number);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
     const std::string out = whole(s.out), err = whole(s.err);
     for (const int opened : {s.out, s.err, s.rules})
         if (opened >= 0) ::close(opened);
     if (!ended) throw OutsideError(program + " could not be started");
-    lua_createtable(L, 0, 4);
+    lua_createtable(L, 0, 5);
     lua_pushlstring(L, out.data(), out.size()), lua_setfield(L, -2, "out");
     lua_pushlstring(L, err.data(), std::min<std::size_t>(err.size(), 2000)), lua_setfield(L, -2, "err");
     lua_pushstring(L, ended), lua_setfield(L, -2, "ended");
     lua_pushinteger(L, number), lua_setfield(L, -2, "number");
+    lua_pushnumber(L, took.count()), lua_setfield(L, -2, "seconds");
     return 1;
 }
 
