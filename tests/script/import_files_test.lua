@@ -93,6 +93,61 @@ case("a section of a known name without dimensions has the outline and the plast
   equal(frame.sections[1].plastic.Zx, nil, "Zx")
 end)
 
+-- A cantilever of 3 m, its section from P1 at the foot to P2 at the head; segments: rows of the table.
+local function tapered(segments, more)
+  local rows = {}
+  for i, s in ipairs(segments) do
+    rows[i] = ("   SectionName=P   NumSegments=%d   SegmentNum=%d   %s\n"):format(#segments, i, s)
+  end
+  return read((column("SectionName=P   Material=S   Shape=Nonprismatic", ([[
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   SectionName=P1   Material=S   Shape=General   Area=0.02   TorsConst=2E-06   I33=8E-04   I22=4E-05   AS2=0   AS3=0
+   SectionName=P2   Material=S   Shape=General   Area=0.01   TorsConst=1E-06   I33=1E-04   I22=2E-05   AS2=0   AS3=0
+TABLE:  "FRAME SECTION PROPERTIES 05 - NONPRISMATIC"
+%s%s]]):format(table.concat(rows), more or ""))))
+end
+
+case("a member whose section varies is pieces of equal properties", function()
+  local E, F, L = 2e11, 10e3, 3
+  -- the integral of F x^2 / (E I), x from the head, by Simpson's rule
+  local function exact(I)
+    local n, sum = 2000, 0
+    for k = 0, n do
+      local x = L * k / n
+      sum = sum + (k % n == 0 and 1 or k % 2 == 1 and 4 or 2) * x ^ 2 / I(x / L)
+    end
+    return F * sum * L / n / 3 / E
+  end
+  for law, power in pairs { Linear = 1, Parabolic = 2, Cubic = 3 } do
+    local frame, notes = tapered { ("StartSect=P1   EndSect=P2   LengthType=Variable   VarLength=1   EI33Var=%s   "
+      .. "EI22Var=Linear"):format(law) }
+    equal(#notes, 0, tostring(notes))
+    equal(#frame.members, 12, "pieces")
+    local wanted = exact(function(t) return (1e-4 ^ (1 / power) * (1 - t) + 8e-4 ^ (1 / power) * t) ^ power end)
+    near(sway(frame), wanted, 3e-3 * wanted, law)
+    near(notes.summary.mass_of_members, 7850 * 3 * 0.015, 1e-6, "mass")
+    expect(tostring(notes):find("12 pieces of equal properties", 1, true), "%s", tostring(notes))
+  end
+  -- a haunch of 1 m of P1, then P2
+  local frame = tapered { "StartSect=P1   EndSect=P1   LengthType=Absolute   AbsLength=1",
+    "StartSect=P2   EndSect=P2   LengthType=Variable   VarLength=1" }
+  equal(#frame.members, 2, "two pieces")
+  near(sway(frame), F / (3 * E) * (8 / 1e-4 + (27 - 8) / 8e-4), 1e-6, "haunch")
+  local _, notes = tapered { "StartSect=P1   EndSect=P9   LengthType=Variable   VarLength=1" }
+  expect(tostring(notes):find("section P9 of its section was not read", 1, true), "%s", tostring(notes))
+  _, notes = tapered { "StartSect=P1   EndSect=P1   LengthType=Absolute   AbsLength=4" }
+  expect(tostring(notes):find("longer than the frame", 1, true), "%s", tostring(notes))
+end)
+
+case("loads on a member of several pieces are whole", function()
+  local frame = tapered({ "StartSect=P1   EndSect=P2   LengthType=Variable   VarLength=1" },
+    'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   Dir=X   RelDistA=0   '
+    .. "RelDistB=1   FOverLA=2   FOverLB=2\n")
+  local model, nodes = import.build(frame, { model = { displacement = "small" } })
+  local fx = nodes["1"]:reaction(model:static { steps = 1, loads = { W = 1 } }:finish())
+  near(fx, -16e3, 1e-3, "reaction")
+end)
+
 -- ETABS ---------------------------------------------------------------------------------------------------------------
 
 local storey = [[

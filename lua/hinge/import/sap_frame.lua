@@ -9,6 +9,7 @@ local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
 local divided = require "hinge.import.divided"
 local sap_areas = require "hinge.import.sap_areas"
+local nonprismatic = require "hinge.import.sap_nonprismatic"
 local sap_loads = require "hinge.import.sap_loads"
 local sap_offsets = require "hinge.import.sap_offsets"
 local sap_ties = require "hinge.import.sap_ties"
@@ -152,6 +153,15 @@ function Reader:joint(row, key)
   return self.node[name]
 end
 
+-- What is not active, for a node that is none of the file's.
+function Reader:inactive_fix()
+  local letters = {}
+  for _, letter in ipairs(directions) do
+    if self.inactive[letter] then letters[#letters + 1] = letter end
+  end
+  return #letters > 0 and table.concat(letters, ",") or nil
+end
+
 function Reader:read_restraints()
   local fixed = {}
   for _, row in ipairs(self:rows "JOINT RESTRAINT ASSIGNMENTS") do
@@ -198,10 +208,15 @@ function Reader:read_materials()
 end
 
 function Reader:read_sections()
+  self.nonprismatic = nonprismatic.segments(self)
   for _, row in ipairs(self:rows "FRAME SECTION PROPERTIES 01 - GENERAL") do
     local name = row:need "SectionName"
-    local section, reason = sap_section(self, row, name)
-    if not section then
+    local segments = self.nonprismatic[name]
+    local section, reason
+    if not segments then section, reason = sap_section(self, row, name) end
+    if segments then
+      self.section[name] = { material = row:text "Material", first = segments[1].from }
+    elseif not section then
       row.unread = true
       self.unreadable[name] = row
       self.reasons[name] = reason -- told where a member has the section
@@ -297,7 +312,9 @@ function Reader:assigned(given)
     return nil
   end
   if not self:has(given, "section", section, self.section[section]) then return nil end
-  local material = own and own ~= "Default" and own or self.section[section].material
+  local of = self.section[section]
+  local material = own and own ~= "Default" and own or of.material
+  if of.first and not self.material[material or ""] then material = (self.section[of.first] or of).material end
   if not self:has(given, "material", material, self.material[material]) then return nil end
   return section, material
 end
@@ -353,23 +370,46 @@ function Reader:divide()
     end
     local joined = not row or (row:text "AutoMesh" or "Yes") == "Yes" and (row:text "AtJoints" or "Yes") == "Yes"
     local names = joined and on_axis(self.node[m.a], self.node[m.b]) or {}
-    self.parts[m.name] = #names == 0 and { m } or self:parts_of(m, names)
+    if #names > 0 then self:note_division(m, names) end
+    local section_at
+    if self.nonprismatic[m.section] then names, section_at = self:cut(m, names) end
+    self.parts[m.name] = not names and {} or #names == 0 and not section_at and { m }
+      or self:parts_of(m, names, section_at)
     table.move(self.parts[m.name], 1, #self.parts[m.name], #members + 1, members)
   end
   self.frame.members = members
 end
 
--- The parts of a member between joints on it: "3/1", "3/2" and so on.
-function Reader:parts_of(member, names)
+-- The nodes of a nonprismatic member, and its section at a place; nil where it cannot be read.
+function Reader:cut(member, names)
+  local _, length = frame_module.direction(self.node[member.a], self.node[member.b])
+  local pieces, reason = nonprismatic.pieces(self, member, length)
+  if pieces then return nonprismatic.cut(self, member, pieces, names) end
+  local place = self.places[member]
+  notes.once(self.notes, place, place.text, reason)
+  self.lost[member.name], self.member[member.name] = member, nil
+  return nil
+end
+
+function Reader:note_division(member, names)
   local place = self.places[member]
   notes.once(self.notes.assumed, place, place.text, ("it is divided at joints on it (%s), as %s does"):format(
     table.concat(names, ", "), self.program), "divided")
+end
+
+-- The parts of a member between nodes on it: "3/1", "3/2" and so on. section_at: its section at a distance along it.
+function Reader:parts_of(member, names, section_at)
   local parts, from, release = {}, member.a, member.release or {}
   for i = 1, #names + 1 do
     local part = {}
     for key, value in pairs(member) do part[key] = value end
     part.name, part.a, part.b = ("%s/%d"):format(member.name, i), from, names[i] or member.b
     local own = { a = i == 1 and release.a or nil, b = i > #names and release.b or nil }
+    if section_at then
+      local _, before = frame_module.direction(self.node[member.a], self.node[from])
+      local _, after = frame_module.direction(self.node[member.a], self.node[part.b])
+      part.section = section_at(((from == member.a and 0 or before) + after) / 2)
+    end
     part.release, from = next(own) and own or nil, part.b
     parts[i] = part
   end
