@@ -150,6 +150,10 @@ void add_export(CLI::App& app, Request& request) {
     verb->add_flag_callback(
         "--run-python", [&request] { request.texts["run_python"] = "yes"; },
         "A file .py is a program: run it, with limits of time and memory, without files of others and network");
+    text("--sections", "sections",
+         "Of a file of SAP2000 or ETABS: a table of sections that hinge has in place of the file's, one a line, such "
+         "as W14X999,W14X873",
+         "CSV");
     verb->footer(
         "Exit status: 0 the script was written, also where something was not read; 1 it cannot be written; 2 the file "
         "is wrong.");

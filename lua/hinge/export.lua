@@ -45,14 +45,32 @@ local function model_of(text)
   return number
 end
 
+-- Names of sections in a file and in hinge: the lines NAME,NAME of a file in CSV. One line may be name,named.
+local function sections_of(path)
+  local of = {}
+  for number, line in notes_module.lines(notes_module.read("hinge export", path)) do
+    local name, other = line:match "^%s*\"?([^,;\t\"]-)\"?%s*[,;\t]%s*\"?([^,;\t\"]-)\"?%s*$"
+    if name and name ~= "" and other ~= "" then
+      if not (number == 1 and name:lower() == "name") then of[name] = other end
+    elseif line:find "%S" and not line:find "^%s*#" then
+      check.fail("--sections: %s:%d: '%s' is not of the form NAME,NAME, such as W14X999,W14X873", path, number, line)
+    end
+  end
+  return of
+end
+
 --- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. o.units and
---- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run.
+--- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run; o.sections: path of a table of sections
+--- for a file of SAP2000 or ETABS.
 function export.read(source, o)
   local units = o.units
   local tables_there = csv_of(source)
   local reader = by_ending[(source:match "%.([^./]*)$" or ""):lower()]
   if units and reader ~= "tcl" then check.fail("--units is for scripts of OpenSees; %s has its own", source) end
   if o.model and reader ~= "tcl" then check.fail("--model is for scripts of OpenSees; %s has one model", source) end
+  if o.sections and reader ~= "s2k" and reader ~= "e2k" then
+    check.fail("--sections is for files of SAP2000 and ETABS")
+  end
   if tables_there then return import.csv(tables_there) end
   if source:find "%.lua$" then check.fail("%s is a script of hinge already; export reads %s", source, known) end
   if not reader then check.fail("%s is of no kind that export reads: %s", source, known) end
@@ -60,7 +78,7 @@ function export.read(source, o)
     return import.tcl { file = source, units = units_of(units), model = model_of(o.model),
       run_python = o.run_python and true }
   end
-  return import[reader] { file = source }
+  return import[reader] { file = source, sections = o.sections and sections_of(o.sections) }
 end
 
 -- frame.lua beside where the command was typed, from models/frame.s2k or models/frame/.
@@ -76,7 +94,7 @@ local function write(frame, file)
   return path
 end
 
---- The program: source, units, model, run_python and file as the command line has them. Returns the exit status.
+--- The program: source, units, model, sections, run_python and file as the command line has them. Returns the exit status.
 function export.main(options)
   local frame, notes = export.read(options.script, options)
   print(notes)

@@ -1428,6 +1428,8 @@ function import.s2k(options) end
 
 ---@class hinge.import_s2k_options
 ---@field file string path of the file
+---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
+---@field sections? table<string, string>
 
 ---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
 ---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
@@ -1475,6 +1477,8 @@ function import.e2k(options) end
 
 ---@class hinge.import_e2k_options
 ---@field file string path of the file
+---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
+---@field sections? table<string, string>
 
 ---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). Commands: model BasicBuilder with -ndm 2 -ndf 3 or
 ----ndm 3 -ndf 6, node, fix, fixX, fixY, fixZ, mass, geomTransf (vecxz), section Elastic, beamIntegration, element

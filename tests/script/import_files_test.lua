@@ -325,4 +325,48 @@ $ SHELL OBJECT LOADS
   equal(frame.connectors[1].a .. " " .. frame.connectors[1].stiffness.x, "2@Top 211000000.0", "spring")
 end)
 
+case("ETABS: channels, tees and pairs of angles by their dimensions", function()
+  for shape, wanted in pairs { -- plates: area, Ix, Iy, by hand
+    ["Steel Channel\"  D 0.2 B 0.08 TF 0.01 TW 0.008"] = { 0.00304, 1.834e-05, 1.843e-06 },
+    ["Steel Tee\"  D 0.2 B 0.16 TF 0.01 TW 0.008"] = { 0.00312, 1.238e-05, 3.421e-06 },
+    ["Steel Double Angle\"  D 0.1 B 0.21 TF 0.01 TW 0.01 DIS 0.01"] = { 0.0038, 3.6e-06, 7.912e-06 },
+  } do
+    local frame, notes = import.e2k { file = write("frame.e2k", (storey:gsub(
+      'Concrete Rectangular"  D 0.4 B 0.3 NOTIONALUSERVALUE 0.2', shape))) }
+    equal(#notes, 1, tostring(notes))
+    local s = frame.sections[1]
+    for i, field in ipairs { "area", "Ix", "Iy" } do
+      near(s[field], wanted[i], 2e-3 * wanted[i], shape .. ": " .. field)
+    end
+  end
+end)
+
+-- Sections by name ----------------------------------------------------------------------------------------------------
+
+case("an unknown section has its own reason and near names, and the option gives another", function()
+  local function catalogue(name) return (storey:gsub('SHAPE "Concrete Rectangular"  D 0.4 B 0.3 NOTIONALUSERVALUE 0.2',
+    'SHAPE "' .. name .. '"')) end
+  local function etabs(name, sections)
+    return import.e2k { file = write("frame.e2k", catalogue(name)), sections = sections }
+  end
+  local frame = etabs "W360X79"
+  equal(frame.sections[1].named, "W360X79", "a metric name")
+  local _, notes = etabs "W14X999"
+  expect(tostring(notes):find("no table of hinge has 'W14X999'; the nearest are 'W14X873'", 1, true), "%s",
+    tostring(notes))
+  for _, key in ipairs { "C", "W14X999" } do
+    frame, notes = etabs("W14X999", { [key] = "W14X873" })
+    equal(frame.sections[1].named, "W14X873", "by " .. key)
+    equal(#frame.members, 3, "members")
+    expect(tostring(notes):find("it is W14X873, as the option sections says", 1, true), "%s", tostring(notes))
+  end
+  local good, problem = pcall(etabs, "W14X999", { D = "W14X873" })
+  expect(not good and problem:find "unknown section of the file in 'sections': 'D'", "%s", tostring(problem))
+  good, problem = pcall(etabs, "W14X999", { C = "W14X998" })
+  expect(not good and problem:find "unknown section 'W14X998'", "%s", tostring(problem))
+  frame, notes = read(column "SectionName=HE300B   Material=S   Shape=General")
+  equal(frame.sections[1].named, "HEB 300", "SAP2000: a known name without properties")
+  expect(tostring(notes):find("the section has no properties: it is HEB 300", 1, true), "%s", tostring(notes))
+end)
+
 checks.done()

@@ -251,11 +251,12 @@ end
 
 local shapes = { TUBE = "Box/Tube", RECTANGULAR = "Rectangular", ["RECTANGULAR BAR"] = "Rectangular",
   CIRCLE = "Circle", ["CIRCULAR BAR"] = "Circle", PIPE = "Pipe", ["I/WIDE FLANGE"] = "I/Wide Flange",
-  ["BOX/TUBE"] = "Box/Tube", GENERAL = "General", PLATE = "Rectangular" }
+  ["BOX/TUBE"] = "Box/Tube", GENERAL = "General", PLATE = "Rectangular",
+  CHANNEL = "Channel", TEE = "Tee", ["DOUBLE ANGLE"] = "Double Angle" }
 local modifiers = { AREAMODIFIER = "AMod", AMOD = "AMod", AS2MODIFIER = "A2Mod", A2MOD = "A2Mod",
   AS3MODIFIER = "A3Mod", A3MOD = "A3Mod", JMODIFIER = "JMod", JMOD = "JMod", I22MODIFIER = "I2Mod", I2MOD = "I2Mod",
   I33MODIFIER = "I3Mod", I3MOD = "I3Mod", MMODIFIER = "MMod", MMOD = "MMod", WMODIFIER = "WMod", WMOD = "WMod" }
-local taken_of_sections = set "MATERIAL SHAPE D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
+local taken_of_sections = set "MATERIAL SHAPE D B TF TW T DIS AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
 
 function Reader:read_sections()
   local section = "FRAME SECTIONS"
@@ -268,10 +269,14 @@ function Reader:read_sections()
     local plain = shape:gsub("^Steel ", ""):gsub("^Concrete ", "")
     local known = shapes[plain:upper()]
     local row = { SectionName = s.name, Material = given.MATERIAL, Shape = known or shape, t3 = given.D, t2 = given.B,
+      dis = given.DIS,
       tf = given.TF, tw = given.TW or given.T, Area = given.AREA, AS2 = given.AS2, AS3 = given.AS3, I33 = given.I33,
       I22 = given.I22, TorsConst = given.TORSION, Z33 = given.Z33, Z22 = given.Z22 }
     if known == "Pipe" then row.tw = given.TW or given.T or given.TF end
-    if not known and not given.AREA and pcall(named.properties, shape) then row.Named = shape end
+    if not known and not given.AREA then
+      row.Catalogue = shape:find "^Steel " and s.name or shape
+      if pcall(named.properties, shape) then row.Named = shape end
+    end
     for key, field in pairs(modifiers) do row[field] = row[field] or given[key] end
     local taken = {}
     for key in pairs(taken_of_sections) do taken[key] = true end
@@ -554,7 +559,7 @@ end
 
 return function(options, ...)
   check.no_more(where, ...)
-  local o = check.options(where, options, { file = { "string" } })
+  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true } })
   local sections, others = notes.within_limits(where, o.file, function() return sections_of(o.file) end)
   if #sections == 0 then check.fail("%s: %s has no line that begins with '$ '", where, o.file) end
   local self = setmetatable({ file = o.file, sections = sections, tables = {}, remarks = {}, joints = {},
@@ -574,5 +579,5 @@ return function(options, ...)
   self:read_point_loads()
   self:read_line_loads()
   self:note_the_rest()
-  return sap_frame.read(where, o.file, self.tables, others, "ETABS")
+  return sap_frame.read(where, o.file, self.tables, others, "ETABS", o.sections)
 end

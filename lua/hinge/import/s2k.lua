@@ -75,7 +75,7 @@ end
 
 return function(options, ...)
   check.no_more(where, ...)
-  local o = check.options(where, options, { file = { "string" } })
+  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true } })
   local tables, others = notes.within_limits(where, o.file, function() return tables_of(o.file) end)
-  return sap_frame.read(where, o.file, tables, others)
+  return sap_frame.read(where, o.file, tables, others, "SAP2000", o.sections)
 end

@@ -6,6 +6,7 @@
 -- is vertical if the sine of its angle to Z is below 1e-3. The angle turns axis 2 towards axis 3.
 local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
+local named = require "hinge.named"
 local notes = require "hinge.import.notes"
 local divided = require "hinge.import.divided"
 local sap_areas = require "hinge.import.sap_areas"
@@ -511,11 +512,37 @@ function Reader:note_the_rest(others)
   end
 end
 
+--- The names of hinge.section.named that sections of a file shall have, by their names there, checked.
+function sap_frame.other_sections(where, sections)
+  local of = {}
+  for _, name in ipairs(check.keys(sections or {})) do
+    local other = sections[name]
+    if type(name) ~= "string" or type(other) ~= "string" then
+      check.fail("%s: sections must be a table such as { ['W14X999'] = 'W14X873' }", where)
+    end
+    of[name] = named.properties(other).kind
+  end
+  return of
+end
+
+-- Names of the option `sections` that the file does not have.
+function Reader:check_other_sections()
+  for _, name in ipairs(check.keys(self.other_sections)) do
+    if not self.used_sections[name] then
+      local there = {}
+      for i, row in ipairs(self:rows "FRAME SECTION PROPERTIES 01 - GENERAL") do there[i] = row.fields.SectionName end
+      check.unknown(self.where, "section of the file in 'sections':", name, there)
+    end
+  end
+end
+
 --- The description of the frame and the notes. `tables`: by name, { name =, place =, rows = }, and in their order; a
 --- table may have a title of its own, remarks for the notes, and beside = true: it says nothing about the frame.
---- `others`: lines of the file that belong to none, { place =, line = }. `program`: whose rules hold.
-function sap_frame.read(where, file, tables, others, program)
+--- `others`: lines of the file that belong to none, { place =, line = }. `program`: whose rules hold. `sections`: the
+--- option of import.s2k and import.e2k.
+function sap_frame.read(where, file, tables, others, program, sections)
   local self = setmetatable({ where = where, file = file, tables = tables, program = program or "SAP2000",
+    other_sections = sap_frame.other_sections(where, sections), used_sections = {},
     frame = frame_module.new(file), notes = notes.new(), places = {}, node = {}, material = {}, section = {},
     member = {}, parts = {}, case = {}, unreadable = {}, reasons = {}, lost = {} }, Reader)
   self:read_units()
@@ -524,6 +551,7 @@ function sap_frame.read(where, file, tables, others, program)
   self:read_restraints()
   self:read_materials()
   self:read_sections()
+  self:check_other_sections()
   self:read_members()
   self:divide()
   sap_offsets(self)

@@ -5,6 +5,7 @@
 local named = require "hinge.named"
 local notes = require "hinge.import.notes"
 local shapes = require "hinge.shapes"
+local tees = require "hinge.tees"
 
 local rigid = 1000 -- shear areas over the area: the shear strain that is left is 1/1000 of what the area would give
 local largest_difference = 0.02 -- of areas, beyond which hinge.section.general refuses the outline
@@ -22,6 +23,16 @@ local makers = {
   PIPE = function(d) return shapes.pipe { diameter = d "t3", thickness = d "tw" } end,
   RECTANGULAR = function(d) return shapes.solid { depth = d "t3", width = d "t2" } end,
   CIRCLE = function(d) return shapes.round { diameter = d "t3" } end,
+  CHANNEL = function(d)
+    local made = shapes.channel { depth = d "t3", width = d "t2", web = d "tw", flange = d "tf" }
+    made.outline = nil -- the side on which its flanges are is not in the file
+    return made
+  end,
+  TEE = function(d) return tees.tee { depth = d "t3", width = d "t2", web = d "tw", flange = d "tf" } end,
+  ["DOUBLE ANGLE"] = function(d)
+    local gap = d "dis" or 0
+    return tees.double_angle { depth = d "t3", width = (d "t2" - gap) / 2, thickness = d "tf", gap = gap }
+  end,
 }
 
 -- Lengths of the row, m; one that is 0 counts as left out.
@@ -33,6 +44,7 @@ local function dimensions(reader, row)
 end
 
 local needed = { ["I/WIDE FLANGE"] = "t3 t2 tf tw", ["BOX/TUBE"] = "t3 t2 tf tw", PIPE = "t3 tw",
+  CHANNEL = "t3 t2 tf tw", TEE = "t3 t2 tf tw", ["DOUBLE ANGLE"] = "t3 t2 tf",
   RECTANGULAR = "t3 t2", CIRCLE = "t3" }
 
 -- The dimensions that a shape needs and the row does not have, "t3, tf"; nil: none.
@@ -100,8 +112,31 @@ end
 
 local function is_there(value) return value and value > 0 end
 
+-- The section by its name in the tables of hinge: that of the catalogue of ETABS, else its own. Or nil and the reason.
+local function by_name(reader, row, name)
+  local text = row:text "Catalogue" or name
+  local good, known = pcall(named.properties, text)
+  if good then
+    notes.once(reader.notes.assumed, row.place, row.line, ("the section has no properties: it is %s of "
+      .. "hinge.section.named"):format(known.kind), "no properties")
+    return { name = name, named = known.kind }
+  end
+  local nearest = tostring(known):match "the nearest are (.-);"
+  local told = nearest and ("no table of hinge has '%s'; the nearest are %s"):format(text, nearest)
+    or ("no table of hinge has '%s'"):format(text)
+  return nil, ("the section needs Area, I33, I22 and TorsConst above 0, and %s: name another one in the option "
+    .. "sections, or by --sections map.csv with the line %s,NAME"):format(told, name)
+end
+
 --- The section as a row of frame.sections, or nil and why it cannot be read.
 return function(reader, row, name)
+  local other = reader.other_sections[name] or reader.other_sections[row:text "Catalogue" or ""]
+  if other then
+    reader.used_sections[reader.other_sections[name] and name or row:text "Catalogue"] = true
+    for key in pairs(row.fields) do row:text(key) end
+    notes.once(reader.notes.assumed, row.place, row.line, ("it is %s, as the option sections says"):format(other))
+    return { name = name, named = other }
+  end
   if row:text "Named" then return { name = name, named = row:text "Named" } end
   local shape = shape_of(reader, row)
   local whole = row:text "Area" and row:number "Area" * reader.length ^ 2 or shape.area
@@ -110,7 +145,8 @@ return function(reader, row, name)
   local Iy = property(reader, row, "I22", "I2Mod", 4, shape.Iy)
   local J = property(reader, row, "TorsConst", "JMod", 4, shape.J)
   if not (is_there(area) and is_there(Ix) and is_there(Iy) and is_there(J)) then
-    return nil, "the section needs Area, I33, I22 and TorsConst above 0"
+    if area or Ix or Iy then return nil, "the section needs Area, I33, I22 and TorsConst above 0" end
+    return by_name(reader, row, name)
   end
   if row:number("I23", 0) ~= 0 then
     return nil, "I23 is not 0: axes that are not principal axes are not read"
