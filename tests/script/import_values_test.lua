@@ -166,6 +166,27 @@ case("plane: springs of no length, links of two nodes, equal degrees of freedom,
   same(portal .. columns .. "node 5 0 4\nrigidLink bar 2 5\n" .. from_5 .. loads)
 end)
 
+case("plane: frames with concentrated hinges and floors, leaning columns", function()
+  -- the beam ends at nodes of its own, which follow the joints along x and y; the storey sways as one
+  local text = portal .. columns .. "uniaxialMaterial Elastic 1 3e6\nuniaxialMaterial Elastic 2 1e-6\n"
+    .. "uniaxialMaterial Elastic 3 2e11\nnode 23 0 4; node 32 6 4.5\n"
+    .. "element elasticBeamColumn 2 23 32 0.008 2e11 2e-4 1\n"
+  for _, order in ipairs { "2 23", "23 2" } do
+    local hinges = ("element zeroLength 12 %s -mat 1 -dir 6\nequalDOF %s 1 2\n"):format(order, order)
+      .. "element zeroLength 13 3 32 -mat 1 -dir 6\nequalDOF 3 32 1 2\n"
+    same(text .. hinges .. loads)
+    same(text .. hinges .. "equalDOF 2 3 1\npattern Plain 1 Linear\nload 2 1e4 0 0\n"
+      .. "eleLoad -ele 2 -type -beamUniform -5e3 1e3\n")
+    -- a column that leans on the frame: bars to it, and springs of next to no stiffness in it
+    same(text .. hinges .. "node 5 9 0; node 6 9 4.5; node 7 9 4.5; node 8 9 9; node 9 6 9\nfix 5 1 1 0\nfix 9 1 1 1\n"
+      .. "element truss 4 3 6 1 3\nelement truss 7 9 8 1 3\nelement elasticBeamColumn 5 5 7 1 2e11 1e-2 1\n"
+      .. "element zeroLength 6 6 7 -mat 2 -dir 6\nequalDOF 6 7 1 2\nnode 67 9 4.5; node 86 9 9\n"
+      .. "element elasticBeamColumn 8 67 86 1 2e11 1e-2 1\nelement zeroLength 9 6 67 -mat 2 -dir 6\n"
+      .. "equalDOF 6 67 1 2\nelement zeroLength 10 8 86 -mat 2 -dir 6\nequalDOF 8 86 1 2\n" .. loads
+      .. "load 6 0 -1e5 0\nload 8 5e3 -1e5 0\n")
+  end
+end)
+
 -- Loads ---------------------------------------------------------------------------------------------------------------
 
 case("plane: loads on elements, factors of series and patterns", function()

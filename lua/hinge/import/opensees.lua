@@ -7,6 +7,7 @@
 local check = require "hinge.check"
 local command_names = require "hinge.import.opensees_names"
 local constraints = require "hinge.import.opensees.constraints"
+local ends = require "hinge.import.opensees.ends"
 local frame_module = require "hinge.import.frame"
 local models = require "hinge.import.opensees.models"
 local notes = require "hinge.import.notes"
@@ -102,7 +103,11 @@ local function hold_bars(self)
   for _, m in ipairs(self.frame.members) do
     for _, at in ipairs { "a", "b" } do
       local name = m[at]
-      if self.bars[m] then first[name] = first[name] or { m, at } else rigid[name] = true end
+      if self.bars[m] then
+        first[name] = first[name] or { m, at }
+      elseif not (m.ends and m.ends[at]) then
+        rigid[name] = true
+      end
     end
   end
   for _, node in ipairs(self.frame.nodes) do
@@ -222,9 +227,10 @@ function Reader:finish()
   models.choose(self)
   if #self.frame.nodes == 0 then check.fail("%s: %s has no node that was read%s", self.where, self.frame.source,
     #self.notes > 0 and "; the first line that was not read: " .. self.notes[1].text or "") end
+  self.used = {} -- nodes without a member that a spring or a tie has read
+  ends.finish(self)
   local joined = {}
   for _, m in ipairs(self.frame.members) do joined[m.a], joined[m.b] = true, true end
-  self.used = {} -- nodes without a member that a spring or a tie has read
   springs.finish(self, joined)
   constraints.finish(self, joined)
   self.spins = {}

@@ -249,4 +249,5 @@ local function finish(self, joined)
   end
 end
 
-return { commands = commands, finish = finish, same_place = same_place, hold = hold, has_all = has_all }
+return { commands = commands, finish = finish, same_place = same_place, hold = hold, has_all = has_all,
+  move_to = move_to }

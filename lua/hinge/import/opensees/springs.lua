@@ -219,4 +219,4 @@ local function finish(self, joined)
   end
 end
 
-return { elements = elements, finish = finish }
+return { elements = elements, finish = finish, joint_axis = joint_axis, tied = tied }
