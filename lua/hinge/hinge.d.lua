@@ -19,7 +19,8 @@
 ---@field heat hinge.heats properties of steel in fire, fire curves, temperatures
 ---@field results hinge.results tables for a report: forces of members, envelopes, utilisation, storeys, reactions
 ---units as numbers of SI: 4 * hinge.units.kN / hinge.units.m is 4000. m, mm, cm, km, inch, ft; kg, t, lb; s, ms, min,
----h, Hz, kmh; N, kN, MN, lbf, kip; Pa, kPa, MPa, GPa, psi, ksi, psf; J, kJ, MJ; rad, mrad, deg; gravity
+---h, Hz, kmh; N, kN, MN, lbf, kip, kgf, tonf (of the metric ton); Pa, kPa, MPa, GPa, psi, ksi, psf; J, kJ, MJ; rad,
+---mrad, deg; gravity
 ---@field units table<string, number>
 local hinge = {}
 
@@ -1480,17 +1481,18 @@ function import.e2k(options) end
 ---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
 ---@field sections? table<string, string>
 
----Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). Commands: model BasicBuilder with -ndm 2 -ndf 3 or
-----ndm 3 -ndf 6, node, fix, fixX, fixY, fixZ, mass, geomTransf (vecxz), section Elastic, beamIntegration, element
----elasticBeamColumn, ElasticTimoshenkoBeam, forceBeamColumn, nonlinearBeamColumn and dispBeamColumn, timeSeries Linear
----and Constant, pattern Plain, load, and eleLoad -beamUniform. The script is run: Tcl by tclsh (Debian's package tcl),
----in a safe interpreter; Python by python3, and only with run_python, since a Python file is a program. Both are
----behind walls of the kernel: they read the folder of the script and their own library, write nothing, start no
----program, reach no network, and end after 60 s or 1000 MB. Results of the analysis (nodeDisp, eigen) are made up:
----where a number of the model hangs on one, notes name the line, and it is not read. What is not read is in the notes,
----with its line. Load cases are "pattern 1" and so on. A plane frame in x and y becomes one in x and z, held against
----moving out of that plane. Elements without shear strain get shear areas of 1000 times the area. The transformations
----Linear, PDelta and Corotational are not read: the option displacement of hinge.model decides.
+---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). What stands at its end is the model; `model` chooses
+---among several, which wipe or remove separate. Read are nodes, supports and masses, the elements of beams and bars,
+---zeroLength and twoNodeLink, sections Elastic, Fiber and Aggregator, equalDOF, rigidLink, rigidDiaphragm, patterns
+---with load and eleLoad, ground motion and damping. A table in the guide (import.md) lists what of each. The script is
+---run: Tcl by tclsh (Debian's package tcl), in a safe interpreter; Python by python3, and only with run_python, since a
+---Python file is a program. Both are behind walls of the kernel: they read the folder of the script and their own
+---library, write nothing, start no program, reach no network, and end after 60 s or 1000 MB. Results of the analysis
+---(nodeDisp, eigen) are made up: where a number of the model hangs on one, notes name the line, and it is not read.
+---What is not read is in the notes, with its line. Load cases are "pattern 1" and so on. A plane frame in x and y
+---becomes one in x and z, held against moving out of that plane. Elements without shear strain get shear areas of 1000
+---times the area. Where all transformations are Linear, the frame has model = { displacement = "small" }; where one is
+---PDelta or Corotational, displacements are large.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -1517,9 +1519,13 @@ function import.tcl(options) end
 
 ---@class hinge.import_tcl_options
 ---@field file string path of the script
----units of the numbers in the script, each by its name in hinge.units, or as a number in SI (m, N, kg). mass: default
----force s^2 / length, which OpenSees needs
----@field units { length: string|number, force: string|number, mass?: string|number }
+---units of the numbers in the script, each by its name in hinge.units, or as a number in SI (m, N, kg, s). mass:
+---default force time^2 / length, which OpenSees needs; time: default s. A unit of another kind is an error: the force
+---of lb, kg and t is lbf, kgf and tonf
+---@field units { length: string|number, force: string|number, mass?: string|number, time?: string|number }
+---which model of the script, from 1: one ends at each wipe, at an analysis after which something is removed, and at the
+---end of the script. Default: the one at the end; if nothing stands there, the last one with elements
+---@field model? integer
 ---@field language? "tcl"|"python" default: python for a name that ends in .py, else tcl
 ---@field run_python? boolean run a script in Python; default false: it is refused
 
@@ -1659,6 +1665,46 @@ function import.write(frame, file, options) end
 ---@field members hinge.import_member[]
 ---@field cases? hinge.import_case[] default: none
 ---@field masses? hinge.import_mass[] default: none
+---@field links? hinge.import_link[] rigid links; default: none
+---@field diaphragms? hinge.import_diaphragm[] default: none
+---@field connectors? hinge.import_connector[] springs; default: none
+---@field joints? hinge.import_joint[] joints between nodes; default: none
+---@field motions? hinge.import_motion[] of the ground, in dynamics; default: none
+---@field damping? { alpha: number, beta: number } as in model:damping; default: none
+---@field model? hinge.model_options what the file says of them; the option `model` of import.build goes first
+
+---@class hinge.import_link
+---@field from string name of a node, as in model:rigid_link
+---@field to string
+---@field dofs? "all"|"xyz" default "all"
+
+---@class hinge.import_diaphragm
+---@field nodes string[] as in model:diaphragm
+---@field normal? "x"|"y"|"z" default "z"
+---@field master? string default: the first of `nodes`
+
+---@class hinge.import_connector
+---@field a string name of a node
+---@field b? string nil: the ground
+---@field x vec3 axes, as in model:connector
+---@field y vec3
+---@field stiffness { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number } N/m, N m/rad
+
+---@class hinge.import_joint
+---@field a string name of a node
+---@field b string name of a node at the same place, as in model:joint
+---@field x vec3 axes
+---@field y vec3
+---@field Mx? "rigid"|"free"|hinge.joint_axis as in hinge.joint
+---@field My? "rigid"|"free"|hinge.joint_axis
+---@field Mz? "rigid"|"free"|hinge.joint_axis
+
+---Motion of all nodes that are fixed along an axis, as hinge.ground makes it.
+---@class hinge.import_motion
+---@field axis "x"|"y"|"z"
+---@field dt number s
+---@field acceleration number[] times scale: m/s^2
+---@field scale? number default 1
 
 ---@class hinge.import_node
 ---@field name string
@@ -1675,6 +1721,7 @@ function import.write(frame, file, options) end
 ---@field density? number kg/m^3, default 0
 ---@field yield_stress? number Pa; default: it never yields
 ---@field unit_weight? number N/m^3, of the self weight; default: density times gravity
+---@field hardening? hinge.hardening default: none
 
 ---And the fields of hinge.section_options, in place of `named`.
 ---@class hinge.import_section
@@ -1694,11 +1741,14 @@ function import.write(frame, file, options) end
 ---@field release? { a?: string, b?: string }
 ---m, from a node to the member's end, in the axes of the frame; rigid and without mass; default: none
 ---@field offset? { a?: vec3, b?: vec3 }
+---@field ends? { a?: hinge.joint_options, b?: hinge.joint_options } joints of its ends, as hinge.joint takes them
 
 ---@class hinge.import_case
 ---@field name string
 ---@field self_weight? number factor on the weight of all members; default 0
 ---@field loads? hinge.import_load[] default: none
+---@field history? number[][] points { time (s), factor } of all its loads in dynamics; default: constant
+---@field held? boolean true: a scenario of import.write lets it act first, and while the others act; default false
 
 ---@class hinge.import_load
 ---@field node? string
@@ -1716,6 +1766,7 @@ function import.write(frame, file, options) end
 ---@field mass number kg
 ---@field inertia? vec3 kg m^2, about the x, y and z axes of space, as in model:mass; default 0
 ---@field weight? number N, what of it is in the self weight of the file; default: it is in none
+---@field offset? vec3 m, from the node to the mass; default { 0, 0, 0 }
 
 -- Robustness ---------------------------------------------------------------------------------------------------------
 

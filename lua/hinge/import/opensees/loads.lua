@@ -78,6 +78,11 @@ function commands.rayleigh(self, args)
   self.damping.alpha, self.damping.beta = alpha, beta
 end
 
+-- region tag ... <-rayleigh ...>
+function commands.region(_, args)
+  if option(args, "-rayleigh") then give_up "damping of a region is not read" end
+end
+
 -- Loads ---------------------------------------------------------------------------------------------------------------
 
 -- The load case of a load.
