@@ -72,6 +72,11 @@ end
 
 -- rayleigh alphaM betaK betaK0 betaKcommit
 function commands.rayleigh(self, args)
+  for i = 1, 4 do
+    if args[i] == "\0" then
+      give_up "its factors hang on a result of the analysis (eigen); give them by hand: model:damping"
+    end
+  end
   local v = numbers(self, args, 1, 4, "factor")
   local alpha, beta = v[1] / self.time, (v[2] + v[3] + v[4]) * self.time
   if alpha < 0 or beta < 0 then give_up "a negative damping is not read" end

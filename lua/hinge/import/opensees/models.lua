@@ -55,7 +55,7 @@ local function drop(list, unwanted)
 end
 
 function removers.element(self, name)
-  local element = find(self, "element", name)
+  local element = self.element[name]
   self.element[name] = nil
   local function is_it(row) return row == element end
   drop(self.frame.members, is_it)
@@ -64,14 +64,14 @@ function removers.element(self, name)
 end
 
 function removers.node(self, name)
-  local node = find(self, "node", name)
+  local node = self.node[name]
   self.node[name], self.mass_of[name] = nil, nil
   drop(self.frame.nodes, function(row) return row == node end)
   for _, case in ipairs(self.frame.cases) do drop(case.loads, function(l) return l.node == name end) end
 end
 
 function removers.loadPattern(self, name)
-  local case = find(self, "pattern", name)
+  local case = self.pattern[name]
   self.pattern[name] = nil
   drop(self.frame.cases, function(row) return row == case end)
   drop(self.motions, function(row) return row.pattern == name end)
@@ -103,6 +103,9 @@ function commands.remove(self, args)
   if aside[what] then return end
   if not removers[what] then return self:not_read(("what is removed as '%s' stays"):format(tostring(what))) end
   local name = tag(self, args[2], "the tag")
+  -- what is not there may be removed: OpenSees warns, and a script may `catch` it
+  local there = ({ element = self.element, node = self.node, loadPattern = self.pattern })[what]
+  if there and not there[name] then return end
   before_removal(self)
   removers[what](self, name, args)
 end

@@ -84,9 +84,10 @@ end
 
 -- Rows of the frame ---------------------------------------------------------------------------------------------------
 
-local function is_held(self, node)
-  for _, letter in ipairs(letters) do
-    if not node.fixed[letter] and (self.ndm == 3 or letter ~= "y") then return false end
+-- Whether all degrees of freedom that a node has in the file are held.
+local function is_held(node)
+  for _, letter in ipairs(node.freedoms) do
+    if not node.fixed[letter] then return false end
   end
   return true
 end
@@ -205,7 +206,7 @@ local function finish(self, joined)
       self:not_read_once "no member that was read ends at one of its nodes"
     elseif joined[b.name] then
       if yields(row.parts) then add_joint(self, row, a, b) else add_connector(self, row, a, b) end
-    elseif not is_held(self, b) then
+    elseif not is_held(b) then
       self:not_read(("node %s is free, and no member ends there"):format(b.name))
     else
       self.used[b.name] = true
