@@ -66,18 +66,21 @@ end)
 case("--sections gives a section that hinge lacks, and refuses a table of another form", function()
   local text = support.read(samples .. "frame.e2k"):gsub('SHAPE "General"  D 0.4[^\n]*', 'SHAPE "W14X999"')
   support.write(folder .. "/unknown.e2k", text)
-  local status, printed, complaint = run "export unknown.e2k --out unknown.lua"
-  expect(printed:find("the nearest are 'W14X873'", 1, true), "%s%s", printed, complaint)
   support.write(folder .. "/map.csv", "name,named\nBEAM,W14X873\n")
-  status, printed, complaint = run "export unknown.e2k --out known.lua --sections map.csv"
-  equal(status, 0, complaint)
-  expect(printed:find("it is W14X873, as the option sections says", 1, true), "%s", printed)
   support.write(folder .. "/wrong.csv", "BEAM W14X873\n")
-  status, _, complaint = run "export unknown.e2k --out wrong.lua --sections wrong.csv"
-  expect(status ~= 0 and complaint:find("wrong.csv:1: 'BEAM W14X873' is not of the form NAME,NAME", 1, true), "%s",
-    complaint)
-  status, _, complaint = run "export part.tcl --units kN,m --sections map.csv"
-  expect(status ~= 0 and complaint:find("--sections is for files of SAP2000 and ETABS", 1, true), "%s", complaint)
+  local function export_of(options)
+    local status, printed, complaint = run("export " .. options)
+    return printed .. complaint, status
+  end
+  expect(export_of "unknown.e2k --out no.lua":find("the nearest are 'W14X873'", 1, true), "no near names")
+  local printed, status = export_of "unknown.e2k --out known.lua --sections map.csv"
+  equal(status, 0, printed)
+  expect(printed:find("it is W14X873, as the option sections says", 1, true), "%s", printed)
+  printed, status = export_of "unknown.e2k --out wrong.lua --sections wrong.csv"
+  expect(status ~= 0 and printed:find("wrong.csv:1: 'BEAM W14X873' is not of the form NAME,NAME", 1, true), "%s",
+    printed)
+  printed, status = export_of "part.tcl --units kN,m --sections map.csv"
+  expect(status ~= 0 and printed:find("--sections is for files of SAP2000 and ETABS", 1, true), "%s", printed)
 end)
 
 -- The first line of a script is a comment with the name of the file, which a line break would end.

@@ -245,6 +245,27 @@ case("diaphragms and bodies tie the heads of two posts, equal displacements are 
     near(a, alone / 2, 1e-9, "the head with the load: " .. axis)
     near(b, a, 1e-12, "the other head")
   end
+  -- joint 2 leads a rigid end: it is left out, and so is a diaphragm of one joint; the model can be built
+  local _, told = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. 'TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n'
+    .. "   Frame=1   Type=User   LengthI=0   LengthJ=0.2   RigidFactor=1\n")
+  expect(tostring(told):find("1 joints at which all members end beside the joint", 1, true), "%s", tostring(told))
+  local pinned = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. [[
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=3   JointI=2   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=3   AnalSect=P
+TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"
+   Frame=3   M3I=Yes
+]])
+  equal(#pinned.diaphragms, 0, "a diaphragm of one joint that can be tied")
+  -- a support holds the diaphragm in its plane; a plane frame, whose joints are all held out of it, keeps its diaphragm
+  local held, words = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. "   Joint=3   Constraint=C1\n")
+  equal(#held.diaphragms, 0, "no diaphragm")
+  near(moved(held, "2"), 0, 1e-12, "all are held")
+  expect(tostring(words):find("a support holds the diaphragm in its plane", 1, true), "%s", tostring(words))
+  local plane = posts(constraint:format("DIAPHRAGM", "Axis=Z")
+    .. 'TABLE:  "ACTIVE DEGREES OF FREEDOM"\n   UX=Yes   UY=No   UZ=Yes   RX=No   RY=Yes   RZ=No\n')
+  equal(#plane.diaphragms, 1, "a plane frame")
   local body = posts(constraint:format("BODY", "UX=Yes   UY=Yes   UZ=Yes   RX=Yes   RY=Yes   RZ=Yes"))
   equal(body.links[1].from .. " " .. body.links[1].to .. " " .. body.links[1].dofs, "2 4 all", "a body")
   local equals = posts(constraint:format("EQUAL", "UX=Yes   UY=No   UZ=No   RX=No   RY=No   RZ=No")
@@ -253,6 +274,25 @@ case("diaphragms and bodies tie the heads of two posts, equal displacements are 
   equal(equals.nodes[2].fix, "x", "fix")
   local _, notes = posts(constraint:format("EQUAL", "UX=Yes"))
   expect(notes[2].reason:find "no support holds", "%s", tostring(notes))
+end)
+
+case("where all ends at a joint are released one of them holds its rotation", function()
+  local tables = [[
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=3   JointI=2   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=3   AnalSect=P
+TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"
+   Frame=1   TJ=Yes   M2J=Yes   M3J=Yes
+   Frame=2   TJ=Yes   M2J=Yes   M3J=Yes
+   Frame=3   M2I=Yes   M3I=Yes   M2J=Yes   M3J=Yes
+]]
+  local frame, notes = posts(tables)
+  expect(tostring(notes):find("at 2 joints all ends are released", 1, true), "%s", tostring(notes))
+  -- two cantilevers side by side, but for the bar's axial strain
+  local alone, bar = by_hand(2e11, 8e10, 1e-4, 0.004), 2e11 * 0.01 / 5
+  local post = 10e3 / alone
+  near(moved(frame, "2"), 10e3 * (post + bar) / (post * (post + 2 * bar)), 1e-7, "sway")
 end)
 
 case("springs to the ground, by their own stiffness", function()
@@ -298,7 +338,7 @@ end)
 
 case("ETABS: diaphragms of points and of floors, springs, and floors", function()
   local frame, notes = import.e2k { file = write("frame.e2k", (storey:gsub('COLOURED "Yes"', "")
-    :gsub('USERJOINT  "Yes"', 'DIAPH "D1"', 1)) .. [[
+    :gsub('RELEASE "PINNED"', ""):gsub('USERJOINT  "Yes"', 'DIAPH "D1"', 1)) .. [[
 $ DIAPHRAGM NAMES
   DIAPHRAGM "D1"    TYPE RIGID
 $ POINT SPRING PROPERTIES

@@ -13,6 +13,7 @@ local case, near, equal, expect = checks.case, checks.near, checks.equal, checks
 local write = support.writer()
 
 -- A column of 3 m in kN and m, 0.4 by 0.2 m, axis 2 along X. more: further tables; joint: a third joint on its axis.
+-- Both ends have a stub without load and weight, so that no joint is left with ends beside it alone.
 local E, G, A, I, As = 2e11, 8e10, 0.08, 1e-3, 0.05 -- I and As for bending in the plane of X and Z
 local density, g = 7850, 9.80665
 
@@ -24,17 +25,24 @@ TABLE:  "PROGRAM CONTROL"
 TABLE:  "JOINT COORDINATES"
    Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
    Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=3
+   Joint=8   XorR=0   Y=5   Z=0
+   Joint=9   XorR=0   Y=5   Z=3
 %sTABLE:  "JOINT RESTRAINT ASSIGNMENTS"
    Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
 TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
    Material=S   UnitMass=7.85   E1=2E8   G12=8E7
+   Material=light   UnitMass=0   E1=2E8   G12=8E7
 TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
    SectionName=P   Material=S   Shape=General   t3=0.4   t2=0.2   Area=0.08   TorsConst=1E-3   I33=1E-3   I22=3E-4 _
         AS2=0.05   AS3=0.06
 TABLE:  "CONNECTIVITY - FRAME"
    Frame=1   JointI=1   JointJ=2
+   Frame=8   JointI=1   JointJ=8
+   Frame=9   JointI=2   JointJ=9
 TABLE:  "FRAME SECTION ASSIGNMENTS"
    Frame=1   AnalSect=P   MatProp=Default
+   Frame=8   AnalSect=P   MatProp=light
+   Frame=9   AnalSect=P   MatProp=light
 TABLE:  "LOAD PATTERN DEFINITIONS"
    LoadPat=W   SelfWtMult=%s
 %sEND TABLE DATA
@@ -49,15 +57,8 @@ local function rigid(i, j, factor, kind)
 end
 local function point(fields) return 'TABLE:  "FRAME INSERTION POINT ASSIGNMENTS"\n   Frame=1   ' .. fields .. "\n" end
 
--- Displacements of the head and reactions of the foot. Both have a stub without load and weight, so that no joint is
--- left with members beside it alone.
+-- Displacements of the head and reactions of the foot.
 local function solved(frame, options)
-  table.insert(frame.materials, { name = "light", E = E, G = G, density = 0 })
-  for _, joint in ipairs { "1", "2" } do
-    table.insert(frame.nodes, { name = joint .. " out", x = 0, y = 5, z = joint == "1" and 0 or 3 })
-    table.insert(frame.members, { name = joint .. " stub", a = joint, b = joint .. " out", section = "P",
-      material = "light" })
-  end
   local model, nodes = import.build(frame, { model = { displacement = "small" },
     self_weight = options and options.self_weight })
   local run = model:static { steps = 1, loads = { W = 1 } }:finish()
@@ -83,6 +84,31 @@ case("rigid ends stiffen a cantilever as by hand, divided or not", function()
       local wanted = by_hand(10e3, 3 - i - j, j)
       near(solved(frame), wanted, 1e-8 * wanted, ("%g, %g times %g"):format(row[1], row[2], row[3]))
     end
+  end
+end)
+
+-- The engine has no joint at which no member ends.
+case("a joint with ends beside it alone goes to the nearest one, with its forces and masses", function()
+  local text = rigid(0.5, 0.3, 1) .. 'TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n   Frame=8   Type=User   '
+    .. "LengthI=0.6   LengthJ=0   RigidFactor=1\n   Frame=9   Type=User   LengthI=0.1   LengthJ=0   RigidFactor=1\n"
+  local frame, notes = column(text .. at_head:format(10, 7), { weight = "1" })
+  equal(#notes, 0, tostring(notes))
+  expect(tostring(notes):find("2 joints at which all members end beside the joint", 1, true), "%s", tostring(notes))
+  local node, member = {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  for _, m in ipairs(frame.members) do member[m.name] = m end
+  near(node["1"].z, 0.5, 1e-12, "the foot is at the column's end")
+  near(node["2"].y, 0.1, 1e-12, "the head is at the stub's end")
+  local a, b = frame_module.ends(member["1"], node)
+  near(a.z, 0.5, 1e-12, "the column's foot")
+  near(b.z, 2.7, 1e-12, "the column's head")
+  near(b.y, 0, 1e-12, "the column's head")
+  -- the head moves by the column alone; about X it has the moment of 7 kN with no arm, for the load is on the joint
+  for _, way in ipairs { "gravity", "loads" } do
+    local ux, _, r = solved(frame, { self_weight = way })
+    near(ux, by_hand(10e3, 2.2, 0.3), 1e-9, "sway, " .. way)
+    near(r[3], density * g * A * 3 - 7e3, 1e-3, "weight, " .. way)
+    near(r[4], 0, 1e-3, "moment about X, " .. way)
   end
 end)
 
@@ -150,7 +176,7 @@ end)
 
 case("a point that is none is refused with its line", function()
   local good, problem = pcall(column, point "CardinalPt=12" .. at_head:format(0, 0))
-  expect(not good and problem:find("frame.s2k:20: CardinalPt is '12'; must be a number from 1 to 11", 1, true), "%s",
+  expect(not good and problem:find("frame.s2k:27: CardinalPt is '12'; must be a number from 1 to 11", 1, true), "%s",
     problem)
 end)
 
@@ -241,17 +267,22 @@ $ LINE ASSIGNS
 ]]):format(columns or "", columns or "", beam or "")) }
 end
 
+-- How far the ends of all members are from the points of the file.
 local function offsets(frame)
-  local list = {}
-  for i, m in ipairs(frame.members) do
-    local o = m.offset or {}
-    local function shown(v)
-      if not v then return "-" end
-      local parts = {}
-      for k = 1, 3 do parts[k] = ("%.4g"):format(v[k] + 0.0) end
-      return (table.concat(parts, " "):gsub("%-0%f[ \0]", "0"))
+  local list, node = {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  local function shown(place, name)
+    local x, z = name:find "^2" and 6 or 0, name:find "Top" and 3 or 0
+    local parts = {}
+    for k, v in ipairs { place.x - x, place.y, place.z - z } do
+      parts[k] = ("%.4g"):format(math.abs(v) < 1e-12 and 0 or v)
     end
-    list[i] = ("%s; %s"):format(shown(o.a), shown(o.b))
+    local text = table.concat(parts, " ")
+    return text == "0 0 0" and "-" or text
+  end
+  for i, m in ipairs(frame.members) do
+    local a, b = frame_module.ends(m, node)
+    list[i] = ("%s; %s"):format(shown(a, m.a), shown(b, m.b))
   end
   return table.concat(list, " | ")
 end

@@ -166,7 +166,9 @@ end
 local function weight_of_masses(parts, case)
   for _, m in ipairs(parts.masses) do
     if m.weight and m.weight > 0 then
-      table.insert(case.loads, { node = m.node, force = { 0, 0, -case.self_weight * m.weight } })
+      local weight, o = -case.self_weight * m.weight, m.offset or { 0, 0, 0 }
+      table.insert(case.loads, { node = m.node, force = { 0, 0, weight },
+        moment = { o[2] * weight, -o[1] * weight, 0 } })
     end
   end
 end

@@ -209,7 +209,7 @@ end
 
 --- Gives the parts of all members their offsets. reader.rigid: the lengths of rigid ends of each part by name, m;
 --- reader.weights: loads of their weight.
-return function(reader)
+local function read(reader)
   local self = setmetatable({ reader = reader, rectangle = {}, symmetric = {}, area = {}, moved = {}, at_joint = {},
     mass = 0 }, Offsets)
   self.points = reader:by_frame("FRAME INSERTION POINT ASSIGNMENTS")
@@ -235,20 +235,109 @@ return function(reader)
     for _, part in ipairs(reader.parts[name]) do self.moved[part.name] = self.moved[name] end
   end
   table.sort(whole, function(a, b) return reader.places[a].line < reader.places[b].line end)
-  local length, first = 0, nil
+  local length, first, weighed = 0, nil, {}
   for _, member in ipairs(whole) do
     local rigid, parts = self:rigid(member), reader.parts[member.name]
     if rigid or self.moved[member.name] then
       local own = self:apply(member, parts, rigid)
-      if own > 0 then length, first = length + own, first or rigid.row end
-      for _, part in ipairs(own > 0 and rigid.full and parts or {}) do
-        self:weigh(rigid.row, part, reader.rigid[part.name])
+      if own > 0 then
+        length, first = length + own, first or rigid.row
+        if rigid.full then weighed[#weighed + 1] = { rigid.row, parts } end
       end
     end
   end
-  if length > 0 then
+  for _, w in ipairs(weighed) do
+    for _, part in ipairs(w[2]) do self:weigh(w[1], part, reader.rigid[part.name]) end
+  end
+  if length > 1e-9 then
     notes.add(reader.notes.assumed, first.place, first.line, ("rigid ends of %.4g m in all: rigid in axial strain and "
       .. "torsion, too, which %s leaves flexible there; their mass of %.4g kg is on the joints"):format(
       length, reader.program, self.mass))
   end
 end
+
+-- Joints with ends beside them alone ----------------------------------------------------------------------------------
+
+-- The ends at each joint: { part =, at =, by = (offset; nil: at the joint), released = }.
+local function ends_at(reader)
+  local ends = {}
+  for _, part in ipairs(reader.frame.members) do
+    for _, at in ipairs { "a", "b" } do
+      ends[part[at]] = ends[part[at]] or {}
+      table.insert(ends[part[at]], { part = part, at = at, by = part.offset and part.offset[at],
+        released = part.release and part.release[at] ~= nil })
+    end
+  end
+  return ends
+end
+
+-- The nearest of the ends that is not released, where all are beside the joint or released; else nil. at_support: one
+-- that is released does, too, where there is no other, for the support holds the joint.
+local function nearest(list, at_support)
+  local best, size
+  for _, one in ipairs(list) do
+    if not one.by and not one.released then return nil end
+    local own = one.by and math.sqrt(dot(one.by, one.by)) or 0
+    if one.by and (not one.released or at_support and #list == 1) and (not best or own < size) then
+      best, size = one, own
+    end
+  end
+  return best
+end
+
+local function set_offset(one, v)
+  local offset = one.part.offset or {}
+  offset[one.at] = dot(v, v) > 1e-18 and v or nil
+  one.part.offset = next(offset) and offset or nil
+end
+
+-- Moves a joint by a vector: it and all its ends are one rigid body, so that forces and masses there go along.
+local function move_joint(reader, node, by, list)
+  node.x, node.y, node.z = node.x + by[1], node.y + by[2], node.z + by[3]
+  for _, one in ipairs(list) do set_offset(one, plus(one.by or { 0, 0, 0 }, -1, by)) end
+  local back = plus({ 0, 0, 0 }, -1, by)
+  reader.moved_joints[node.name] = back
+  for _, case in ipairs(reader.frame.cases) do
+    for _, load in ipairs(case.loads) do
+      if load.node == node.name and load.force then
+        load.moment = plus(load.moment or { 0, 0, 0 }, 1, cross(back, load.force))
+      end
+    end
+  end
+  for _, mass in ipairs(reader.frame.masses) do
+    if mass.node == node.name then mass.offset = back end
+  end
+end
+
+--- The engine needs a member at each joint. A joint at which all end beside it goes to the nearest of them, where its
+--- supports let it; else that end goes to the joint. After all loads. reader.moved_joints: from a joint to where it
+--- was, by name, m.
+local function settle(reader)
+  reader.moved_joints = {}
+  local ends, sprung, moved, pulled = ends_at(reader), {}, {}, {}
+  for _, row in ipairs(reader:rows "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED") do sprung[row:need "Joint"] = true end
+  local free = reader:inactive_fix()
+  for _, node in ipairs(reader.frame.nodes) do
+    local list = ends[node.name]
+    local one = list and nearest(list, node.fix == "all")
+    if one and not sprung[node.name] and (node.fix == "all" or node.fix == free) then
+      moved[#moved + 1] = node
+      move_joint(reader, node, one.by, list)
+    elseif one then
+      pulled[#pulled + 1] = node
+      set_offset(one, { 0, 0, 0 })
+    end
+  end
+  for _, told in ipairs {
+    { moved, reader.notes.assumed, "%d joints at which all members end beside the joint are put to the nearest end, "
+      .. "with the moments of forces there" },
+    { pulled, reader.notes, "at %d supports all members end beside the joint: the nearest one goes to it, without its "
+      .. "rigid end or insertion point" },
+  } do
+    local first = told[1][1]
+    local place = first and reader.places[first]
+    if first then notes.add(told[2], place, place.text, told[3]:format(#told[1])) end
+  end
+end
+
+return { read = read, settle = settle }

@@ -41,18 +41,96 @@ local function names_of(nodes)
   return list
 end
 
+local function holds(node, letter)
+  if node.fix == "all" then return true end
+  for word in (node.fix or ""):gmatch "[^,]+" do
+    if word == letter then return true end
+  end
+  return false
+end
+
+-- Also holds a direction of a node.
+local function hold(node, letter)
+  if holds(node, letter) then return end
+  node.fix = node.fix and node.fix ~= "" and node.fix .. "," .. letter or letter
+end
+
+local in_plane = { z = { "x", "y", "rz" }, y = { "x", "z", "ry" }, x = { "y", "z", "rx" } }
+
+-- A diaphragm of which one joint is held in its plane holds all the others. Returns whether it is so; and the joints
+-- that are held in part of it, beyond what is held at all joints, are left out.
+function Ties:held_in_plane(nodes, axis)
+  local free = {}
+  for _, node in ipairs(nodes) do
+    local held, part = true, false
+    for _, letter in ipairs(in_plane[axis]) do
+      held = held and holds(node, letter)
+      part = part or holds(node, letter) and not self.reader.inactive[letter]
+    end
+    if held and part then
+      for _, other in ipairs(nodes) do
+        for _, letter in ipairs(in_plane[axis]) do hold(other, letter) end
+      end
+      return true
+    end
+    if not part then free[#free + 1] = node end
+  end
+  return false, free
+end
+
+-- Joints at which a member has a rigid, moved or released end: other nodes follow them by rigid links, and hinge lets
+-- no such joint follow a diaphragm.
+function Ties:joints_that_lead()
+  local leads = {}
+  for _, m in ipairs(self.reader.frame.members) do
+    for _, at in ipairs { "a", "b" } do
+      if m.offset and m.offset[at] or m.release and m.release[at] then leads[m[at]] = true end
+    end
+  end
+  return leads
+end
+
+-- The joints of a diaphragm that can be tied; a note has the others.
+function Ties:tied(row, nodes, leads)
+  local kept = {}
+  for _, node in ipairs(nodes) do
+    if not leads[node.name] then kept[#kept + 1] = node end
+  end
+  local lost = #nodes - #kept
+  if lost > 0 then
+    self.lost_joints = (self.lost_joints or 0) + lost
+    self.lost_row = self.lost_row or row
+  end
+  return kept
+end
+
 function Ties:read_diaphragms(of)
-  local reader = self.reader
+  local reader, leads = self.reader, self:joints_that_lead()
   for _, row in ipairs(reader:rows "CONSTRAINT DEFINITIONS - DIAPHRAGM") do
     local axis = (row:text "Axis" or "Z"):lower()
     if axis == "auto" then axis = "z" end
     local nodes = of[row:need "Name"] or {}
     local parts = row:yes "MultiLevel" and levels(nodes, axis) or { nodes }
     for _, part in ipairs(parts) do
-      if #part > 1 then
+      local held, free = self:held_in_plane(part, axis)
+      if held then
+        notes.once(reader.notes.assumed, row.place, row.line, "a support holds the diaphragm in its plane, and so "
+          .. "all its joints", "held diaphragm")
+      elseif #part > 1 then
+        if #free < #part then
+          reader:not_read(row, "joints of the diaphragm that a support holds in a part of its plane are left out of it")
+        end
+        part = self:tied(row, free, leads)
+      end
+      if not held and #part > 1 then
         table.insert(reader.frame.diaphragms, { nodes = names_of(part), normal = axis })
       end
     end
+  end
+  if self.lost_joints then
+    local row = self.lost_row
+    reader:not_read(row, ("diaphragms leave out %d joints at which a member has a rigid, moved or released end: hinge "
+      .. "ties such a joint to no diaphragm; the members alone hold it in its floor"):format(self.lost_joints))
   end
 end
 
@@ -72,20 +150,6 @@ function Ties:read_bodies(of)
       end
     end
   end
-end
-
-local function holds(node, letter)
-  if node.fix == "all" then return true end
-  for word in (node.fix or ""):gmatch "[^,]+" do
-    if word == letter then return true end
-  end
-  return false
-end
-
--- Also holds a direction of a node.
-local function hold(node, letter)
-  if holds(node, letter) then return end
-  node.fix = node.fix and node.fix ~= "" and node.fix .. "," .. letter or letter
 end
 
 -- Displacements that are equal are all zero where a support holds one of them.
@@ -109,6 +173,35 @@ function Ties:read_equals(of)
         .. "held, too", "equal")
     end
   end
+end
+
+-- Released joints -----------------------------------------------------------------------------------------------------
+
+-- Where all ends at a joint are released nothing holds its rotation: one of them does, which has no moment there.
+function Ties:hold_released_joints()
+  local reader, ends, count, first = self.reader, {}, 0, nil
+  for _, m in ipairs(reader.frame.members) do
+    for _, at in ipairs { "a", "b" } do
+      local there = ends[m[at]] or { all = true, list = {} }
+      ends[m[at]] = there
+      there.all = there.all and m.release ~= nil and m.release[at] ~= nil
+      table.insert(there.list, { m, at })
+    end
+  end
+  for _, node in ipairs(reader.frame.nodes) do
+    local there = ends[node.name]
+    local turns = not (holds(node, "rx") and holds(node, "ry") and holds(node, "rz"))
+    if there and there.all and turns then
+      local m, at = there.list[1][1], there.list[1][2]
+      m.release[at] = nil
+      if not next(m.release) then m.release = nil end
+      count, first = count + 1, first or node
+    end
+  end
+  if count == 0 then return end
+  local place = reader.places[first] or { file = reader.file }
+  notes.add(reader.notes.assumed, place, place.text or "", ("at %d joints all ends are released: the first one holds "
+    .. "the joint's rotation, without a moment there but what torsion of the others brings"):format(count))
 end
 
 -- Springs -------------------------------------------------------------------------------------------------------------
@@ -165,7 +258,7 @@ end
 
 function Ties:add_mass(row, node, mass)
   if mass <= 0 then return end
-  local new = { node = node, mass = mass }
+  local new = { node = node, mass = mass, offset = self.reader.moved_joints[node] }
   self.reader.places[new] = { file = self.reader.file, line = row.place.line, text = row.line }
   table.insert(self.reader.frame.masses, new)
 end
@@ -208,8 +301,15 @@ function Ties:read_masses()
   end
 end
 
---- Reads all of it; direction: that of frame.lua.
-return function(reader, direction)
+--- Springs of released ends, and joints at which all ends are released; before the other two.
+local function read_ends(reader)
+  local self = setmetatable({ reader = reader }, Ties)
+  self:read_partial_fixity()
+  self:hold_released_joints()
+end
+
+--- Reads the rest; direction: that of frame.lua.
+local function read(reader, direction)
   local self = setmetatable({ reader = reader, direction = direction, joined = {}, turned = {} }, Ties)
   for _, m in ipairs(reader.frame.members) do self.joined[m.a], self.joined[m.b] = true, true end
   for _, row in ipairs(reader:rows "JOINT LOCAL AXES ASSIGNMENTS 1 - TYPICAL") do
@@ -229,6 +329,7 @@ return function(reader, direction)
   self:read_bodies(of)
   self:read_equals(of)
   self:read_springs()
-  self:read_partial_fixity()
   self:read_masses()
 end
+
+return { read_ends = read_ends, read = read }
