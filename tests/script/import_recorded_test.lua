@@ -82,13 +82,13 @@ proc loads {} {
     settle 2
   }
 }
-]] .. tail .. "loads\npattern Plain 2 Linear {\n  load 2 1 0 0\n  sp 2 1 0.1\n}\nuniaxialMaterial Elastic 1 2e11\n"
+]] .. tail .. "loads\npattern Plain 2 Linear {\n  load 2 1 0 0\n  sp 2 1 0.1\n}\nuniaxialMaterial Viscous 1 2e11\n"
   .. "eval {\n  bearing 3\n}\n")
   local lines = {}
   for i, entry in ipairs(notes) do lines[i] = entry.file:match "[^/]*$" .. ":" .. entry.line .. " " .. entry.text end
   table.sort(lines)
   equal(table.concat(lines, "; "), "frame.tcl:14 settle 2; frame.tcl:23 sp 2 1 0.1; "
-    .. "frame.tcl:25 uniaxialMaterial Elastic 1 2e11; frame.tcl:27 bearing 3; frame.tcl:7 bearing $tag; "
+    .. "frame.tcl:25 uniaxialMaterial Viscous 1 2e11; frame.tcl:27 bearing 3; frame.tcl:7 bearing $tag; "
     .. "parts.tcl:3 weld $tag; parts.tcl:5 increase 1", "lines")
   near(frame.nodes[2].x, 1.5, 0, "a node of a procedure")
   near(frame.cases[1].loads[1].force[1], 5, 0, "a load in the braces sees the variables of its procedure")
