@@ -1,5 +1,6 @@
 #include "algebra/eigenpairs.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SparseCholesky>
@@ -76,13 +77,57 @@ Eigenpairs of_dense(const SparseMatrix& K, const SparseMatrix& M, double a, int 
     return found;
 }
 
+/// A part that no mass and no stiffness holds has a pivot that is rounding.
+void must_hold_all(const Factors& factors, const SparseMatrix& matrix) {
+    constexpr double rounding = 1e-12;
+    const Vector own = matrix.diagonal(), pivots = factors.permutationPinv() * Vector(factors.vectorD());
+    if (factors.info() != Eigen::Success || !((pivots.array().abs() > rounding * own.array().abs()).all()))
+        throw std::runtime_error(
+            "no modes are found: a part without mass can move without resistance; give it a density, or hold it");
+}
+
+/// Where M acts on few unknowns: with M = L L^T there, and G = (K + a M)^-1, the vectors z of L^T G L z = z / (v + a)
+/// are those of x = (v + a) G L z.
+Eigenpairs of_few_masses(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors) {
+    const Factors factors(K + a * M);
+    must_hold_all(factors, K + a * M);
+    const Vector own = M.diagonal();
+    std::vector<Eigen::Index> heavy;
+    for (Eigen::Index i = 0; i < own.size(); ++i)
+        if (own[i] > 0) heavy.push_back(i);
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(M).selfadjointView<Eigen::Lower>();
+    const Eigen::LDLT<Eigen::MatrixXd> ldlt(Eigen::MatrixXd(whole(heavy, heavy)));
+    const Eigen::MatrixXd L =
+        ldlt.transpositionsP().transpose() *
+        Eigen::MatrixXd(Eigen::MatrixXd(ldlt.matrixL()) * ldlt.vectorD().cwiseMax(0.0).cwiseSqrt().asDiagonal());
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(own.size(), L.cols());
+    right(heavy, Eigen::all) = L;
+    const Eigen::MatrixXd moved = factors.solve(right), inverse = L.transpose() * moved(heavy, Eigen::all);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(inverse);
+    const Eigen::Index last = inverse.rows() - 1;
+    constexpr double rounding = 1e-14;  // a mass on an arm may have fewer motions than unknowns
+    Eigenpairs found;
+    if (with_vectors) found.vectors.resize(own.size(), wanted);
+    for (Eigen::Index i = 0; i < wanted && i <= last; ++i) {
+        const double of_inverse = solver.eigenvalues()[last - i];
+        if (!(of_inverse > rounding * solver.eigenvalues()[last])) break;
+        found.values.push_back(1 / of_inverse - a);
+        if (with_vectors) found.vectors.col(i) = moved * solver.eigenvectors().col(last - i) / of_inverse;
+    }
+    if (with_vectors) found.vectors.conservativeResize(own.size(), Eigen::Index(found.values.size()));
+    return found;
+}
+
 }  // namespace
 
 Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors) {
-    const int size = int(K.rows());
+    const int size = int(K.rows()), heavy = int((M.diagonal().array() > 0).count());
+    wanted = std::min(wanted, heavy);
+    if (heavy < size && heavy < 4 * wanted + 40) return of_few_masses(K, M, a, wanted, with_vectors);
     if (size < 4 * wanted + 40) return of_dense(K, M, a, wanted, with_vectors);
     const Doing doing("the search for natural frequencies,", size, "unknowns");
     const Factors factors(K + a * M);
+    if (heavy < size) must_hold_all(factors, K + a * M);
     Inverse inverse{factors, {}, {}};
     MassProduct mass{M};
     std::vector<double> values;
@@ -90,7 +135,13 @@ Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, doubl
     for (double last = std::numeric_limits<double>::infinity();;) {
         Spectra::SymGEigsShiftSolver<Inverse, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
             inverse, mass, wanted, std::max(2 * wanted, 20), -a);
-        solver.init();
+        if (heavy < size) {  // a start that M sees
+            const Vector start = Vector::LinSpaced(size, 1, 2),
+                         seen = factors.solve(M.selfadjointView<Eigen::Lower>() * start);
+            solver.init(seen.data());
+        } else {
+            solver.init();
+        }
         if (solver.compute(Spectra::SortRule::LargestMagn) < wanted)
             throw std::runtime_error("the natural frequencies cannot be found: Lanczos' method does not converge");
         const Vector found = solver.eigenvalues();

@@ -18,6 +18,9 @@ struct Eigenpairs {
 /// positive definite they are the lowest. K and M have traces near 1: Spectra compares with fixed small numbers. The
 /// pivots of K - v M count how many there must be below the last one, a millionth aside, so that no copy of a repeated
 /// value is missing. Throws std::runtime_error if it does not converge.
+///
+/// Unknowns on which M does not act have values that are infinite: there are no more pairs than M has others. They are
+/// condensed statically, and the vectors have them as the stiffness moves them.
 Eigenpairs lowest_eigenpairs(const SparseMatrix& K, const SparseMatrix& M, double a, int wanted, bool with_vectors);
 
 /// Of a small symmetric matrix; its lower half counts.

@@ -9,6 +9,7 @@
 
 #include "algebra/blocks.h"
 #include "algebra/effective_stiffness.h"
+#include "algebra/massless.h"
 #include "algebra/unfused.h"
 #include "beam/element_mass.h"
 #include "state/node_mass.h"
@@ -275,6 +276,13 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
         hold(change, state);
         return {};
     }
+    if (const std::vector<MasslessNode> massless = massless_nodes(structure_, state, reduction_); !massless.empty()) {
+        const State still = with_massless_held(state, massless);
+        hold(right, still);
+        const SolveReport report = solve_reduced(right, change, still);
+        if (report.converged) take_out_massless(massless, change);
+        return report;
+    }
     if (reduction_) return solve_reduced(right, change, state);
     if (!blocks_ && structure_.cubic()) renew({}, state, configuration_of(state));
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
@@ -346,7 +354,7 @@ void Mass::solve_joined(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
     reduction_->expand(change);
 }
 
-/// Consistent mass: by the factors of T^T M T, which are made anew.
+/// Consistent mass: by the factors of T^T M T, or of M, which are made anew.
 SolveReport Mass::solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& change, const State& state) {
     EffectiveStiffness reduced(structure_, alone_, 1, 0, false, MatrixStorage::direct);
     reduced.set_reduction(reduction_);

@@ -119,12 +119,13 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 namespace {
 
 std::vector<DampedMode> modes(const Matrices& of, int rigid, int count, bool with_damping) {
-    const int wanted = std::min(rigid + count, of.size());
+    int wanted = std::min(rigid + count, of.size());
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();
     Eigenpairs found =
         lowest_eigenpairs(of.K / k, of.M / m, rigid > 0 ? 1e-9 : 0, wanted, with_damping || of.adds_stiffness);
     const std::vector<double>& values = found.values;
+    wanted = std::min(wanted, int(values.size()));  // fewer where few unknowns have mass
     int first = rigid;
     if (of.adds_stiffness) {
         tell_rigid_modes(of.K / k, of.M / m, 1e-9, found, [&](const Eigen::VectorXd& x) {

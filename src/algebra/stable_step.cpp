@@ -39,6 +39,12 @@ void for_each_element(const Structure& structure, std::span<const ElementDamping
     std::map<std::tuple<const Section*, const Material*, double, double>, double> known;  // most are like another
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
+        const ElementDamping d = damping.empty() ? ElementDamping{} : damping[i];
+        if (!(e.mass() > 0)) {  // no step is short enough
+            constexpr double infinite = std::numeric_limits<double>::infinity();
+            f(int(i), infinite, d.of_stiffness > 0 ? infinite : d.of_mass);
+            continue;
+        }
         const MemberData& member = structure.model().members()[e.member];
         const beam::Inertia lumped =
             structure.lumped() ? e.inertia : beam::lumped_inertia(e.rigidity, e.length, 0.5);  // the scale of others
@@ -49,7 +55,6 @@ void for_each_element(const Structure& structure, std::span<const ElementDamping
             at->second = highest(e, lumped);
             if (breaks && e.partner >= 0) at->second = std::max(at->second, highest_of_lone(int(i), e));
         }
-        const ElementDamping d = damping.empty() ? ElementDamping{} : damping[i];
         f(int(i), at->second, d.of_mass + d.of_stiffness * at->second);
     }
 }

@@ -22,7 +22,7 @@ constexpr double middle_of_norm = 0.3;
 constexpr int rounds = 20;
 constexpr double step_of_weights = 0.7;  ///< of their logarithm; 1 would go too far, since strains share points
 constexpr double counts = 0.77;          ///< of the largest work: 0.77^128 is rounding
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 
 /// Gauss's points and weights for the mean from -1 to 1: exact for polynomials of degree 11.
 constexpr double gauss[6][2] = {{-0.932469514203152, 0.0856622461895852}, {-0.661209386466265, 0.1803807865240693},
@@ -125,7 +125,7 @@ std::vector<Vec3> strains_to_fit() {
             for (int of = belt; of < std::min(belt + 2, belts); ++of)
                 for (int i = first; i < first + 4; ++i) {
                     const double up = std::numbers::pi * of / belts - std::numbers::pi / 2,
-                                 angle = full_turn * (i + 0.5 * (of % 2)) / around;
+                                 angle = whole_turn * (i + 0.5 * (of % 2)) / around;
                     list.emplace_back(std::cos(up) * std::cos(angle), std::cos(up) * std::sin(angle), std::sin(up));
                 }
     list.emplace_back(0, 0, 1);
@@ -175,7 +175,7 @@ UltimateStates::UltimateStates(const Outline& outline, const Reinforcement& conc
     std::vector<Vec3> states = {tension, compression};
     for (int i = 0; i < turns; ++i)
         for (int k = 0; k < depths; ++k)
-            states.push_back(forces(outline, concrete, strains, full_turn * i / turns,
+            states.push_back(forces(outline, concrete, strains, whole_turn * i / turns,
                                     reach * std::tan(std::numbers::pi / 2 * (k + 0.5) / depths)));
     centre_ = middle_of_norm * 0.5 * (tension + compression);
     strength_.setZero();

@@ -47,7 +47,8 @@ public:
             }
             const double k = std::numbers::pi / (2 * e.length), EI[2] = {e.rigidity.EIx, e.rigidity.EIy};
             for (int plane : {0, 1}) {
-                b.omega[plane][i % lane_count] = k * k * std::sqrt(EI[plane] / e.rigidity.rhoA);
+                b.omega[plane][i % lane_count] =
+                    e.rigidity.rhoA > 0 ? k * k * std::sqrt(EI[plane] / e.rigidity.rhoA) : at_once;
                 b.nothing[plane][i % lane_count] = 1e-9 * EI[plane] / e.length;
             }
             b.point[i % lane_count] = -e.s;
@@ -112,7 +113,8 @@ public:
     }
 
 private:
-    static constexpr double near = 0.25;  ///< of f_y in the middle: half of the plastic moment
+    static constexpr double at_once = 1e30;  ///< rad/s, of a pair without mass
+    static constexpr double near = 0.25;     ///< of f_y in the middle: half of the plastic moment
 
     /// Eight elements, which are four pairs.
     struct Block {

@@ -45,7 +45,7 @@ public:
         }
         for (const Connector& c : declared())
             for (const int node : {c.a, c.b})
-                if (node >= 0 && w.structure.elements_at(node).empty())
+                if (node >= 0 && w.structure.is_alone(node))
                     throw InputError("model:connector: " + w.structure.node_name(node) +
                                      " belongs to no member, so that nothing moves it; join the members' own nodes, or "
                                      "use ground = true");

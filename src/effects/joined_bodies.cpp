@@ -33,7 +33,7 @@ std::vector<char> held_bodies(const Structure& structure, const State& state, co
         if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
     for (const NodeLink& link : links_of(structure))
         for (const auto& [by, what] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}})
-            if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.elements_at(by).empty()))
+            if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.is_alone(by)))
                 held[bodies.of_node[what]] = 1;
     return held;
 }

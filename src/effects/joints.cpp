@@ -15,6 +15,7 @@
 // The moment of the dashpots is beside that of the joint. Neither strength nor capacity is asked of it.
 #include "effects/joints.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
@@ -23,9 +24,11 @@
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "effects/constrainer.h"
+#include "effects/declared.h"
 #include "effects/joint_parts.h"
 #include "effects/kinds.h"
 #include "effects/relative_rotation.h"
+#include "model/member_ends.h"
 #include "state/joint_records.h"
 #include "state/node_mass.h"
 
@@ -47,6 +50,10 @@ constexpr double at_strength = 1 - 1e-6;
 /// Part of its capacity that another joint has when one breaks, for the order to be in doubt: tension and shear of
 /// joints in explicit and in Newmark's steps differ by some per cent of their peaks.
 constexpr double close_part = 0.9;
+
+/// Stiffness that a node of the script keeps to the end of one of its members where the ends of all of them are
+/// released: in the tangent alone, as a part of that member's own. The node rotates with that end, without a moment.
+constexpr double of_riding = 1e-6;
 
 const char* const axis_names[] = {"Mx", "My", "Mz"};
 
@@ -73,6 +80,8 @@ public:
             traits_.forces_vanish = traits_.forces_vanish || declared()[i].is.can_break();
         }
         for (std::size_t i = 0; i < made_.size(); ++i) go_on(i);
+        list_ties();
+        refuse_moments();
     }
 
     // ---- forces ---------------------------------------------------------------------------------------------------
@@ -109,6 +118,7 @@ public:
             const Evaluated e = evaluate(i, r.rotation);
             // a joint that slides leaves a mechanism: without any stiffness what solves for it would divide by rounding
             Vec3 slope = slope_of(i, r.rotation, e, blocks.yielded).cwiseMax(of_sliding * made_[i].stiffness);
+            if (carries_node(i)) slope = slope.cwiseMax(of_riding * made_[i].own);
             Viscous v;
             if (made_[i].damping > 0) v = viscous(i, r, e, false), slope += v.by_rotation;
             add(i, r, slope, w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks,
@@ -122,34 +132,69 @@ public:
     }
 
     // ---- constraints ----------------------------------------------------------------------------------------------
-    /// A node that follows another one passes the end on to that one.
-    void add_constraints(const ConfigurationView&, std::vector<LinearConstraint>& list_of_all) const override {
+    /// u' = u + w x arm of the member's own node, and w' = w where it has no joint. A node that follows another one
+    /// passes the end on to that one.
+    void add_constraints(const ConfigurationView& at, std::vector<LinearConstraint>& list_of_all) const override {
         std::unordered_map<int, std::size_t> follows;
         for (std::size_t i = 0; i < list_of_all.size(); ++i)
             follows[6 * list_of_all[i].dependent.node + list_of_all[i].dependent.component] = i;
-        for (const std::size_t i : in_order_) {
-            if (list()[i].broken) continue;
-            for (int c = 0; c < 3; ++c) {
-                LinearConstraint tie{declared()[i].is_between_nodes() ? "model:joint" : "model:member, ends",
-                                     {made_[i].end, c},
-                                     {{{made_[i].node, c}, 1}}};
-                if (const auto at = follows.find(6 * made_[i].node + c); at != follows.end())
-                    tie.terms = list_of_all[at->second].terms;
-                if (declared()[i].is_between_nodes()) follows[6 * made_[i].end + c] = list_of_all.size();
+        for (const Tie& t : ties_) {
+            if (!is_whole(t)) continue;
+            const Vec3 arm = arm_of(t, at);
+            for (int c = 0; c < (t.is_rigid() ? 6 : 3); ++c) {
+                LinearConstraint tie{t.call, {t.end, c}, {}};
+                const auto add = [&](int component, double factor) {
+                    const auto found = follows.find(6 * t.node + component);
+                    if (found == follows.end()) return tie.terms.push_back({{t.node, component}, factor});
+                    for (const LinearConstraint::Term& term : list_of_all[found->second].terms)
+                        tie.terms.push_back({term.of, factor * term.factor});
+                };
+                add(c, 1);
+                for (int k = 0; c < 3 && k < 3; ++k)
+                    if (const double lever = Vec3::Unit(k).cross(arm)[c]; lever != 0) add(3 + k, lever);
+                if (t.between_nodes) follows[6 * t.end + c] = list_of_all.size();
                 list_of_all.push_back(std::move(tie));
             }
         }
     }
     void place(const ConfigurationView&, const std::vector<Vec3>&, Configuration& to) const override {
-        for_each_tied([&](int node, int end) { to.displacement[end] = to.displacement[node]; });
+        for_each_tied([&](const Tie& t) {
+            to.displacement[t.end] = to.displacement[t.node];
+            if (t.arm.isZero(0)) return;
+            to.displacement[t.end] += w_.structure.large() ? Vec3(to.rotation[t.node] * t.arm - t.arm)
+                                                           : Vec3(to.small_rotation[t.node].cross(t.arm));
+        });
     }
     void set_velocities(Configuration& of) const override {
-        for_each_tied([&](int node, int end) { of.velocity[end].head<3>() = of.velocity[node].head<3>(); });
+        for_each_tied([&](const Tie& t) {
+            const Vec6& v = of.velocity[t.node];
+            of.velocity[t.end].head<3>() = v.head<3>();
+            if (!t.arm.isZero(0)) of.velocity[t.end].head<3>() += Vec3(v.tail<3>()).cross(arm_of(t, of));
+            if (t.is_rigid()) of.velocity[t.end].tail<3>() = v.tail<3>();
+        });
     }
     void set_accelerations(Configuration& of) const override {
-        for_each_tied([&](int node, int end) { of.acceleration[end].head<3>() = of.acceleration[node].head<3>(); });
+        for_each_tied([&](const Tie& t) {
+            const Vec6& a = of.acceleration[t.node];
+            of.acceleration[t.end].head<3>() = a.head<3>();
+            if (t.is_rigid()) of.acceleration[t.end].tail<3>() = a.tail<3>();
+            if (t.arm.isZero(0)) return;
+            const Vec3 r = arm_of(t, of), w = of.velocity[t.node].tail<3>();
+            of.acceleration[t.end].head<3>() += Vec3(a.tail<3>()).cross(r);
+            if (w_.structure.large()) of.acceleration[t.end].head<3>() += w.cross(w.cross(r));
+        });
     }
-    void add_curvature(const ConfigurationView&, const std::vector<Vec6>&, Blocks&) const override {}
+    /// The moment arm x f of an end on its node changes as the arm rotates.
+    void add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced,
+                       Blocks& blocks) const override {
+        if (!w_.structure.large()) return;
+        for (const Tie& t : ties_) {
+            if (t.arm.isZero(0) || !is_whole(t)) continue;
+            Mat6 K = Mat6::Zero();
+            K.block<3, 3>(3, 3) = skew(Vec3(unbalanced[t.end].head<3>())) * skew(arm_of(t, at));
+            blocks.stiffness(t.node, K);
+        }
+    }
 
     // ---- a step ---------------------------------------------------------------------------------------------------
     void accumulate_energy(const Step&, Accounts& sums) const override {
@@ -173,6 +218,7 @@ public:
             keep(i, step);
             if (list()[i].over < 0 || !w_.kind.dynamic) continue;
             release(i, step.end());
+            leave_node(made_[i].node);
             if (first < 0) first = int(i);
         }
         if (first < 0) return;
@@ -182,9 +228,12 @@ public:
     }
     /// A node whose last element has broken holds nothing any more. The run finds its constraints anew after that.
     void broke(const Break&) override {
+        for (const Tie& t : ties_)
+            if (t.is_rigid() && (lost(t.node) || lost(t.end))) leave_node(t.node), lost_any_ = true;
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken || !(lost(made_[i].node) || lost(made_[i].end))) continue;
             release(i, w_.state.time);
+            leave_node(made_[i].node);
             lost_any_ = true;
         }
     }
@@ -198,8 +247,8 @@ public:
         return true;
     }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for_each_tied([&](int node, int end) {
-            for (const int n : {node, end})
+        for_each_tied([&](const Tie& t) {
+            for (const int n : {t.node, t.end})
                 if (bodies.of_node[n] >= 0) rests[bodies.of_node[n]] = 0;
         });
     }
@@ -246,8 +295,10 @@ private:
         int member, side;
         int node, end;   ///< the script's node, and the member's own
         Vec3 stiffness;  ///< of the elastic part about each axis, N m/rad
+        Vec3 own;        ///< of the member about each axis: 4 EI / L and G J / L, N m/rad
         std::vector<JointPart> parts[3];
-        Mat3 axes;           ///< columns x y z of the section
+        Mat3 axes;  ///< columns x y z of the section
+        bool is_between_nodes() const { return member < 0; }
         double wave = 0;     ///< s, in which an axial wave runs through the member
         double damping = 0;  ///< s: beta of model:damping
     };
@@ -272,12 +323,12 @@ private:
     const std::vector<Joint>& declared_ = w_.structure.model().declared<Joint>(joints_effect);
     std::vector<JointNow>& list() const { return w_.state.data.find<JointsNow>(joints_effect)->list; }
     JointRecords& records() const { return *w_.state.data.find<JointRecords>(joint_records); }
-    bool lost(int node) const { return w_.state.gone[node] && !w_.structure.elements_at(node).empty(); }
+    bool lost(int node) const { return w_.state.gone[node] && !w_.structure.is_alone(node); }
 
     Made make(const Joint& j) const {
         if (j.is_between_nodes()) return between_nodes(j);
         const Structure& s = w_.structure;
-        Made m{j.member, j.end, s.model().members()[j.member].node[j.end], s.end_node(j.member, j.end), {}, {}, {}};
+        Made m{j.member, j.end, s.model().members()[j.member].node[j.end], s.end_node(j.member, j.end), {}, {}, {}, {}};
         const Element& e = s.elements()[s.elements_at(m.end)[0]];
         const double length = e.length * s.model().members()[j.member].elements;
         m.axes = e.axes.toRotationMatrix();
@@ -288,17 +339,22 @@ private:
     }
     Made between_nodes(const Joint& j) const {
         const Structure& s = w_.structure;
-        Made m{-1, 0, j.from, j.to, {}, {}, j.axes};
+        Made m{-1, 0, j.from, j.to, {}, {}, {}, j.axes};
         double stiffest = 0;
         for (const int node : {j.from, j.to}) {
-            if (s.elements_at(node).empty())
+            if (s.is_alone(node))
                 throw InputError("model:joint: " + s.node_name(node) +
                                  " has no member, so that it has neither stiffness nor mass; join nodes of members");
-            for (const int i : s.elements_at(node)) {
-                const Element& e = s.elements()[i];
-                const double length = e.length * s.model().members()[e.member].elements;
-                stiffest = std::max({stiffest, 4 * e.rigidity.EIx / length, 4 * e.rigidity.EIy / length});
-            }
+            const auto count = [&](int at) {
+                for (const int i : s.elements_at(at)) {
+                    const Element& e = s.elements()[i];
+                    const double length = e.length * s.model().members()[e.member].elements;
+                    stiffest = std::max({stiffest, 4 * e.rigidity.EIx / length, 4 * e.rigidity.EIy / length});
+                }
+            };
+            count(node);
+            for (const Made& other : made_)
+                if (!other.is_between_nodes() && other.node == node && s.hangs_on_joints(node)) count(other.end);
         }
         find_parts(j, Vec3::Constant(stiffest), m);
         m.damping = joint_damping(s, damping_of_elements_, {j.from, j.to});
@@ -311,6 +367,7 @@ private:
     }
     /// `own`: stiffness of the member about each axis, N m/rad.
     void find_parts(const Joint& j, const Vec3& own, Made& m) const {
+        m.own = own;
         for (int k = 0; k < 3; ++k) {
             const JointAxis& axis = j.is.axis[k];
             m.parts[k] = parts_of(axis);
@@ -325,10 +382,46 @@ private:
                 list()[i].offset[k] = list()[i].rotation[k] - list()[i].moment[k] / made_[i].stiffness[k];
     }
 
+    /// A node that follows one of the script's: a member's own end, at an offset or not, or a node at a joint.
+    struct Tie {
+        int node, end;
+        int joint;  ///< its place in made_; -1: none, the end rotates with the node
+        bool between_nodes;
+        Vec3 arm;  ///< from the node to the end as declared, m
+        const char* call;
+        bool is_rigid() const { return joint < 0; }
+    };
+    void list_ties() {
+        const Model& model = w_.structure.model();
+        for (const MemberOffset& o : model.declared<MemberOffset>(member_offsets))
+            for (const DeclaredLoad& load : declared_loads(model))
+                if (load.motion && w_.kind.dynamic && load.node == model.members()[o.member].node[o.end])
+                    throw InputError("model:member, offset: " + w_.structure.node_name(load.node) +
+                                     " is moved by model:move; that does not go together yet: let the member end at "
+                                     "the node that is moved");
+        for (const std::size_t i : in_order_) {
+            const Made& m = made_[i];
+            const bool between = declared()[i].is_between_nodes();
+            ties_.push_back({m.node, m.end, int(i), between,
+                             between ? Vec3(Vec3::Zero()) : offset_of(model, m.member, m.side),
+                             between ? "model:joint" : "model:member, ends"});
+        }
+        for (const MemberOffset& o : model.declared<MemberOffset>(member_offsets)) {
+            const int end = w_.structure.end_node(o.member, o.end);
+            if (std::none_of(made_.begin(), made_.end(), [&](const Made& m) { return m.end == end; }))
+                ties_.push_back({model.members()[o.member].node[o.end], end, -1, false, o.by, "model:member, offset"});
+        }
+    }
+    bool is_whole(const Tie& t) const {
+        return t.is_rigid() ? !lost(t.node) && !w_.state.gone[t.end] : !list()[std::size_t(t.joint)].broken;
+    }
+    Vec3 arm_of(const Tie& t, const ConfigurationView& at) const {
+        return t.arm.isZero(0) || !w_.structure.large() ? t.arm : Vec3(at.rotation[t.node] * t.arm);
+    }
     template <class F>
     void for_each_tied(F f) const {
-        for (const std::size_t i : in_order_)
-            if (!list()[i].broken) f(made_[i].node, made_[i].end);
+        for (const Tie& t : ties_)
+            if (is_whole(t)) f(t);
     }
 
     RelativeRotation turn(std::size_t i, const ConfigurationView& at) const {
@@ -573,6 +666,57 @@ private:
         return text;
     }
 
+    /// Whether a node that hangs on joints rotates with the end of this one, the first of those that are whole.
+    bool carries_node(std::size_t i) const {
+        const int node = made_[i].node;
+        if (!w_.structure.hangs_on_joints(node) || made_[i].is_between_nodes()) return false;
+        for (const bool rigid : {true, false})  // an end without a joint holds the node
+            for (const Tie& t : ties_)
+                if (t.is_rigid() == rigid && t.node == node && !t.between_nodes && is_whole(t))
+                    return t.joint == int(i);
+        return false;
+    }
+    /// A node that hung on joints and offset ends, and has lost the last of them, is gone. One with a point mass flies
+    /// on; where that has no rotary inertia, without a rotation.
+    void leave_node(int node) {
+        if (!w_.structure.hangs_on_joints(node) || w_.state.gone[node]) return;
+        for (const Tie& t : ties_)
+            if ((t.node == node || t.end == node) && is_whole(t)) return;
+        const bool heavy = !w_.state.offset_mass.empty() && w_.state.offset_mass[node].mass > 0;
+        if (heavy && w_.state.offset_mass[node].inertia.trace() > 0) return;
+        w_.state.held[node] |= heavy ? 56 : 63;
+        if (!heavy) w_.state.gone[node] = 1;
+        for (int c = heavy ? 3 : 0; c < 6; ++c)
+            for (double* of : {&w_.state.velocity[node][c], &w_.state.acceleration[node][c],
+                               &w_.trial.velocity[node][c], &w_.trial.acceleration[node][c]})
+                *of = 0;
+        w_.supported.push_back(node);
+    }
+    /// A moment on a node that no member resists, where the ends of all of them are released about its axis.
+    void refuse_moments() const {
+        for (const DeclaredLoad& load : declared_loads(w_.structure.model())) {
+            const int node = load.node;
+            if (load.motion || node < 0 || load.moment.isZero(0) || !w_.structure.hangs_on_joints(node)) continue;
+            Mat3 held = Mat3::Zero();
+            for (int c : {0, 1, 2})
+                if (w_.structure.fixed()[node] >> (3 + c) & 1) held(c, c) = 1;
+            for (const Tie& t : ties_)
+                if (t.is_rigid() && t.node == node) held.setIdentity();
+            for (std::size_t i = 0; i < made_.size(); ++i)
+                for (int k = 0; k < 3; ++k)
+                    if ((made_[i].node == node || made_[i].end == node) && made_[i].stiffness[k] > 0)
+                        held += made_[i].axes.col(k) * made_[i].axes.col(k).transpose();
+            const Vec3 M = load.moment.normalized();
+            const Eigen::SelfAdjointEigenSolver<Mat3> directions(held);
+            for (int i = 0; i < 3; ++i)
+                if (directions.eigenvalues()[i] < 1e-6 && std::abs(M.dot(directions.eigenvectors().col(i))) > 1e-6)
+                    throw InputError(load.what + " has a moment, and the ends of all members at " +
+                                     w_.structure.node_name(node) +
+                                     " are released about its axis, so that nothing resists it; leave the release out "
+                                     "at one of them, or take the moment away");
+        }
+    }
+
     void release(std::size_t i, double time) {
         JointNow& j = list()[i];
         w_.state.accumulated["joint_dissipated"] += evaluate(i, j.rotation).stored;
@@ -588,6 +732,7 @@ private:
     const std::vector<ElementDamping> damping_of_elements_ = damping_of(w_.structure);
     std::vector<Made> made_;
     std::vector<std::size_t> in_order_;  ///< joints between nodes first
+    std::vector<Tie> ties_;              ///< in that order; then ends at an offset without a joint
     std::vector<Now> now_;
     bool lost_any_ = false;
     /// The first break at which another joint was close to its own, and how many there were.
@@ -603,33 +748,38 @@ private:
 };
 
 std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
-    const std::size_t n = s.model().declared<Joint>(joints_effect).size();
-    return {{joints_effect, n > 0, n == 0 ? "not declared" : count_text(long(n), "joint"),
-             s.model().asked_at(joints_effect)}};
+    const std::size_t n = s.model().declared<Joint>(joints_effect).size(),
+                      offsets = s.model().declared<MemberOffset>(member_offsets).size();
+    std::string text = n == 0 ? "" : count_text(long(n), "joint");
+    if (offsets > 0) text += (n == 0 ? "" : ", ") + count_text(long(offsets), "offset end");
+    return {
+        {joints_effect, n + offsets > 0, n + offsets == 0 ? "not declared" : text, s.model().asked_at(joints_effect)}};
 }
 
 }  // namespace
 
 EffectKind joints_kind() {
-    return {.name = joints_effect,
-            .accounts = {{"joints", 73, "stored in joints now, and dissipated by them", {}, false, true},
-                         {"joint_stored", 73, "stored now in the springs of joints", "joints"},
-                         {"joint_dissipated", 74, "plastic work of joints, and what their breaks released", "joints"}},
-            .plan = joints_plan,
-            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().declared<Joint>(joints_effect).empty()) {
-                    w.state.data.erase(joints_effect);
-                    w.state.data.erase(joint_records);
-                    return nullptr;
-                }
-                return std::make_unique<Joints>(w, host);
-            },
-            .declarer = {.links = [](const Model& model) {
-                std::vector<NodeLink> list;
-                for (const Joint& j : model.declared<Joint>(joints_effect))
-                    if (j.is_between_nodes()) list.push_back({j.from, j.to});
-                return list;
-            }}};
+    return {
+        .name = joints_effect,
+        .accounts = {{"joints", 73, "stored in joints now, and dissipated by them", {}, false, true},
+                     {"joint_stored", 73, "stored now in the springs of joints", "joints"},
+                     {"joint_dissipated", 74, "plastic work of joints, and what their breaks released", "joints"}},
+        .plan = joints_plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            const Model& model = w.structure.model();
+            if (model.declared<Joint>(joints_effect).empty() && model.declared<MemberOffset>(member_offsets).empty()) {
+                w.state.data.erase(joints_effect);
+                w.state.data.erase(joint_records);
+                return nullptr;
+            }
+            return std::make_unique<Joints>(w, host);
+        },
+        .declarer = {.links = [](const Model& model) {
+            std::vector<NodeLink> list;
+            for (const Joint& j : model.declared<Joint>(joints_effect))
+                if (j.is_between_nodes()) list.push_back({j.from, j.to});
+            return list;
+        }}};
 }
 
 }  // namespace hinge

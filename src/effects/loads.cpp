@@ -125,7 +125,7 @@ public:
     }
     bool changes_within(double now, std::span<const double> after) const override {
         for (const NodalLoad& load : declared_) {
-            if (!load.history || w_.state.gone[load.node]) continue;
+            if (!load.history || is_gone(load.node)) continue;
             if (load.history.bends_within(now, now + after.back())) return true;
             const double factor = load.history(now);
             for (const double t : after)
@@ -155,10 +155,13 @@ private:
         a(s.begun_);
     }
 
+    /// A support that joints alone join to its members is no part of the state, and takes loads all the same.
+    bool is_gone(int node) const { return w_.state.gone[node] && !w_.structure.is_alone(node); }
+
     void ask(double t) {
         for (auto& [i, asked] : asked_) {
             const NodalLoad& load = declared_[i];
-            if (w_.state.gone[load.node]) continue;
+            if (is_gone(load.node)) continue;
             if (load.force_rule) asked.tried.head<3>() = load.force_rule(t);
             if (load.moment_rule) asked.tried.tail<3>() = load.moment_rule(t);
         }
@@ -198,13 +201,13 @@ private:
             const NodalLoad& load = declared_[i];
             const bool may_jump = jumping != jumping_.end() && jumping->first == i;
             const double in_step = may_jump ? (jumping++)->second.*of_step : 0;
-            if (w_.state.gone[load.node]) continue;
+            if (is_gone(load.node)) continue;
             const double factor = may_jump ? in_step : load.history ? load.history(t) : 1.0;
             loaded_[load_at_[i]].now.head<3>() += factor * load.force;
             loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
         }
         for (const auto& [i, asked] : asked_)
-            if (!w_.state.gone[declared_[i].node]) loaded_[load_at_[i]].now += asked.*said;
+            if (!is_gone(declared_[i].node)) loaded_[load_at_[i]].now += asked.*said;
         for (const Loaded& l : loaded_)
             if (!w_.rests(l.node)) w_.external[l.node] = w_.steady[l.node] + l.now;
     }

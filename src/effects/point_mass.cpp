@@ -5,7 +5,9 @@
 #include <algorithm>
 
 #include "core/errors.h"
+#include "effects/joints.h"
 #include "effects/kinds.h"
+#include "model/member_ends.h"
 
 namespace hinge {
 namespace {
@@ -32,6 +34,37 @@ void attach(const PointMass& m, OffsetMass& to) {
     to.moment += m.mass * m.offset;
     to.inertia += m.inertia.asDiagonal().toDenseMatrix() +
                   m.mass * (m.offset.squaredNorm() * Mat3::Identity() - m.offset * m.offset.transpose());
+}
+
+/// Explicit steps: a node that hangs on joints alone (Structure::hangs_on_joints) rotates by its own inertia. It has
+/// that of the mean of its members' ends, and next to no mass.
+void give_inertia(Workspace& w) {
+    const Structure& s = w.structure;
+    State& state = w.state;
+    std::vector<double> inertia(s.model().nodes().size(), 0), mass = inertia;
+    std::vector<int> ends(inertia.size(), 0);
+    std::vector<char> has_rigid_end(inertia.size(), 0);  // at an offset, without a joint
+    for (const MemberOffset& o : s.model().declared<MemberOffset>(member_offsets)) {
+        const auto& joints = s.model().declared<Joint>(joints_effect);
+        if (std::none_of(joints.begin(), joints.end(),
+                         [&](const Joint& j) { return j.member == o.member && j.end == o.end; }))
+            has_rigid_end[s.model().members()[o.member].node[o.end]] = 1;
+    }
+    for (const Element& e : s.elements())
+        for (int end : {0, 1})
+            if (const int n = s.declared_node(e.node[end]); n >= 0 && n != e.node[end] && s.hangs_on_joints(n)) {
+                ++ends[n];
+                inertia[n] += e.inertia.rotary[end].sum() / 3, mass[n] += e.mass();
+            }
+    constexpr double next_to_none = 1e-9;
+    for (std::size_t n = 0; n < ends.size(); ++n) {
+        if (ends[n] == 0 || state.gone[n]) continue;
+        if (state.offset_mass.empty()) state.offset_mass.assign(state.displacement.size(), {});
+        OffsetMass& at = state.offset_mass[n];
+        if (at.inertia.trace() > 0) continue;  // from a run before, or of the script
+        if (has_rigid_end[n]) continue;
+        at.mass += next_to_none * mass[n], at.inertia += inertia[n] / ends[n] * Mat3::Identity();
+    }
 }
 
 class PointMasses : public Effect, public BreakListener {
@@ -63,7 +96,8 @@ private:
 
     void add(const PointMass& m) {
         State& s = w_.state;
-        if (s.gone[m.node])
+        const bool on_support = w_.structure.is_alone(m.node) && has_member_at(w_.structure.model(), m.node);
+        if (s.gone[m.node] && !on_support)
             throw InputError("model:mass: " + w_.structure.node_name(m.node) +
                              " has no member; a point mass needs one, and one that has not broken off, where a run "
                              "begins");
@@ -115,8 +149,11 @@ EffectKind point_mass_kind() {
     return {.name = point_mass_effect,
             .plan = point_mass_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (w.structure.model().declared<PointMass>(point_mass_effect).empty()) return nullptr;
-                return std::make_unique<PointMasses>(w, host);
+                std::unique_ptr<Effect> masses;
+                if (!w.structure.model().declared<PointMass>(point_mass_effect).empty())
+                    masses = std::make_unique<PointMasses>(w, host);
+                if (w.kind.explicit_steps) give_inertia(w);
+                return masses;
             },
             .leave_out = leave_out_declared<point_mass_effect>,
             .declarer = {.masses = [](const Model& model) {

@@ -22,7 +22,7 @@ public:
 
     void add_rates(std::vector<Vec6>& rates) const override {
         for (const Settlement& s : left_)  // a support with joints alone has no elements, and is not gone
-            if (!w_.state.gone[s.node] || w_.structure.elements_at(s.node).empty()) rates[s.node][s.component] += s.by;
+            if (!w_.state.gone[s.node] || w_.structure.is_alone(s.node)) rates[s.node][s.component] += s.by;
     }
 
 private:

@@ -9,6 +9,7 @@
 
 #include "core/errors.h"
 #include "laws/laws.h"
+#include "model/member_ends.h"
 #include "model/section_laws.h"
 #include "model/shear.h"
 
@@ -154,28 +155,25 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
     list_elements_of_nodes(position_.size(), elements_, first_element_, elements_of_nodes_);
 }
 
-/// Ends of members that have a joint: nodes in the place of the script's. One that no member joins rigidly would have
-/// neither stiffness against rotation nor mass.
+/// Ends of members that have a joint, or an offset: nodes of their own.
 void Structure::add_joints() {
     for (std::size_t index = 0; index < model_->members().size(); ++index)
         for (int end : {0, 1}) {
             const MemberData& member = model_->members()[index];
             if (!member.has_joint(end)) continue;
             joined_.push_back({int(index), end});
-            position_.push_back(position_[member.node[end]]);
+            position_.push_back(end_position(*model_, int(index), end));
             fixed_.push_back(0);
         }
     if (joined_.empty()) return;
-    std::vector<char> carried(model_->nodes().size(), 0);
+    std::vector<char> carried(model_->nodes().size(), 0), hangs = carried;
     for (const MemberData& member : model_->members())
         for (int end : {0, 1})
             if (!member.has_joint(end)) carried[member.node[end]] = 1;
     for (const JoinedEnd& end : joined_)
         if (const int node = model_->members()[end.member].node[end.end]; !carried[node] && fixed_[node] != 63)
-            throw InputError("model:member: every member at " + node_name(node) +
-                             " has a joint there, so that nothing holds the rotation of the node itself; leave the "
-                             "joint out at one of these members (the node then rotates with it), or fix the node in "
-                             "all directions");
+            hangs[node] = 1;
+    if (std::find(hangs.begin(), hangs.end(), 1) != hangs.end()) on_joints_ = std::move(hangs);
 }
 
 int Structure::end_node(int member, int end) const {
@@ -195,7 +193,7 @@ int Structure::declared_node(int node) const {
 
 void Structure::add_member(int index, KindMap& alike) {
     const MemberData& member = model_->members()[index];
-    const Vec3 start = position_[member.node[0]], span = position_[member.node[1]] - start;
+    const Vec3 start = position_[end_node(index, 0)], span = position_[end_node(index, 1)] - start;
     Quat rotation = axes_of(member, span);
     double length = span.norm() / member.elements;
     Vec3 part = span / member.elements;
@@ -291,7 +289,11 @@ beam::Inertia Structure::inertia_of(const beam::Rigidity& rigidity, double lengt
 std::vector<Vec6> Structure::initial_velocity() const {
     std::vector<Vec6> v = model_->velocities();
     v.reserve(position_.size());
-    for (const JoinedEnd& end : joined_) v.push_back(v[model_->members()[end.member].node[end.end]]);
+    for (const JoinedEnd& end : joined_) {
+        Vec6 of_end = v[model_->members()[end.member].node[end.end]];
+        of_end.head<3>() += Vec3(of_end.tail<3>()).cross(offset_of(*model_, end.member, end.end));
+        v.push_back(of_end);
+    }
     for (const MemberData& member : model_->members())
         for (int i = 1; i < member.elements; ++i) {
             const double t = double(i) / member.elements;
@@ -304,7 +306,7 @@ std::vector<Vec6> Structure::initial_velocity() const {
 int Structure::free_dofs() const {
     int n = 0;
     for (std::size_t i = 0; i < fixed_.size(); ++i)
-        if (!elements_at(int(i)).empty()) n += 6 - std::popcount(fixed_[i]);
+        if (!is_alone(int(i))) n += 6 - std::popcount(fixed_[i]);
     return n;
 }
 

@@ -66,6 +66,11 @@ public:
         return {&elements_of_nodes_[first_element_[node]],
                 std::size_t(first_element_[node + 1] - first_element_[node])};
     }
+    /// Whether nothing joins a node: no element, and no end of a member by a joint. A support that is fixed in all
+    /// directions counts as such with joints too: nothing moves it.
+    bool is_alone(int node) const { return elements_at(node).empty() && !hangs_on_joints(node); }
+    /// Whether a node of the script has joints alone, and can move: the ends of all its members are released.
+    bool hangs_on_joints(int node) const { return node < int(on_joints_.size()) && on_joints_[node] != 0; }
     int free_dofs() const;
     bool can_yield() const { return can_yield_; }
     /// True if the law of a section calls functions of the script.
@@ -127,6 +132,7 @@ private:
         auto operator<=>(const JoinedEnd&) const = default;
     };
     std::vector<JoinedEnd> joined_;                       ///< rising
+    std::vector<char> on_joints_;                         ///< of each declared node; empty where none hangs on joints
     std::vector<int> first_element_, elements_of_nodes_;  // elements of each node
     bool can_yield_ = false, laws_call_script_ = false, wears_stiffness_ = false;
 };

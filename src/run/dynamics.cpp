@@ -76,6 +76,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 
     assembly_.update_active(state_);
     std::vector<Vec6> out_of_balance;
+    integrator_->prepare(*effects_);
     return_to_yield_surface();
     find_acceleration(out_of_balance);
     if (step_.failure) fail({step_.failure});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "algebra/massless.h"
 #include "algebra/stable_step.h"
 #include "effects/all_effects.h"
 #include "run/dynamics.h"
@@ -105,7 +106,7 @@ std::vector<Dynamics::Trial> Dynamics::trials() const {
     for (const int part : {4, 16})
         add({Kind::dt, settings_.dt / part},
             [&](DynamicSettings& s) { s.dt = settings_.dt / part, s.automatic = false; });
-    if (may_conserve)
+    if (may_conserve && !may_be_massless(*structure_))
         add({Kind::energy_momentum}, [](DynamicSettings& s) {
             s.conserving = true, s.automatic = s.chosen = false;
             s.beta = 0.25, s.rho_infinity = 1, s.iterations = 0, s.predictor = Predictor::by_step,
@@ -115,7 +116,7 @@ std::vector<Dynamics::Trial> Dynamics::trials() const {
     if (newmark && settings_.alpha() == 0)
         add({Kind::rho_infinity, 0.8},
             [](DynamicSettings& s) { s.rho_infinity = 0.8, s.beta = DynamicSettings::beta_of(0.8); });
-    if (newmark && !structure_->cubic())
+    if (newmark && !structure_->cubic() && !may_be_massless(*structure_))
         add({Kind::explicit_steps}, [](DynamicSettings& s) {
             s.beta = 0, s.rho_infinity = 1, s.automatic = false, s.chosen = true, s.control(0);
         });

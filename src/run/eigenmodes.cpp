@@ -117,14 +117,17 @@ struct Vibration {
         K = unknowns.reduced(stiffness), M = unknowns.reduced(mass);
         const Eigen::VectorXd own = M.diagonal();
         if (own.size() == 0) return;
-        if (!(own.minCoeff() > 0))
+        if (!(own.maxCoeff() > 0))
             throw InputError(
-                "a node that can move has no mass, so that there are no natural modes; give all materials a "
-                "density");
+                "nothing that can move has mass, so that there are no natural modes; give materials a density, or "
+                "nodes a mass (model:mass)");
         k = K.diagonal().cwiseAbs().sum(), m = own.sum();
         K = K / k, M = M / m;
         while (positive && negative_pivots(K + shift * M) > 0)
-            shift *= 4;  // an unstable state has negative values, too
+            if ((shift *= 4) > 1e12)  // an unstable state has negative values, too
+                throw std::runtime_error(
+                    "no modes are found: a part without mass is unstable under the forces of the run; give it a "
+                    "density");
     }
     int size() const { return int(M.rows()); }
 };
@@ -136,6 +139,10 @@ void count_unsymmetric(const Run& run, const Vibration& v, Eigenpairs& found) {
     const SparseMatrix K = unsymmetric_stiffness(run, run.state(), v.unknowns, v.blocks) / v.k;
     if (change_by_unsymmetric(K, v.K, v.M, v.shift, found) < counts) return;
     const std::string why = "moments or loads that turn with their member make the stiffness unsymmetric";
+    if (!(v.M.diagonal().minCoeff() > 0))
+        throw InputError(why +
+                         ", which is not done yet where nodes that can move have no mass; give all materials a "
+                         "density");
     if (v.size() > most_unsymmetric)
         throw InputError(why + ", and with " + std::to_string(v.size()) +
                          " degrees of freedom that takes too long (most: " + std::to_string(most_unsymmetric) +

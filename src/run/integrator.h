@@ -59,6 +59,8 @@ public:
     Integrator(Workspace& w, KeptMass& mass, Stages& stages) : w_(w), mass_(mass), stages_(stages) {}
     virtual ~Integrator() = default;
 
+    /// Before the first acceleration is found.
+    virtual void prepare(const EffectList& effects) { (void)effects; }
     /// The first acceleration is known.
     virtual void begin(const EffectList& effects) { (void)effects; }
     /// F and R where a step begins are in the workspace, with what effects resist; R lacks what `recovered` took out.

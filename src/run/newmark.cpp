@@ -91,22 +91,41 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
         for (int n : e.node) lumped_[n] += 0.5 * e.mass();
 }
 
+/// A run from the start: script's velocities are those of nodes with mass.
+void Newmark::prepare(const EffectList& effects) {
+    if (w_.state.time != 0 || !may_be_massless(w_.structure)) return;
+    find_massless();
+    condense_velocities(massless_, w_.structure, w_.constraints ? &w_.constraints->reduction() : nullptr,
+                        added_blocks(effects, w_.state, 0), w_.pool, w_.state);
+}
+
 void Newmark::begin(const EffectList& effects) {
     const bool bends = any_of(effects.forces, &Force::blocks_follow);
     if (settings_.iterations == 0 && displacement_predictor_ && bends)
         iterations_ = 30, tolerance_ = std::max(tolerance_, 1e-6);
     w_.solved_at_once = displacement_predictor_ && iterations_ == 1;
+    massless_changes_ = effects.any(&EffectTraits::forces_vanish) && may_be_massless(w_.structure);
     const MatrixStorage storage = settings_.solver.direct ? MatrixStorage::direct
-                                  : settings_.single_precision && !displacement_predictor_
+                                  : settings_.single_precision && !displacement_predictor_ && massless_.empty()
                                       ? MatrixStorage::single_precision
                                       : MatrixStorage::iterative;
     make_effective_stiffness(effects, settings_.dt, settings_.geometric && w_.structure.large(), storage);
     if (w_.structure.large()) w_.assembly.watch_rotation(settings_.rebuild_angle);
 }
 
+/// Forces that set in at once move what is massless within the next step. Half of what they do there is stored.
+void Newmark::start_from_forces() {
+    if (!may_be_massless(w_.structure)) return;
+    find_massless();
+    loose_ = w_.external;
+    for (std::size_t n = 0; n < loose_.size(); ++n) loose_[n] -= w_.resisting[n];
+    keep_massless(massless_, loose_);
+}
+
 /// Where the step is solved from. Short steps: du = dt v + dt^2/2 a, the acceleration held. Long ones, over which the
 /// fastest waves cross an element and a held acceleration would fling it: du = 0, which is eq 15 as printed.
 void Newmark::predict(const Step& step) {
+    if (massless_changes_) find_massless();
     const double dt = step.dt, beta = w_.scheme.beta, alpha = w_.scheme.alpha;
     const State& s = w_.state;
     Configuration& trial = w_.trial;
@@ -321,18 +340,24 @@ bool Newmark::rotates_unseen(double to_u) const {
 
 /// Bossak: while a step is tried its acceleration is the weighted one of eq 15, (1 - alpha) a' + alpha a; it becomes
 /// the one at the end of the step.
-void Newmark::solved(const Step&) {
-    if (w_.scheme.alpha == 0) return;
-    w_.next_weighted = w_.trial.acceleration;
-    for (std::size_t i = 0; i < w_.next_weighted.size(); ++i)
-        w_.trial.acceleration[i] = w_.scheme.next_of_weighted(w_.state.acceleration[i], w_.next_weighted[i]);
+void Newmark::solved(const Step& step) {
+    if (w_.scheme.alpha != 0) {
+        w_.next_weighted = w_.trial.acceleration;
+        for (std::size_t i = 0; i < w_.next_weighted.size(); ++i)
+            w_.trial.acceleration[i] = w_.scheme.next_of_weighted(w_.state.acceleration[i], w_.next_weighted[i]);
+    }
+    if (!massless_.empty()) settle_massless(massless_, w_.state, step.dt, w_.rotation_step, w_.trial);
 }
 
 /// The work of the forces by the trapezium rule, less the change of the kinetic energy. With b and b' the weighted
 /// accelerations, V = v + dv/2, dv = dt ((1 - gamma) a + gamma a') and du = dt V + dt^2 (beta - gamma/2) (a' - a) that
 /// is dt V . M ((b + b')/2 - (1 - gamma) a - gamma a') + dt^2 (beta - gamma/2) (b + b')/2 . M (a' - a).
 double Newmark::dissipated(const Step& step) const {
-    if (w_.scheme.alpha == 0) return 0;
+    double by_jumps = 0;
+    for (std::size_t n = 0; n < loose_.size(); ++n)
+        by_jumps += 0.5 * (loose_[n].head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
+                           loose_[n].tail<3>().dot(w_.rotation_step[n]));
+    if (w_.scheme.alpha == 0) return by_jumps;
     const double dt = step.dt, gamma = w_.scheme.gamma, c = dt * dt * (w_.scheme.beta - 0.5 * gamma);
     struct AtNode {
         Vec6 mean_velocity, lag, mean_weighted, rise;
@@ -343,7 +368,7 @@ double Newmark::dissipated(const Step& step) const {
         const Vec6 rate = (1 - gamma) * a + gamma * next;
         return AtNode{dt * (w_.state.velocity[n] + 0.5 * dt * rate), weighted - rate, c * weighted, next - a};
     };
-    double sum = 0;
+    double sum = by_jumps;
     for (std::size_t i = 0; i < w_.structure.elements().size(); ++i) {
         if (w_.state.broken[i]) continue;
         const Element& e = w_.structure.elements()[i];
@@ -363,12 +388,17 @@ double Newmark::dissipated(const Step& step) const {
     return sum;
 }
 
+void Newmark::find_massless() {
+    massless_ = massless_nodes(w_.structure, w_.state, w_.constraints ? &w_.constraints->reduction() : nullptr);
+}
+
 void Newmark::before_commit() {
     if (w_.scheme.alpha != 0) w_.weighted.swap(w_.next_weighted);
 }
 
 void Newmark::after_commit() {
     if (displacement_predictor_) hinges_ = flowing_on(w_.yielding);
+    loose_.clear();
 }
 
 template <class Self, class A>

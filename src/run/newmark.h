@@ -15,6 +15,7 @@
 
 #include <unordered_map>
 
+#include "algebra/massless.h"
 #include "run/implicit_integrator.h"
 
 namespace hinge {
@@ -23,7 +24,9 @@ class Newmark : public ImplicitIntegrator {
 public:
     Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSettings& settings);
 
+    void prepare(const EffectList& effects) override;
     void begin(const EffectList& effects) override;
+    void start_from_forces() override;
     void predict(const Step& step) override;
     void prescribed(const Step& step) override;
     void recovered(const Step& step) override;
@@ -56,6 +59,7 @@ private:
     void renew_effective_stiffness();
     void solve_for_change(Step& step);
     void take_out_ways();
+    void find_massless();
     bool rotates_unseen(double to_u) const;
 
     const DynamicSettings& settings_;
@@ -63,9 +67,12 @@ private:
     int iterations_;
     double tolerance_;
     int yield_stage_ = -1, stiffness_stage_, solve_stage_, correct_stage_;
-    std::vector<Way> ways_;       ///< of supports over the step, with the displacement predictor
-    std::vector<double> lumped_;  ///< kg, of each node: the weights of velocities and changes
-    std::vector<Mat6> tangents_;  ///< of the elements that flow
+    std::vector<MasslessNode> massless_;
+    std::vector<Vec6> loose_;        ///< F - R on what is massless, where forces have set in at once; empty: in balance
+    bool massless_changes_ = false;  ///< elements or joints may break, and leave nodes without mass
+    std::vector<Way> ways_;          ///< of supports over the step, with the displacement predictor
+    std::vector<double> lumped_;     ///< kg, of each node: the weights of velocities and changes
+    std::vector<Mat6> tangents_;     ///< of the elements that flow
     std::vector<int> was_yielding_;
     std::vector<PlasticIncrement> hinges_;  ///< of the last step, with the displacement predictor
     std::unordered_map<int, Mat6> built_;   ///< D_p in the effective stiffness, of the elements that have it there

@@ -28,9 +28,9 @@ double axial_courant_number(const Structure& structure, double dt) {
 }
 
 double shortest_step(const Structure& structure, double duration) {
-    double courant = 0;  // largest axial Courant number of a step of 1 s
-    for (const Element& e : structure.elements())
-        courant = std::max(courant, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
+    double courant = 0;                            // largest axial Courant number of a step of 1 s
+    for (const Element& e : structure.elements())  // no wave runs along one without mass
+        if (e.mass() > 0) courant = std::max(courant, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
     const double wave = 12 * courant, hinges = axial_courant_number(structure, 1) / 0.9;
     return duration / std::ceil(duration * (hinges > most_shortened * wave ? wave : std::max(wave, hinges)));
 }

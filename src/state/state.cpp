@@ -33,7 +33,7 @@ State initial_state(const Structure& structure) {
     s.held = structure.fixed();
     s.gone.assign(nodes, 0);
     for (std::size_t i = 0; i < nodes; ++i) {
-        if (structure.elements_at(int(i)).empty()) s.held[i] = 63, s.gone[i] = 1;
+        if (structure.is_alone(int(i))) s.held[i] = 63, s.gone[i] = 1;
         for (int c = 0; c < 6; ++c)
             if (s.held[i] >> c & 1) s.velocity[i][c] = 0;
     }
@@ -65,7 +65,7 @@ bool makes_sense(const State& s, const Structure& structure) {
     for (std::size_t i = 0; i < nodes; ++i)  // no force would notice what such a node does
         if (s.gone[i]) {
             const bool moves = !s.velocity[i].isZero(0) || !s.acceleration[i].isZero(0),
-                       may_move = structure.elements_at(int(i)).empty();  // a support with joints alone
+                       may_move = structure.is_alone(int(i));  // a support with joints alone
             if (s.held[i] != 63 || (moves && !may_move)) return false;
         }
     const bool any_broken = std::any_of(s.broken.begin(), s.broken.end(), [](int b) { return b != 0; });

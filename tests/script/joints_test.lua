@@ -576,9 +576,6 @@ case("wrong input is refused", function()
   refused(function() member { ends = { a = hinge.joint { Mx = "free" } }, release = { a = "Mx" } } end,
     "given beside a joint")
   equal(#model:members(), 0, "no member was added")
-  model:fix(a)
-  member { release = { b = { "Mx", "My" } } }
-  refused(function() model:static() end, "every member at node 2")
 end)
 
 -- A cantilever of 3 m, with or without a joint at the wall that is soft about one axis, and a load on its tip.

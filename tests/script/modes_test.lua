@@ -761,7 +761,7 @@ case("wrong input is refused", function()
     "displacement = 'small'")
   refused(function()
     cantilever(2, { -1, 0, 0 }, hinge.material { E = E }):static():finish():modes()
-  end, "no mass")
+  end, "has mass")
 end)
 
 checks.done()

@@ -1,7 +1,9 @@
 // model:static{} and model:dynamic{}: the settings of a run, and the run made from them.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "model/member_ends.h"
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/bind/mode_box.h"
@@ -10,7 +12,10 @@
 #include "script/files/run_checkpoint.h"
 #include "script/checks/load_warnings.h"
 #include "effects/all_effects.h"
+#include "effects/contact.h"
 #include "effects/declared.h"
+#include "effects/ground.h"
+#include "effects/removal.h"
 #include "run/checkpoint.h"
 #include "run/dynamics.h"
 #include "script/checks/element_count.h"
@@ -74,7 +79,7 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
         const auto place = [&](int node) { return Vec3(structure.position()[node] + state.displacement[node]); };
         Vec3 centre = Vec3::Zero();
         for (int node : v.nodes) {
-            if (state.gone[node] && !structure.elements_at(node).empty())
+            if (state.gone[node] && !structure.is_alone(node))
                 throw InputError(function + ": a velocity was given to " + structure.node_name(node) +
                                  ", which has no element left in the run that this one goes on from");
             centre += place(node) / double(v.nodes.size());
@@ -87,7 +92,11 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
         for (int end : {0, 1})
             if (member.has_joint(end)) {
                 anew[inner] = anew[member.node[end]];
-                velocity[inner++] = velocity[member.node[end]];
+                velocity[inner] = velocity[member.node[end]];
+                const Vec3 arm = structure.position()[inner] + state.displacement[inner] -
+                                 structure.position()[member.node[end]] - state.displacement[member.node[end]];
+                velocity[inner].head<3>() += Vec3(velocity[inner].tail<3>()).cross(arm);
+                ++inner;
             }
     for (const MemberData& member : m.members())
         for (int i = 1; i < member.elements; ++i, ++inner) {
@@ -134,20 +143,21 @@ void refuse_idle_velocities(const Structure& structure, const State& start) {
         const GivenVelocity& v = m.given_velocities()[given];
         Vec6 wanted;
         wanted << v.linear, v.angular;
-        bool moves = wanted.isZero(0) || (start.gone[n] && !structure.elements_at(int(n)).empty());
+        bool moves = wanted.isZero(0) || (start.gone[n] && !structure.is_alone(int(n)));
         for (int c = 0; c < 6; ++c) moves = moves || (wanted[c] != 0 && !(start.held[n] >> c & 1));
         if (!moves)
             throw InputError("model:dynamic: a velocity was given to " + structure.node_name(int(n)) +
-                             (structure.elements_at(int(n)).empty() ? ", which belongs to no member"
-                                                                    : ", which supports hold in its directions"));
+                             (structure.is_alone(int(n)) ? ", which belongs to no member"
+                                                         : ", which supports hold in its directions"));
     }
 }
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
     for (const DeclaredLoad& l : declared_loads(m))
-        if (!l.motion && l.node >= 0 && start.gone[l.node])
+        if (!l.motion && l.node >= 0 && start.gone[l.node] &&
+            !(structure.is_alone(l.node) && has_member_at(m, l.node)))  // a support takes it
             throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
-                             (structure.elements_at(l.node).empty()
+                             (structure.is_alone(l.node)
                                   ? ", which belongs to no member; put the load on the node that a rigid link, a "
                                     "diaphragm or a connector joins it to, with the moment that it has there"
                                   : ", which has no element left"));
@@ -309,10 +319,52 @@ namespace {
 void require_density(const Structure& structure) {
     if (structure.elements().empty())
         throw InputError("model:dynamic: the model has no members; add at least one with model:member");
-    for (const Element& e : structure.elements())
-        if (!(e.rigidity.rhoA > 0))
-            throw InputError("model:dynamic: " + structure.element_name(int(&e - structure.elements().data())) +
-                             " has density 0 kg/m^3; dynamics needs a density above 0");
+    if (is_weightless(structure))
+        throw InputError(
+            "model:dynamic: nothing has mass: all densities are 0 kg/m^3, and no node has a mass; give hinge.material "
+            "a density, or nodes a mass with model:mass");
+}
+
+/// What members without mass do not go with. Nodes without mass are in balance in Newmark's method.
+void refuse_massless(const Structure& structure, IntegratorKind integrator) {
+    const auto& elements = structure.elements();
+    const auto at =
+        std::find_if(elements.begin(), elements.end(), [](const Element& e) { return !(e.rigidity.rhoA > 0); });
+    if (at == elements.end()) return;
+    const Model& m = structure.model();
+    const std::string name = "member " + std::to_string(at->member + 1) + " has density 0 kg/m^3";
+    if (integrator != IntegratorKind::newmark) {
+        double mass = 0, volume = 0, wave = std::numeric_limits<double>::infinity();
+        for (const AddedMass& added : added_masses(m)) mass += added.mass.mass;
+        for (const Element& e : elements) mass += e.mass();
+        for (const Element& e : elements) {
+            const MemberData& member = m.members()[e.member];
+            if (e.mass() > 0) continue;
+            volume += member.section->area * e.length;
+            wave = std::min(wave, e.length / std::sqrt(member.material->E));
+        }
+        const double density = 1e-3 * mass / volume;
+        const std::string explicit_steps =
+            integrator == IntegratorKind::explicit_steps
+                ? ", with which explicit steps are at most about " + show(wave * std::sqrt(density)) + " s"
+                : "";
+        throw InputError("model:dynamic: " + name + "; integrator = '" +
+                         (integrator == IntegratorKind::explicit_steps ? "explicit" : "energy-momentum") +
+                         "' needs a mass at each node. Take 'newmark', in which nodes without mass are in balance, or "
+                         "give such members " +
+                         show(density) + " kg/m^3, a thousandth of the whole mass" + explicit_steps);
+    }
+    for (const char* effect : {contact_effect, ground_effect})
+        if (m.declarations().count(effect))
+            throw InputError("model:dynamic: " + name +
+                             "; what meets others or a ground is stopped by its mass: give all members a density");
+    Model without_removal = m;
+    without_removal.undeclare(removal_effect);
+    for (const Element& e : elements)
+        if (!(e.mass() > 0) && may_break(without_removal, {.dynamic = true}, e.member))
+            throw InputError("model:dynamic: member " + std::to_string(e.member + 1) +
+                             " has density 0 kg/m^3 and can break; what breaks off flies by its mass: give it a "
+                             "density, or a group without fracture (model:remove takes out members without mass)");
 }
 
 MassKind mass_kind(IntegratorKind integrator) {
@@ -385,6 +437,7 @@ int dynamic_run(lua_State* L) {
             "model:dynamic: integrator = 'explicit' lumps masses on the nodes; a model with mass = 'cubic' takes "
             "'newmark'");
     require_density(*structure);
+    refuse_massless(*structure, integrator);
     const DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
     State start = start_state(o, structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");

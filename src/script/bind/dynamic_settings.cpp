@@ -1,5 +1,6 @@
 #include "script/bind/dynamic_settings.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "algebra/stable_step.h"
@@ -85,6 +86,11 @@ double Reading::time_step(bool& automatic) {
     const std::string word = o_.push_field("dt") == LUA_TSTRING ? lua_tostring(o_.L(), -1) : "";
     lua_pop(o_.L(), 1);
     automatic = word == "auto";
+    const auto& elements = structure_.elements();
+    if (automatic && std::none_of(elements.begin(), elements.end(), [](const Element& e) { return e.mass() > 0; }))
+        o_.complain("dt", "'auto'",
+                    "follows waves along members, and no member has a density; give a number in s, such as a fiftieth "
+                    "of the shortest period that counts (run:modes)");
     if (!word.empty() && !automatic)
         o_.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!explicit_) return automatic ? shortest_step(structure_, s_.duration) : o_.number("dt", "s", Range::positive);

@@ -32,7 +32,6 @@ struct Piece {
     std::vector<int> nodes, supports;
     int members = 0;
     double mass = 0;
-    bool heavy = true;             ///< all its elements have mass
     bool held_by_effects = false;  ///< an effect adds stiffness to it
 };
 
@@ -94,7 +93,6 @@ std::vector<Piece> bodies_of(const Structure& structure, const AddedToModes& add
     for (const Element& e : structure.elements()) {
         Piece& body = bodies[found.of_node[e.node[0]]];
         body.mass += e.mass();
-        body.heavy &= e.rigidity.rhoA > 0;
     }
     for (const Blocks::Node& n : added.mass)
         if (const int b = found.of_node[n.node]; b >= 0) bodies[b].mass += n.K(0, 0);
@@ -131,7 +129,7 @@ struct Periods {
     std::vector<DampedMode> modes;  ///< rising
 };
 Periods periods(const Structure& structure, const Piece& body, int rigid, const AddedToModes& added) {
-    if (!body.heavy) return {"no periods without a density", {}};
+    if (!(body.mass > 0)) return {"no periods without a mass", {}};
     if (int(body.nodes.size()) > most_nodes)
         return {"periods are not looked for beyond " + std::to_string(most_nodes) + " nodes", {}};
     Periods found;
@@ -166,7 +164,7 @@ double longest_period(const Structure& s, const std::vector<Piece>& bodies, cons
     for (std::size_t i = 0; i < bodies.size() && i < bodies_told; ++i) {
         const Piece& body = bodies[i];
         if (body.supports.empty()) continue;
-        if (!body.heavy || int(body.nodes.size()) > most) return 0;
+        if (!(body.mass > 0) || int(body.nodes.size()) > most) return 0;
         if (!free_motions(s, body.nodes).empty()) return 0;  // it may move as slowly as it likes
         try {
             for (double w : natural_frequencies(s, body.nodes, 0, 1, added))

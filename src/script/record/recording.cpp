@@ -180,8 +180,7 @@ void note_what_went(RunRecord& r) {
     for (std::size_t e = 0; e < s.broken.size(); ++e)
         if (s.broken[e] && std::isnan(r.broken_at[e])) r.broken_at[e] = now;
     for (std::size_t n = 0; n < s.gone.size(); ++n)
-        if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().elements_at(int(n)).empty())
-            r.left_at[n] = now;
+        if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().is_alone(int(n))) r.left_at[n] = now;
 }
 
 /// While it lasts the run's own functions may neither step it nor change its model.
