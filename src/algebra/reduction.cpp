@@ -10,6 +10,15 @@ namespace {
 
 const char* const component_names[] = {"ux", "uy", "uz", "rx", "ry", "rz"};
 
+/// Names of all that moves a component of a dependent node.
+std::string needed_supports(const Reduction::Dependent& d, int component) {
+    std::string names;
+    for (int c = 0; c < 6; ++c)
+        if (!d.parts.empty() && d.parts[0].factors(component, c) != 0)
+            names += (names.empty() ? "" : ", ") + std::string(component_names[c]);
+    return names;
+}
+
 }  // namespace
 
 Reduction::Reduction(const Structure& structure, const std::vector<std::uint8_t>& held,
@@ -42,8 +51,8 @@ void Reduction::refuse_held(const std::vector<std::uint8_t>& held) const {
                 throw InputError(d.declared_by + (": " + std::string(component_names[c])) + " of " +
                                  structure_->node_name(d.node) + " depends on " +
                                  structure_->node_name(d.parts[0].node) +
-                                 " and is held by a support too; support the node on which it depends, or leave one "
-                                 "of the two out");
+                                 " and is held by a support, while that node is free to move it: hold " +
+                                 needed_supports(d, c) + " of that node as well, or let it depend on this one");
 }
 
 void Reduction::renew(const std::vector<LinearConstraint>& constraints) {

@@ -6,6 +6,8 @@
 #include "core/rotation.h"
 #include "effects/all_effects.h"
 #include "effects/declared.h"
+#include "effects/settlement.h"
+#include "model/member_ends.h"
 #include "state/node_mass.h"
 
 namespace hinge {
@@ -21,7 +23,7 @@ void RigidGroups::refuse(const RigidGroup& group) const {
     std::vector<int> nodes{group.first};
     for (const RigidGroup::Follower& f : group.followers) nodes.push_back(f.node);
     for (const int n : nodes) {
-        if (w_.structure.elements_at(n).empty())
+        if (w_.structure.is_alone(n) && !has_member_at(w_.structure.model(), n))
             throw InputError(call_ + (": " + w_.structure.node_name(n)) +
                              " has no member, so that it has neither stiffness nor mass; join nodes of members");
         for (const DeclaredLoad& load : declared_loads(w_.structure.model()))
@@ -43,16 +45,42 @@ void RigidGroups::refuse(const RigidGroup& group) const {
 
 /// Of the nodes that have members left. The first one is followed by the others, or by what follows it in full.
 RigidGroup RigidGroups::without_gone(RigidGroup group) const {
-    const auto is_gone = [&](const RigidGroup::Follower& f) { return w_.state.gone[f.node] != 0; };
+    const auto gone = [&](int node) { return w_.state.gone[node] && !w_.structure.is_alone(node); };  // no support
+    const auto is_gone = [&](const RigidGroup::Follower& f) { return gone(f.node); };
     group.followers.erase(std::remove_if(group.followers.begin(), group.followers.end(), is_gone),
                           group.followers.end());
-    if (!w_.state.gone[group.first]) return group;
+    if (!gone(group.first)) return with_held(std::move(group));
     const auto next = std::find_if(group.followers.begin(), group.followers.end(),
                                    [&](const RigidGroup::Follower& f) { return group.normal >= 0 || f.tied == 63; });
     if (next == group.followers.end()) return group.followers.clear(), group;
     group.first = next->node;
     group.followers.erase(next);
+    return with_held(std::move(group));
+}
+
+RigidGroup RigidGroups::with_held(RigidGroup group) const {
+    for (RigidGroup::Follower& f : group.followers) f.held = held_at_both(group, f);
     return group;
+}
+
+/// A component that a support holds at a node agrees with the constraint if supports hold all on which it depends at
+/// the first node, and do not settle.
+std::uint8_t RigidGroups::held_at_both(const RigidGroup& group, const RigidGroup::Follower& f) const {
+    const std::vector<std::uint8_t>& fixed = w_.structure.fixed();
+    std::uint8_t still = fixed[group.first], both = 0;
+    for (const Settlement& s : w_.structure.model().declared<Settlement>(settlement_effect))
+        if (s.node == group.first && s.by != 0) still &= std::uint8_t(~(1 << s.component));
+    const Vec3 arm = w_.structure.position()[f.node] - w_.structure.position()[group.first];
+    for (int c = 0; c < 6; ++c) {
+        bool agrees = (f.tied & fixed[f.node] & still) >> c & 1;
+        for (int k = 0; c < 3 && k < 3; ++k) {  // an arm that rotates has other levers later
+            const bool turns = group.normal < 0 || k == group.normal,
+                       moves = w_.structure.large() ? k != c && !arm.isZero(0) : Vec3::Unit(k).cross(arm)[c] != 0;
+            if (turns && moves && !(still >> (3 + k) & 1)) agrees = false;
+        }
+        if (agrees) both |= std::uint8_t(1 << c);
+    }
+    return both;
 }
 
 void RigidGroups::find_bodies() {
@@ -67,8 +95,8 @@ void RigidGroups::find_bodies() {
 
 RigidGroups::Body RigidGroups::weigh(RigidGroup group, const std::vector<double>& mass) const {
     Body body{std::move(group), {}, false};
-    body.nodes.push_back({body.group.first, 0, 0});
-    for (const RigidGroup::Follower& f : body.group.followers) body.nodes.push_back({f.node, 0, f.tied});
+    body.nodes.push_back({body.group.first, 0, 0, 0});
+    for (const RigidGroup::Follower& f : body.group.followers) body.nodes.push_back({f.node, 0, f.tied, f.held});
     double sum = 0;
     for (const Weighed& n : body.nodes) sum += mass[n.node];
     std::uint8_t in_plane = 7;
@@ -114,7 +142,7 @@ void RigidGroups::add_constraints(const ConfigurationView& at, std::vector<Linea
         for (const RigidGroup::Follower& f : body.group.followers) {
             const Vec3 arm = body.in_plane(place_of(f.node, at) - place_of(first, at));
             for (int c = 0; c < 6; ++c) {
-                if (!(f.tied >> c & 1)) continue;
+                if (!((f.tied & ~f.held) >> c & 1)) continue;
                 LinearConstraint tie{call_, {f.node, c}, {{{first, c}, 1}}};
                 for (int k = 0; c < 3 && k < 3; ++k)
                     if (const double lever = body.turning(Vec3::Unit(k)).cross(arm)[c]; lever != 0)
@@ -134,8 +162,7 @@ void RigidGroups::place(const ConfigurationView& from, const std::vector<Vec3>& 
         for_arms(body, from, [&](const Weighed& n, const Vec3& r) {
             const Vec3 turned = w_.structure.large() ? Vec3(turn * r - r) : by.cross(r);
             for (int c = 0; c < 3; ++c)
-                if (c != body.group.normal)
-                    to.displacement[n.node][c] = from.displacement[n.node][c] + moved[c] + turned[c];
+                if (body.places(n, c)) to.displacement[n.node][c] = from.displacement[n.node][c] + moved[c] + turned[c];
         });
     }
 }
@@ -147,9 +174,9 @@ void RigidGroups::set_velocities(Configuration& of) const {
         for_arms(body, of, [&](const Weighed& n, const Vec3& r) {
             const Vec3 there = v + w.cross(r);
             for (int c = 0; c < 3; ++c)
-                if (c != body.group.normal) of.velocity[n.node][c] = there[c];
+                if (body.places(n, c)) of.velocity[n.node][c] = there[c];
             for (int c = 3; c < 6; ++c)
-                if (n.tied >> c & 1) of.velocity[n.node][c] = of.velocity[body.group.first][c];
+                if ((n.tied & ~n.held) >> c & 1) of.velocity[n.node][c] = of.velocity[body.group.first][c];
         });
     }
 }
@@ -163,9 +190,9 @@ void RigidGroups::set_accelerations(Configuration& of) const {
         for_arms(body, of, [&](const Weighed& n, const Vec3& r) {
             const Vec3 there = large ? Vec3(a + dw.cross(r) + w.cross(w.cross(r))) : Vec3(a + dw.cross(r));
             for (int c = 0; c < 3; ++c)
-                if (c != body.group.normal) of.acceleration[n.node][c] = there[c];
+                if (body.places(n, c)) of.acceleration[n.node][c] = there[c];
             for (int c = 3; c < 6; ++c)
-                if (n.tied >> c & 1) of.acceleration[n.node][c] = first[c];
+                if ((n.tied & ~n.held) >> c & 1) of.acceleration[n.node][c] = first[c];
         });
     }
 }

@@ -18,7 +18,8 @@ namespace hinge {
 struct RigidGroup {
     struct Follower {
         int node;
-        std::uint8_t tied;  ///< six bits: its components that follow the first node
+        std::uint8_t tied;      ///< six bits: its components that follow the first node
+        std::uint8_t held = 0;  ///< those of them that supports hold at both: they need no constraint
     };
     int first;  ///< the node that the others follow
     std::vector<Follower> followers;
@@ -45,7 +46,7 @@ private:
     struct Weighed {
         int node;
         double part;
-        std::uint8_t tied;
+        std::uint8_t tied, held;
     };
     struct Body {
         RigidGroup group;
@@ -55,11 +56,15 @@ private:
             if (group.normal >= 0) v[group.normal] = 0;
             return v;
         }
+        /// Whether the reference point places this component of a node's displacement.
+        bool places(const Weighed& n, int c) const { return c != group.normal && !(n.held >> c & 1); }
         Vec3 turning(const Vec3& w) const {
             return group.normal < 0 ? w : Vec3(w[group.normal] * Vec3::Unit(group.normal));
         }
     };
     void find_bodies();
+    RigidGroup with_held(RigidGroup group) const;
+    std::uint8_t held_at_both(const RigidGroup& group, const RigidGroup::Follower& f) const;
     RigidGroup without_gone(RigidGroup group) const;
     Body weigh(RigidGroup group, const std::vector<double>& mass) const;
     void refuse(const RigidGroup& group) const;

@@ -37,7 +37,7 @@ struct Joined {
                                  " already; a node leads rigid links, or one diaphragm");
         }
     }
-    void refuse_follower(const std::string& what, const Model& m, int first, int follower, std::uint8_t tied) const {
+    void refuse_follower(const std::string& what, int first, int follower) const {
         if (first == follower)
             throw InputError(what + ": both nodes are " + name_of_node(first) + "; it joins two nodes");
         for (const Pair& p : pairs) {
@@ -48,14 +48,6 @@ struct Joined {
                 throw InputError(what + ": " + name_of_node(p.follower) + " follows " + name_of_node(follower) +
                                  " by " + call(p.by_link) +
                                  " already, so that it cannot follow another node; begin at " + name_of_node(follower));
-        }
-        if (const int both = m.nodes()[follower].fixed & tied) {
-            std::string held;
-            for (int c = 0; c < 6; ++c)
-                if (both >> c & 1) held += (held.empty() ? "" : ", ") + std::string(c < 3 ? "u" : "r") + "xyz"[c % 3];
-            throw InputError(what + ": " + held + " of " + name_of_node(follower) + " is held by a support and would " +
-                             "follow " + name_of_node(first) + " too; support " + name_of_node(first) +
-                             ", or begin at " + name_of_node(follower));
         }
     }
 };
@@ -81,7 +73,7 @@ int add_rigid_link(lua_State* L) {
     link.to = node_field(o, call, "to", m.get());
     link.tied = o.word("dofs", {"all", "xyz"}, "all") == "all" ? 63 : 7;
     const Joined joined(*m);
-    joined.refuse_follower(call, *m, link.from, link.to, link.tied);
+    joined.refuse_follower(call, link.from, link.to);
     joined.refuse_first(call, link.from, true);
     m->declare(rigid_link_effect, link);
     m->ask(rigid_link_effect, where(L));
@@ -116,10 +108,9 @@ int add_diaphragm(lua_State* L) {
     }
     if (d.nodes.size() < 2)
         o.complain("nodes", "a list of " + std::to_string(d.nodes.size()), "must have two at least");
-    const auto tied = std::uint8_t((7 & ~(1 << d.normal)) | 8 << d.normal);
     const Joined joined(*m);
     joined.refuse_first(call, d.nodes[0], false);
-    for (std::size_t i = 1; i < d.nodes.size(); ++i) joined.refuse_follower(call, *m, d.nodes[0], d.nodes[i], tied);
+    for (std::size_t i = 1; i < d.nodes.size(); ++i) joined.refuse_follower(call, d.nodes[0], d.nodes[i]);
     m->declare(diaphragm_effect, std::move(d));
     m->ask(diaphragm_effect, where(L));
     return 0;
