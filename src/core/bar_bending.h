@@ -62,9 +62,27 @@ struct BarBending {
     struct Point {
         double t, force, moment;
     };
+    /// A load over a part of the bar, from t0 to t1: force and moment per length there, linear between.
+    struct Part {
+        double t0, t1, q[2], m[2];
+        /// Integrals of a value v over the part up to t, and of that integral, over the length and its square.
+        static double sum(const double (&v)[2], double s, double width) {
+            return width * (v[0] * s + (v[1] - v[0]) * s * s / 2);
+        }
+        static double sum_of_sums(const double (&v)[2], double s, double width) {
+            return width * width * (v[0] * s * s / 2 + (v[1] - v[0]) * s * s * s / 6);
+        }
+        double inside(double t) const { return std::clamp((t - t0) / (t1 - t0), 0.0, 1.0); }
+        double force(double t) const { return sum(q, inside(t), t1 - t0); }
+        double moment(double t) const { return sum(m, inside(t), t1 - t0); }
+        double force_area(double t) const {
+            return sum_of_sums(q, inside(t), t1 - t0) + std::max(0.0, t - t1) * force(t1);
+        }
+    };
     double M[2], Q[2], sign, length;      ///< sign: 1 for Mx and Qy, -1 for My and Qx
     double q[2] = {0, 0}, m[2] = {0, 0};  ///< per length, linear between the ends
     std::vector<Point> points = {};
+    std::vector<Part> parts = {};
     double shear_left = 0, moment_left = 0;  ///< part of Q and M from inertia, linear from end to end
     double compression = 0;  ///< P length^2 / EI with P positive in compression; 0: P acts on the chord alone
 
@@ -94,12 +112,14 @@ struct BarBending {
         double Q_t = Q[0] - length * (q[0] * t + (q[1] - q[0]) * t * t / 2) + shear_left * t;
         for (const Point& p : points)
             if (p.t < t) Q_t -= p.force;
+        for (const Part& p : parts) Q_t -= length * p.force(t);
         return Q_t;
     }
     /// Integral of the shear force up to t, over the length.
     double shear_area(double t) const {
         double sum = Q[0] * t - length * (q[0] * t * t / 2 + (q[1] - q[0]) * t * t * t / 6) + shear_left * t * t / 2;
         for (const Point& p : points) sum -= p.force * std::max(0.0, t - p.t);
+        for (const Part& p : parts) sum -= length * p.force_area(t);
         return sum;
     }
     /// In equilibrium with the loads, and with an axial force on the bow: M'' + p M = M_chord''.
@@ -114,7 +134,25 @@ struct BarBending {
             (d0 + d1 * t) / p + (M[0] - d0 / p) * bar.of_end(1 - t) + (chord_moment(1) - (d0 + d1) / p) * bar.of_end(t);
         for (const Point& at : points)
             M_t -= sign * length * at.force * bar.of_force(t, at.t) + at.moment * bar.of_moment(t, at.t);
+        for (const Part& part : parts) M_t -= of_part(part, bar, t);
         return M_t;
+    }
+    /// By Gauss's rule with four points on either side of t, right to 1e-9.
+    double of_part(const Part& part, const BowedBar& bar, double t) const {
+        static constexpr double place[] = {0.0694318442029737, 0.3300094782075719, 0.6699905217924281,
+                                           0.9305681557970263},
+                                weight[] = {0.1739274225687269, 0.3260725774312731, 0.3260725774312731,
+                                            0.1739274225687269};
+        const double bounds[] = {part.t0, std::clamp(t, part.t0, part.t1), part.t1};
+        double sum = 0;
+        for (int side : {0, 1})
+            for (int k = 0; k < 4; ++k) {
+                const double width = bounds[side + 1] - bounds[side], at = bounds[side] + place[k] * width,
+                             s = part.inside(at), dt = weight[k] * width * length;
+                sum += dt * sign * length * (part.q[0] + s * (part.q[1] - part.q[0])) * bar.of_force(t, at) +
+                       dt * (part.m[0] + s * (part.m[1] - part.m[0])) * bar.of_moment(t, at);
+            }
+        return sum;
     }
     /// Where it has extreme values strictly between t0 and t1, without a point load between them. A cubic on the chord;
     /// else by the cubics through eight pieces of it.
@@ -135,6 +173,7 @@ struct BarBending {
             M[0] + sign * length * shear_area(t) - length * (m[0] * t + (m[1] - m[0]) * t * t / 2) + moment_left * t;
         for (const Point& p : points)
             if (p.t < t) M_t -= p.moment;
+        for (const Part& p : parts) M_t -= length * p.moment(t);
         return M_t;
     }
 };

@@ -15,6 +15,7 @@
 #include "effects/clamped_member.h"
 #include "effects/history_jump.h"
 #include "effects/kinds.h"
+#include "model/member_ends.h"
 
 namespace hinge {
 namespace {
@@ -28,10 +29,27 @@ struct Portion {
     Vec3 force, moment;
 };
 
-/// Of a spread load, per length of the member at its end; `along`: the member's direction at the start.
+/// Of a spread load, per length of the member where it begins or ends; `along`: the member's direction at the start.
 Vec3 force_per_length(const MemberLoad& load, int end, const Vec3& along) {
     const Vec3& q = load.force[end];
     return load.axes != LoadAxes::projected || q.isZero(0) ? q : Vec3(q.cross(along).norm() / q.norm() * q);
+}
+
+/// The part of a spread load that lies between two places of a member: where, and its values there.
+struct Stretch {
+    double from, to;  ///< 0 to 1 of the member
+    Vec3 force[2], moment[2];
+};
+Stretch stretch_of(const MemberLoad& load, double begin, double end, const Vec3& along) {
+    Stretch s{std::max(begin, load.from), std::min(end, load.to), {}, {}};
+    const Vec3 force[2] = {force_per_length(load, 0, along), force_per_length(load, 1, along)};
+    const double place[2] = {s.from, s.to};
+    for (int k : {0, 1}) {
+        const double part = load.is_partial() ? (place[k] - load.from) / (load.to - load.from) : place[k];
+        s.force[k] = (1 - part) * force[0] + part * force[1];
+        s.moment[k] = (1 - part) * load.moment[0] + part * load.moment[1];
+    }
+    return s;
 }
 
 /// The element at a place of a member of n elements, and the place in it, 0 to 1. Where two elements meet it is 0 of
@@ -53,6 +71,18 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
     if (!load.spread()) {
         const int element = element_at(load.at, n);
         list.push_back({element, place_in(element, load.at, n), load.at, load.force[0], load.moment[0]});
+        return list;
+    }
+    if (load.is_partial()) {
+        for (int i = 0; i < n; ++i) {
+            const Stretch s = stretch_of(load, double(i) / n, (i + 1.0) / n, along);
+            for (int k = 0; k < 3 && s.to > s.from; ++k) {
+                const double part = gauss_point[k], xi = s.from + part * (s.to - s.from),
+                             metres = gauss_weight[k] * length * (s.to - s.from);
+                list.push_back({i, xi * n - i, xi, metres * ((1 - part) * s.force[0] + part * s.force[1]),
+                                metres * ((1 - part) * s.moment[0] + part * s.moment[1])});
+            }
+        }
         return list;
     }
     const Vec3 force[2] = {force_per_length(load, 0, along), force_per_length(load, 1, along)};
@@ -178,11 +208,15 @@ public:
         if (on == on_element_.end()) return;
         for (const int i : on->second) {
             const Loaded& l = loads_[i];
-            if (!(l.at > 0 && l.at < 1)) continue;
+            if (l.pieces.empty() && !(l.at > 0 && l.at < 1)) continue;
             const Mat3 axes = l.local ? Mat3(Mat3::Identity()) : l.ends.chord(w_.structure, at).axes;
             const double now = factor_now(l, factor), length = w_.structure.elements()[first].length;
-            to.push_back({2 * l.at - 1, (plane == 0 ? 1 : -1) * now * length * axes.col(1 - plane).dot(l.point),
-                          now * axes.col(plane).dot(l.couple)});
+            const auto add = [&](double place, const Vec3& point, const Vec3& couple) {
+                to.push_back({2 * place - 1, (plane == 0 ? 1 : -1) * now * length * axes.col(1 - plane).dot(point),
+                              now * axes.col(plane).dot(couple)});
+            };
+            for (const Portion& p : l.pieces) add(p.xi, p.force, p.moment);
+            if (l.pieces.empty()) add(l.at, l.point, l.couple);
         }
     }
 
@@ -255,7 +289,13 @@ public:
                 ShownLoad shown{-1, element, -1, {}, {}};
                 const Mat3 to_space = factor * (l.local ? Mat3(axes_of(element_frame(w_.structure, element, w_.state)))
                                                         : Mat3(Mat3::Identity()));
-                if (!load.spread()) {
+                if (load.spread() && load.is_partial()) {
+                    const Stretch s = stretch_of(load, double(k) / n, (k + 1.0) / n, e.chord.normalized());
+                    if (!(s.to > s.from)) continue;
+                    shown.from = s.from * n - k, shown.to = s.to * n - k;
+                    for (int end : {0, 1})
+                        shown.force[end] = to_space * s.force[end], shown.moment[end] = to_space * s.moment[end];
+                } else if (!load.spread()) {
                     if (k != element_at(load.at, n)) continue;
                     shown.at = place_in(k, load.at, n);
                     if (l.on_node) shown.node = e.node[shown.at > 0.5], shown.element = -1, shown.at = -1;
@@ -325,8 +365,10 @@ private:
         /// forces, N m, and of the moments, N m, both in the load's axes.
         Vec3 of_force[2][2], of_moment[2][2];
         Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(),
-             couple = Vec3::Zero();          ///< N/m at these ends; N and N m of a point load
-        double at = -1;                      ///< of the point load, 0 to 1 between them
+             couple = Vec3::Zero();  ///< N/m at these ends; N and N m of a point load
+        double at = -1;              ///< of the point load, 0 to 1 between them
+        /// A load over a part of a pair of elements, as point loads between its ends, for what N does to them.
+        std::vector<Portion> pieces = {};
         double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
         bool held = false, may_jump = false;
         bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
@@ -366,6 +408,7 @@ private:
             const auto at_end = [&](int end) { return force_per_length(load, end, e.chord.normalized()); };
             l.spread[of] = (1 - xi) * at_end(0) + xi * at_end(1);
         }
+        if (load.spread() && load.is_partial()) l.pieces = pieces_of(load, begin, double(n) / all, e);
         if (!load.spread()) {
             l.at = std::clamp((load.at - begin) * all / n, 0.0, 1.0);
             l.point = load.force[0], l.couple = load.moment[0];
@@ -392,6 +435,29 @@ private:
                 }
         }
         return l;
+    }
+
+    /// Gauss's rule with three points on each of `rows` stretches on either side of the middle of a pair from `begin`,
+    /// `width` of its member long.
+    std::vector<Portion> pieces_of(const MemberLoad& load, double begin, double width, const Element& e) const {
+        constexpr int rows = 3;
+        std::vector<Portion> list;
+        if (!w_.structure.p_delta() || !e.forms_pairs) return list;
+        const double member = w_.structure.model().members()[load.member].elements * e.length;
+        for (int i = 0; i < 2 * rows; ++i) {
+            const double half = begin + width * (i / rows) / 2;
+            const Stretch whole = stretch_of(load, half, half + width / 2, e.chord.normalized());
+            if (!(whole.to > whole.from)) continue;
+            const double step = (whole.to - whole.from) / rows, from = whole.from + (i % rows) * step;
+            const Stretch s = stretch_of(load, from, from + step, e.chord.normalized());
+            for (int k = 0; k < 3; ++k) {
+                const double part = gauss_point[k], metres = gauss_weight[k] * member * (s.to - s.from);
+                list.push_back({0, 0, (s.from + part * (s.to - s.from) - begin) / width,
+                                metres * ((1 - part) * s.force[0] + part * s.force[1]),
+                                metres * ((1 - part) * s.moment[0] + part * s.moment[1])});
+            }
+        }
+        return list;
     }
 
     void factors_at(double time, double StepFactor::*of_step) {
@@ -463,22 +529,27 @@ private:
         const auto across = [&](const Vec3& f, int plane) {
             return factor * (l.local ? f[1 - plane] : is.chord.axes.col(1 - plane).dot(f));
         };
+        const auto add_point = [&](int plane, double at_part, const Vec3& point, const Vec3& couple) {
+            const double P = across(point, plane), x = 2 * at_part - 1,
+                         M = factor * (l.local ? couple[plane] : is.chord.axes.col(plane).dot(couple));
+            if (P != 0) {
+                for (int of : {0, 1}) is.m[of][plane] += P * by_N.of_force(of, plane, x);
+                is.middle[plane] += P * by_N.middle_of_force(plane, x);
+            }
+            if (M == 0) return;
+            for (int of : {0, 1}) is.m[of][plane] += M * by_N.of_couple(of, plane, x);
+            is.middle[plane] += M * by_N.middle_of_couple(plane, x);
+        };
         for (int plane : {0, 1}) {
+            for (const Portion& p : l.pieces) add_point(plane, p.xi, p.force, p.moment);
+            if (!l.pieces.empty()) continue;
             const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};
             if (l.at < 0) {
                 for (int of : {0, 1}) is.m[of][plane] = by_N.of_spread(of, plane, q);
                 is.middle[plane] = by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]));
                 continue;
             }
-            const double P = across(l.point, plane), x = 2 * l.at - 1,
-                         M = factor * (l.local ? l.couple[plane] : is.chord.axes.col(plane).dot(l.couple));
-            if (P != 0) {
-                for (int of : {0, 1}) is.m[of][plane] = P * by_N.of_force(of, plane, x);
-                is.middle[plane] = P * by_N.middle_of_force(plane, x);
-            }
-            if (M == 0) continue;
-            for (int of : {0, 1}) is.m[of][plane] += M * by_N.of_couple(of, plane, x);
-            is.middle[plane] += M * by_N.middle_of_couple(plane, x);
+            add_point(plane, l.at, l.point, l.couple);
         }
         return is;
     }
@@ -582,14 +653,14 @@ bool acts(const Structure& s) {
 Vec3 whole_force(const Model& model, const MemberLoad& l) {
     if (l.axes == LoadAxes::local) return Vec3::Zero();
     if (!l.spread()) return l.force[0];
-    const auto& node = model.members()[l.member].node;
-    const Vec3 chord = model.nodes()[node[1]].position - model.nodes()[node[0]].position;
+    const Vec3 chord = end_position(model, l.member, 1) - end_position(model, l.member, 0);
     const auto length = [&](const Vec3& force) {
         if (l.axes != LoadAxes::projected || force.isZero(0)) return chord.norm();
         const Vec3 along = force.normalized();
         return (chord - chord.dot(along) * along).norm();
     };
-    return 0.5 * (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]);
+    return (l.is_partial() ? 0.5 * (l.to - l.from) : 0.5) *
+           (length(l.force[0]) * l.force[0] + length(l.force[1]) * l.force[1]);
 }
 
 std::vector<PlanLine> member_loads_plan(const Structure& s, const RunKind&) {

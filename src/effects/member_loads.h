@@ -17,8 +17,9 @@ enum class LoadAxes : std::uint8_t {
 struct MemberLoad {
     int member;
     LoadAxes axes = LoadAxes::global;
-    double at = -1;  ///< where a point load acts, 0 to 1 of the length; -1: spread over the member
-    /// At the member's first and second end, linear between, N/m and N m/m; of a point load the first one, N and N m.
+    double at = -1;           ///< where a point load acts, 0 to 1 of the length; -1: spread over the member
+    double from = 0, to = 1;  ///< the part of the length that a spread load covers
+    /// Where it begins and where it ends, linear between, N/m and N m/m; of a point load the first one, N and N m.
     Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
     bool has_history = false;
     History history = {};  ///< factor over time
@@ -26,6 +27,7 @@ struct MemberLoad {
     int load_case = -1;
     bool held = false;  ///< statics: it acts in full from the start on (Model::choose)
     bool spread() const { return at < 0; }
+    bool is_partial() const { return from > 0 || to < 1; }
     void times(double factor) {
         for (int end : {0, 1}) force[end] *= factor, moment[end] *= factor;
     }
@@ -33,6 +35,7 @@ struct MemberLoad {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.member, s.axes, s.at, s.force[0], s.force[1], s.moment[0], s.moment[1], s.history);
+        if (s.is_partial()) a(s.from, s.to);
     }
 };
 

@@ -26,7 +26,9 @@ struct SectionForces {
 struct ShownLoad {
     int node = -1, element = -1;
     double at = -1;            ///< on an element: at this share of its length, 0 to 1; -1: spread over it
-    Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the element's two ends, N/m and N m/m
+    Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the two ends of the part that it covers, per m
+    double from = 0, to = 1;   ///< that part of the element's length
+    bool is_partial() const { return from > 0 || to < 1; }
 };
 
 /// A warning about a run, as hinge run prints it: "member 3 ...", and what can be done about it.

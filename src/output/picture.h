@@ -61,7 +61,9 @@ struct Load {
     int point = -1;                             ///< acts on this point, or:
     int bar = -1;                               ///< on this bar,
     double at = -1;                             ///< at this share of its length; -1: spread over it
-    std::array<double, 3> value[2] = {{}, {}};  ///< N or N m, in space; spread: N/m or N m/m at its two ends
+    std::array<double, 3> value[2] = {{}, {}};  ///< N or N m, in space; spread: N/m or N m/m where it begins and ends
+    double from = 0, to = 1;                    ///< spread: the part of the bar that it covers
+    bool is_partial() const { return from > 0 || to < 1; }
 };
 
 /// A plane that members fall on; the solid is on the side that `normal` points away from.

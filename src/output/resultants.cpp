@@ -27,7 +27,13 @@ Resultants::Resultants(const Bar& bar, double length, Vec x, Vec y, std::span<co
         // A force along y bends about x, a moment about x does, too.
         const auto add = [&](BarBending& to, const Vec& force_axis, const Vec& moment_axis) {
             const Vec& axis = is_force ? force_axis : moment_axis;
-            if (load->at < 0) {
+            if (load->at < 0 && load->is_partial()) {
+                const double v[2] = {along(axis, 0), along(axis, 1)}, none = 0;
+                to.parts.push_back({load->from,
+                                    load->to,
+                                    {is_force ? v[0] : none, is_force ? v[1] : none},
+                                    {is_force ? none : v[0], is_force ? none : v[1]}});
+            } else if (load->at < 0) {
                 for (int end : {0, 1}) (is_force ? to.q : to.m)[end] += along(axis, end);
             } else {
                 to.points.push_back(
@@ -104,8 +110,12 @@ std::vector<double> Resultants::class_changes() const {
 
 std::vector<double> Resultants::jumps() const {
     std::vector<double> at;
-    for (const BarBending* b : {&x_, &y_})
+    for (const BarBending* b : {&x_, &y_}) {
         for (const BarBending::Point& p : b->points) at.push_back(p.t);
+        for (const BarBending::Part& p : b->parts)
+            for (const double t : {p.t0, p.t1})
+                if (t > 0 && t < 1) at.push_back(t);
+    }
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end()), at.end());
     return at;

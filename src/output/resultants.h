@@ -24,7 +24,8 @@ public:
     int class_at(double t) const;
     /// Positions of the changes of its colour class: rising, from 0 to 1.
     std::vector<double> class_changes() const;
-    /// Positions of point loads between its ends: the shear force jumps there.
+    /// Positions between its ends where the shear force jumps, at point loads, or its slope, where spread loads begin
+    /// and end.
     std::vector<double> jumps() const;
     /// Positions of extreme values of one of N to Mz strictly between t0 and t1, without a point load between them.
     std::vector<double> peaks(Show which, double t0, double t1) const;

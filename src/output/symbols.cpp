@@ -199,7 +199,7 @@ struct Labelled {
 /// elements, and the loads of the others stand beside it.
 Labelled labels_of(const Snapshot& snapshot, std::size_t k) {
     const auto goes_on = [&](const Load& a, const Load& b) {
-        return a.kind == b.kind && b.at < 0 && b.bar == a.bar + 1 &&
+        return a.kind == b.kind && b.at < 0 && b.bar == a.bar + 1 && a.to == 1 && b.from == 0 &&
                snapshot.bars[static_cast<std::size_t>(a.bar)].member ==
                    snapshot.bars[static_cast<std::size_t>(b.bar)].member;
     };
@@ -253,7 +253,7 @@ std::vector<Arrow> load_arrows(const Snapshot& snapshot, std::span<const DrawnBa
         const int n = std::clamp(static_cast<int>(bar->length() / (0.45 * size)), 2, 8);
         for (int i = 0; i <= n; ++i) {
             const double t = static_cast<double>(i) / n;
-            add(l, bar->at(t), (1 - t) * l.value[0] + t * l.value[1],
+            add(l, bar->at(l.from + t * (l.to - l.from)), (1 - t) * l.value[0] + t * l.value[1],
                 (i == 0 && at_arrow.first) || (i == n / 2 && at_arrow.middle) || (i == n && at_arrow.last), {&bar, 1});
         }
     }

@@ -33,6 +33,13 @@ ElementResultants resultants_of(const Run& run, int element, const std::vector<S
     for (const ShownLoad& load : loads) {
         if (load.element != element) continue;
         const auto add = [&](BarBending& to, const Vec3& force, const Vec3& moment) {
+            if (load.at < 0 && load.is_partial()) {
+                to.parts.push_back({load.from,
+                                    load.to,
+                                    {force.dot(load.force[0]), force.dot(load.force[1])},
+                                    {moment.dot(load.moment[0]), moment.dot(load.moment[1])}});
+                return;
+            }
             if (load.at < 0) {
                 for (const int end : {0, 1})
                     to.q[end] += force.dot(load.force[end]), to.m[end] += moment.dot(load.moment[end]);
@@ -45,7 +52,9 @@ ElementResultants resultants_of(const Run& run, int element, const std::vector<S
         const Vec3 none = Vec3::Zero(), x = axes.col(0), y = axes.col(1), z = axes.col(2);
         add(r.about_x, y, x), add(r.about_y, x, y);  // a force along y bends about x, a moment about x does, too
         add(r.axial, z, none);
-        if (load.at < 0)
+        if (load.at < 0 && load.is_partial())
+            r.torsion.parts.push_back({load.from, load.to, {z.dot(load.moment[0]), z.dot(load.moment[1])}, {0, 0}});
+        else if (load.at < 0)
             for (const int end : {0, 1}) r.torsion.q[end] += z.dot(load.moment[end]);
         else r.torsion.points.push_back({std::clamp(load.at, 0.0, 1.0), z.dot(load.moment[0]), 0});
     }
@@ -54,12 +63,18 @@ ElementResultants resultants_of(const Run& run, int element, const std::vector<S
 }
 
 /// Where rows stand in an element, from 0 to 1: at both ends, at stations, at extreme moments, on both sides of point
-/// loads.
+/// loads, where spread loads begin and end.
 std::vector<double> places_in(const ElementResultants& r, const std::vector<double>& stations) {
     std::vector<double> at{0, 1}, jumps{0};
     at.insert(at.end(), stations.begin(), stations.end());
     for (const BarBending* b : {&r.about_x, &r.about_y, &r.axial, &r.torsion})
         for (const BarBending::Point& p : b->points) jumps.push_back(p.t);
+    std::vector<double> bends;
+    for (const BarBending* b : {&r.about_x, &r.about_y, &r.axial, &r.torsion})
+        for (const BarBending::Part& p : b->parts)
+            for (const double t : {p.t0, p.t1})
+                if (t > 0 && t < 1) bends.push_back(t), at.push_back(t);
+    std::sort(bends.begin(), bends.end());
     std::sort(jumps.begin(), jumps.end());
     jumps.push_back(1);
     constexpr double beside = 1e-9;
@@ -67,8 +82,15 @@ std::vector<double> places_in(const ElementResultants& r, const std::vector<doub
         const double from = jumps[i], to = jumps[i + 1];
         if (i > 0) at.push_back(from), at.push_back(std::min(1.0, from + beside));
         if (!(to - from > 4 * beside)) continue;
-        for (const BarBending* b : {&r.about_x, &r.about_y})
-            for (const double t : b->peaks(from + beside, to)) at.push_back(t);
+        double piece = from + beside;
+        const auto add_peaks = [&](double end) {
+            for (const BarBending* b : {&r.about_x, &r.about_y})
+                for (const double t : b->peaks(piece, end)) at.push_back(t);
+            piece = end;
+        };
+        for (const double t : bends)
+            if (t > piece && t < to) add_peaks(t);
+        add_peaks(to);
     }
     std::sort(at.begin(), at.end());
     at.erase(std::unique(at.begin(), at.end(), [](double s, double t) { return t - s < 0.5 * beside; }), at.end());

@@ -7,8 +7,8 @@
 namespace hinge::script {
 namespace {
 
-/// {x, y, z}, or { a = {x, y, z}, b = {x, y, z} } for the member's two ends, of which one may be left out. False where
-/// the field is absent.
+/// {x, y, z}, or { a = {x, y, z}, b = {x, y, z} } where the load begins and ends, of which one may be left out. False
+/// where the field is absent.
 bool read_spread(Options& o, const char* field, const char* unit, Vec3 (&ends)[2]) {
     lua_State* L = o.L();
     if (o.push_field(field) == LUA_TNIL) return lua_pop(L, 1), false;
@@ -30,6 +30,23 @@ bool read_spread(Options& o, const char* field, const char* unit, Vec3 (&ends)[2
     }
     lua_pop(L, 1);
     return true;
+}
+
+/// Where a spread load begins and ends.
+void read_part(Options& o, MemberLoad& load) {
+    constexpr const char* unit = "part of the member's length";
+    const auto from = o.maybe_number("from", unit, Range::not_negative),
+               to = o.maybe_number("to", unit, Range::not_negative);
+    if (!from && !to) return;
+    const char* field = from ? "from" : "to";
+    if (!load.spread())
+        o.complain(field, "given beside 'at'", "is where a spread load begins or ends, and 'at' is a point");
+    load.from = from.value_or(0), load.to = to.value_or(1);
+    if (load.to > 1) o.complain("to", show(load.to), "must be from 0, the member's first end, to 1");
+    if (!(load.from < load.to))
+        o.complain(field, show(from ? load.from : load.to),
+                   "'from' must be less than 'to': the load covers " + show(load.from) + " to " + show(load.to) +
+                       " of the member's length");
 }
 
 std::vector<int> read_members(Options& o, const Model& m) {
@@ -68,7 +85,7 @@ void join_loads(ScriptModel& m, int member) {
 int add_member_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
-    o.expect({"node", "member", "group", "q", "force", "moment", "axes", "at", "history", "case"});
+    o.expect({"node", "member", "group", "q", "force", "moment", "axes", "at", "from", "to", "history", "case"});
     if (o.has("node")) o.complain("node", "given beside a member or group", "give one of them");
     const std::vector<int> members = read_members(o, *m);
     MemberLoad load{};
@@ -78,6 +95,7 @@ int add_member_load(lua_State* L) {
         if (*at > 1) o.complain("at", show(*at), "must be from 0, the member's first end, to 1");
         load.at = *at;
     }
+    read_part(o, load);
     bool given = false;
     if (load.spread()) {
         if (o.has("force"))
@@ -99,7 +117,7 @@ int add_member_load(lua_State* L) {
     if (!given)
         throw InputError(load.spread()
                              ? "model:load: neither 'q' (N/m) nor 'moment' (N m/m) is given; give {x, y, z}, or "
-                               "{ a = {x, y, z}, b = {x, y, z} } for the member's two ends"
+                               "{ a = {x, y, z}, b = {x, y, z} } for its first and its last value"
                              : "model:load: neither 'force' (N) nor 'moment' (N m) is given beside 'at'");
     load.history = read_history(o, "history", "factor", *m, true);
     load.load_case = case_of(o, *m);

@@ -142,6 +142,7 @@ int pieces(lua_State* L) {
         lua_createtable(L, 0, 5);
         whole("node", load.point + 1), whole("bar", load.bar + 1), number("at", load.at);
         flag("moment", load.kind == output::Load::moment);
+        if (load.is_partial()) number("from", load.from), number("to", load.to);
         lua_createtable(L, 6, 0);
         for (int k = 0; k < 6; ++k) lua_pushnumber(L, load.value[k / 3][std::size_t(k % 3)]), lua_rawseti(L, -2, k + 1);
         lua_setfield(L, -2, "value");

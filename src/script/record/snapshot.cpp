@@ -115,7 +115,7 @@ void add_loads(output::Snapshot& snapshot, const Run& run) {
         for (const auto kind : {output::Load::force, output::Load::moment}) {
             const Vec3* value = kind == output::Load::force ? l.force : l.moment;
             if (value[0].isZero(0) && value[1].isZero(0)) continue;
-            output::Load load{kind, l.node, l.element, l.at, {}};
+            output::Load load{kind, l.node, l.element, l.at, {}, l.from, l.to};
             for (int end : {0, 1}) load.value[end] = numbers(value[end]);
             snapshot.loads.push_back(load);
         }
