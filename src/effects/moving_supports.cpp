@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "effects/joints.h"
+#include "core/rotation.h"
 #include "effects/kinds.h"
 #include "state/node_mass.h"
 
@@ -34,7 +35,7 @@ public:
         for (Moved& m : moved_) {
             if (is_gone(m)) continue;
             if (!m.begun) {
-                m.now = w_.state.displacement[m.node][m.component];
+                m.now = m.turns() ? 0 : w_.state.displacement[m.node][m.component];
                 m.from = m.path(w_.state.time) - m.now;
                 m.begun = true;
             }
@@ -58,7 +59,8 @@ public:
     void predicted(const Step&) override {
         for (const Moved& m : moved_) {
             if (is_gone(m)) continue;
-            w_.trial.displacement[m.node][m.component] = m.next;
+            if (m.turns()) turn(m);
+            else w_.trial.displacement[m.node][m.component] = m.next;
             w_.trial.velocity[m.node][m.component] = m.speed;
             w_.trial.acceleration[m.node][m.component] =
                 w_.scheme.weighted(w_.state.acceleration[m.node][m.component], m.acceleration);
@@ -178,10 +180,11 @@ private:
         int node;
     };
     /// A degree of freedom of a support that moves: where it is now and was one and two steps ago, m, and how long a
-    /// step is, s; where the step takes it, m, m/s, m/s^2; the force that moves it, N.
+    /// step is, s; where the step takes it, m, m/s, m/s^2; the force that moves it, N. Rotations in rad, N m.
     struct Moved {
         int node, component;
         History path;
+        bool turns() const { return component >= 3; }
         std::vector<JoinedEnd> joined = {};
         double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0,
                force = 0, next_force = 0;
@@ -213,7 +216,7 @@ private:
     }
     /// Whether the support has lost all of its members, and does not move any more. One to which nothing but joints
     /// joins members moves on.
-    bool is_gone(const Moved& m) const { return w_.state.gone[m.node] && !w_.structure.elements_at(m.node).empty(); }
+    bool is_gone(const Moved& m) const { return w_.state.gone[m.node] && !w_.structure.is_alone(m.node); }
     /// Whether joints tie ends to the support: in explicit steps their reactions have the inertia of both.
     bool is_tied(const Moved& m) const {
         return std::any_of(m.joined.begin(), m.joined.end(), [&](const JoinedEnd& end) { return is_whole(end); });
@@ -227,8 +230,17 @@ private:
                 if (all || !w_.state.broken[e]) f(e, w_.structure.elements()[e].node[0] == node ? 0 : 1);
         };
         at(m.node);
+        if (m.turns()) return;  // joints tie places alone
         for (const JoinedEnd& end : m.joined)
             if (all || is_whole(end)) at(end.node);
+    }
+
+    /// The step rotates the trial by what is prescribed, and about the other axes as predicted or solved for.
+    void turn(const Moved& m) {
+        const int n = m.node;
+        w_.rotation_step[n][m.component - 3] = m.next - m.now;
+        if (w_.structure.large()) w_.trial.rotation[n] = rotated(w_.rotation_step[n], w_.state.rotation[n]);
+        else w_.trial.small_rotation[n] = w_.state.small_rotation[n] + w_.rotation_step[n];
     }
 
     /// The row of M of a support's degree of freedom, times such a value of each node; with or without the masses that
@@ -236,6 +248,7 @@ private:
     double momentum_at(const Moved& m, const std::vector<Vec6>& of, bool offsets = true) const {
         const int c = m.component;
         const State& s = w_.state;
+        if (m.turns()) return spin_momentum_at(m, of, offsets);
         double sum = 0;
         if (offsets && !s.offset_mass.empty()) {
             sum = s.offset_mass[m.node].mass * of[m.node][c];
@@ -245,6 +258,23 @@ private:
         for_each_element(m, false, [&](int e, int end) {
             const beam::Inertia& inertia = inertia_now(w_.structure, w_.state, e);
             sum += inertia.own[end] * of[m.node][c] + inertia.across * of[w_.structure.elements()[e].node[1 - end]][c];
+        });
+        return sum;
+    }
+
+    double spin_momentum_at(const Moved& m, const std::vector<Vec6>& of, bool offsets) const {
+        const State& s = w_.state;
+        double sum = 0;
+        if (offsets && !s.offset_mass.empty())
+            sum = offset_mass_in_space(s.offset_mass[m.node], s.rotation[m.node]).row(m.component).dot(of[m.node]);
+        for_each_element(m, false, [&](int e, int end) {
+            const beam::Inertia& inertia = inertia_now(w_.structure, s, e);
+            const Mat3 axes = axes_of(element_frame(w_.structure, e, s));
+            const auto times = [&](const Vec3& rotary, int node) -> Vec3 {
+                return axes * rotary.cwiseProduct(axes.transpose() * of[node].tail<3>());
+            };
+            const int other = w_.structure.elements()[e].node[1 - end];
+            sum += (times(inertia.rotary[end], m.node) + times(inertia.rotary_across, other))[m.component - 3];
         });
         return sum;
     }
@@ -277,9 +307,9 @@ EffectKind moving_supports_kind() {
             .declarer = {.loads = [](const Model& model) {
                 std::vector<DeclaredLoad> list;
                 for (const SupportMotion& m : model.declared<SupportMotion>(moving_supports_effect)) {
-                    DeclaredLoad motion{
-                        "the motion of node " + std::to_string(m.node + 1) + " along " + "xyz"[m.component],
-                        "motion of node " + std::to_string(m.node), m.node};
+                    DeclaredLoad motion{"the motion of node " + std::to_string(m.node + 1) +
+                                            (m.component < 3 ? " along " : " about ") + "xyz"[m.component % 3],
+                                        "motion of node " + std::to_string(m.node), m.node};
                     motion.history = &m.displacement, motion.constant = false, motion.motion = true;
                     list.push_back(std::move(motion));
                 }

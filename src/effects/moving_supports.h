@@ -8,8 +8,8 @@ namespace hinge {
 
 inline constexpr const char* moving_supports_effect = "moving supports";
 
-/// Prescribed displacement of a support (m, along x, y or z) over time, relative to its position at the start of the
-/// run.
+/// Prescribed displacement of a support over time, relative to its position at the start of the run: m along x, y or z,
+/// or rad about an axis of space, whose rate is the node's rate of rotation about that axis.
 struct SupportMotion {
     int node, component;
     History displacement;

@@ -90,7 +90,7 @@ public:
 class Prescriber {
 public:
     virtual ~Prescriber() = default;
-    /// Lists the translations that are prescribed now.
+    /// Lists the degrees of freedom that are prescribed now.
     virtual void list_prescribed(std::vector<DegreeOfFreedom>& list) const = 0;
     /// The trial configuration is predicted: sets what is prescribed in it.
     virtual void predicted(const Step& step) = 0;

@@ -160,6 +160,12 @@ void Newmark::prescribed(const Step&) {
     std::vector<DegreeOfFreedom> list;
     for (const auto& p : effects_->prescribers) p->list_prescribed(list);
     for (const auto& [node, c] : list) {
+        if (c >= 3) {
+            ways_.push_back({{node, c}, w_.rotation_step[node][c - 3]});
+            w_.rotation_step[node][c - 3] = 0;
+            move_to_rotated(node, node + 1);
+            continue;
+        }
         double &u = w_.trial.displacement[node][c], before = w_.state.displacement[node][c];
         ways_.push_back({{node, c}, u - before});
         u = before;

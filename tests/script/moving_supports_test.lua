@@ -362,4 +362,79 @@ case("ground motion is integrated to displacements", function()
   checks.equal(ground(-1), 0, "before the record")
 end)
 
+-- The moment that an end of a clamped beam takes when it has been rotated by `angle`, and that at the other end.
+local function by_settlement(displacement, angle, axis)
+  local model = hinge.model { displacement = displacement }
+  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+  model:fix { a, b }
+  model:member { a, b, section = bar, material = elastic }
+  model:settle { node = a, [axis] = angle }
+  local run = model:static { steps = 4 }:finish()
+  return { run:reaction(a) }, { run:reaction(b) }
+end
+
+case("a support that rotates slowly does what a settlement does", function()
+  for _, displacement in ipairs { "small", "large" } do
+    for _, axis in ipairs { "rx", "ry", "rz" } do
+      for _, kind in ipairs { "newmark", "long steps", "explicit" } do
+        local angle, time = 0.02, 0.05
+        local model = hinge.model { displacement = displacement }
+        local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
+        model:fix { a, b }
+        model:member { a, b, section = bar, material = elastic }
+        model:damping { alpha = 400 }
+        model:move { node = a, [axis] = function(t)
+          local s = math.min(1, t / time)
+          return angle * s * s * (3 - 2 * s)
+        end }
+        local run = model:dynamic { dt = kind == "explicit" and "auto" or kind == "newmark" and 2e-5 or 1e-3,
+          duration = 0.2, integrator = kind == "explicit" and kind or "newmark" }:finish()
+        local what = ("%s, %s, %s"):format(displacement, axis, kind)
+        checks.equal(run.verdict, "completed", what .. ": " .. run.reason)
+        local here, there = by_settlement(displacement, angle, axis)
+        local size = support.largest_of(math.abs(here[4]), math.abs(here[5]), math.abs(here[6]))
+        local c = ({ rx = 4, ry = 5, rz = 6 })[axis]
+        checks.near(select(c, run:displacement(a)), angle, 1e-9, what .. ": rotation")
+        for i = 4, 6 do
+          checks.near(select(i, run:reaction(a)), here[i], 2e-3 * size, what .. ": moment " .. i)
+          checks.near(select(i, run:reaction(b)), there[i], 2e-3 * size, what .. ": moment at the other end " .. i)
+        end
+        -- slow: the work is what the beam stores, and what is damped
+        checks.near(run.energy.work - run.energy.damping, 0.5 * here[c] * angle, 5e-3 * size * angle, what .. ": work")
+        checks.expect(math.abs(run.energy.remainder) < 1e-3 * run.energy.work, "%s: energy error %g of %g J", what,
+          run.energy.remainder, run.energy.work)
+      end
+    end
+  end
+end)
+
+case("a cantilever on a support that rotates far goes round with it", function()
+  for _, integrator in ipairs { "newmark", "explicit" } do
+    local model = hinge.model()
+    local foot, tip = model:node { 0, 0, 0 }, model:node { 0.5, 0, 0 }
+    model:fix(foot)
+    model:member { foot, tip, section = bar, material = elastic }
+    local rate = 2
+    model:move { node = foot, rz = function(t) return rate * (t < 0.4 and t * t / 0.8 or t - 0.2) end }
+    local dt = integrator == "explicit" and "auto" or 1e-4
+    local run = model:dynamic { dt = dt, duration = 1, integrator = integrator }:finish()
+    local angle = rate * (run.time - 0.2)
+    local x, y = run:displacement(tip)
+    checks.near(0.5 + x, 0.5 * math.cos(angle), 1e-4, integrator .. ": x of the tip")
+    checks.near(y, 0.5 * math.sin(angle), 1e-4, integrator .. ": y of the tip")
+    checks.expect(math.abs(run.energy.remainder) < 0.01 * run.energy.work, "%s: energy error %g of %g J", integrator,
+      run.energy.remainder, run.energy.work)
+  end
+end)
+
+case("wrong rotations are refused", function()
+  local model = hinge.model()
+  local foot = model:node { 0, 0, 0 }
+  model:move { node = foot, ry = { { 0, 0 }, { 1, 0.1 } } }
+  local ok, message = pcall(model.move, model, { node = foot, ry = { { 0, 0 }, { 1, 0.1 } } })
+  checks.expect(not ok and support.has(message, "node 1 is moved about y already"), "message: %s", message)
+  ok, message = pcall(model.move, model, { node = foot })
+  checks.expect(not ok and support.has(message, "none of 'x', 'y', 'z', 'rx', 'ry', 'rz'"), "message: %s", message)
+end)
+
 checks.done()

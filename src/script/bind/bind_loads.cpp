@@ -167,7 +167,7 @@ int add_load(lua_State* L) {
 int move_support(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:move").value;
     Options o(L, 2, "model:move");
-    o.expect({"node", "x", "y", "z"});
+    o.expect({"node", "x", "y", "z", "rx", "ry", "rz"});
     std::vector<int> nodes;
     if (o.push_field("node") == LUA_TTABLE)
         for (lua_Integer i = 1, n = list_length(L, -1, "model:move: field 'node'"); i <= n; ++i) {
@@ -178,21 +178,23 @@ int move_support(lua_State* L) {
     else nodes.push_back(node_argument(L, -1, "model:move: field 'node'", m.get()).index);
     lua_pop(L, 1);
     if (nodes.empty()) o.complain("node", "an empty list", "must be a node, or a list of them");
-    History path[3];
-    const char* axes[] = {"x", "y", "z"};
-    for (int c = 0; c < 3; ++c) path[c] = read_history(o, axes[c], "displacement in m", *m, false);
-    if (!path[0] && !path[1] && !path[2])
+    History path[6];
+    const char* axes[] = {"x", "y", "z", "rx", "ry", "rz"};
+    bool any = false;
+    for (int c = 0; c < 6; ++c)
+        any |= bool(path[c] = read_history(o, axes[c], c < 3 ? "displacement in m" : "rotation in rad", *m, false));
+    if (!any)
         throw InputError(
-            "model:move: none of 'x', 'y', 'z' is given; give a displacement in m over time, a function or {{time, "
-            "displacement}, ...}");
+            "model:move: none of 'x', 'y', 'z', 'rx', 'ry', 'rz' is given; give a displacement in m, or a rotation in "
+            "rad, over time: a function or {{time, displacement}, ...}");
     for (const int n : nodes)
-        for (int c = 0; c < 3; ++c)
+        for (int c = 0; c < 6; ++c)
             for (const SupportMotion& other : m->declared<SupportMotion>(moving_supports_effect))
                 if (path[c] && other.node == n && other.component == c)
-                    throw InputError("model:move: node " + std::to_string(n + 1) + " is moved along " + axes[c] +
-                                     " already");
+                    throw InputError("model:move: node " + std::to_string(n + 1) + " is moved " +
+                                     (c < 3 ? "along " : "about ") + "xyz"[c % 3] + " already");
     for (const int n : nodes)
-        for (int c = 0; c < 3; ++c)
+        for (int c = 0; c < 6; ++c)
             if (path[c]) add_motion(*m, {n, c, path[c]});
     for (const int n : nodes) m->ask("motion of node " + std::to_string(n), where(L));
     m->ask("ground", where(L));

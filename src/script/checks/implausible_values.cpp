@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "core/text.h"
 #include "effects/declared.h"
@@ -121,6 +122,14 @@ void motions(const Model& model, std::vector<Warning>& list) {
         const History::Points* points = m.displacement.points();
         for (std::size_t i = 0; points && i < points->size(); ++i)
             largest = std::max(largest, std::abs((*points)[i].second));
+        if (m.component >= 3) {
+            if (!(largest > 2 * std::numbers::pi)) continue;
+            list.push_back({"model:move rotates node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
+                                " rad about " + axis_name(m.component - 3) + ", more than a whole turn",
+                            "is it in degrees? rotations are in rad",
+                            model.asked_at("motion of node " + std::to_string(m.node))});
+            return;
+        }
         if (!(largest > most)) continue;
         list.push_back({"model:move moves node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
                             " m along " + axis_name(m.component) + ", more than the structure's size, " +
