@@ -7,7 +7,7 @@ local class = check.class(Grid, "hinge.grid")
 
 -- What model:member takes beside its nodes.
 local member_options = { "section", "material", "up", "group", "elements", "backbone", "law", "carries",
-  "ends", "release" }
+  "ends", "release", "offset" }
 local of_member = {}
 for _, name in ipairs(member_options) do of_member[name] = true end
 

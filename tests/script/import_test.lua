@@ -1130,8 +1130,6 @@ case("a frame that is no frame is refused", function()
     { function(f) f.cases[1].loads[1].member = "x" end, "unknown member 'x'" },
     { function(f) f.masses = { { node = "1", mass = 0 } } end, "frame.masses[1]: field 'mass' is 0 kg" },
     { function(f) f.members[2].release = { a = "x" } end, "release.a is 'x'; must be rotations" },
-    { function(f) f.members[1].release = { b = "rx" } end, "all members that end at node '2' are released there" },
-    { function(f) f.members[3].release = { b = "rx" } f.members[2].release = { b = "rx" } end, "end at node '3'" },
     { function(f) f.slabs = {} end, "unknown field 'slabs'" },
     { function(f) f.members = {} end, "the frame has no member" },
   } do refused(row[2], row[2], import.build, with(row[1])) end

@@ -29,16 +29,6 @@ local function ends_of(m)
   return ends
 end
 
-local function add_releases(model, full, nodes)
-  for _, link in ipairs(full.links) do
-    model:rigid_link { from = nodes[link.from], to = nodes[link.to], dofs = link.dofs }
-  end
-  for _, s in ipairs(full.springs) do
-    model:connector { nodes[s.a], s.b and nodes[s.b], ground = not s.b or nil, axes = { x = s.x, y = s.y },
-      stiffness = s.stiffness }
-  end
-end
-
 local function add_loads(model, full, nodes, members)
   for _, c in ipairs(full.cases) do
     local case = model:case(c.name)
@@ -63,9 +53,9 @@ return function(frame, options, ...)
   for _, m in ipairs(full.materials) do materials[m.name] = material_of(m) end
   for _, m in ipairs(full.members) do
     members[m.name] = model:member { nodes[m.a], nodes[m.b], section = sections[m.section],
-      material = materials[m.material], up = m.up, group = m.group, ends = ends_of(m) }
+      material = materials[m.material], up = m.up, group = m.group, ends = ends_of(m), release = m.release,
+      offset = m.offset }
   end
-  add_releases(model, full, nodes)
   for _, m in ipairs(full.masses) do
     model:mass { node = nodes[m.node], mass = m.mass, inertia = m.inertia, offset = m.offset }
   end

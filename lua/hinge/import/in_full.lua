@@ -1,133 +1,26 @@
--- A frame in full, as import.build and import.write take it: ends that are released or at an offset become nodes,
--- links and springs, and self weight becomes gravity or loads.
+-- A frame in full, as import.build and import.write take it: releases are those of model:member, and self weight
+-- becomes gravity or loads.
 local check = require "hinge.check"
 local frame_module = require "hinge.import.frame"
 
-local stiff = 1000 -- what is not released is held by so many times the member's own stiffness
-
 -- Releases ------------------------------------------------------------------------------------------------------------
 
--- The rotations that are released at an end of a member, as a set; nil: none.
-local function released(member, at)
-  local letters = member.release and member.release[at] or ""
-  local set, any = {}, false
-  for letter in letters:gmatch "r[xyz]" do set[letter], any = true, true end
-  return any and set or nil
-end
+local moments = { rx = "Mx", ry = "My", rz = "Mz" }
 
--- How many ends are fixed to each node, and which are released there.
-local function ends_at_nodes(parts)
-  local rigid, free = {}, {}
+-- What is released at the ends, as model:member has it.
+local function expand_releases(parts)
   for _, m in ipairs(parts.members) do
-    for _, at in ipairs { "a", "b" } do
-      local name = m[at]
-      local set = released(m, at)
-      if set then
-        free[name] = free[name] or {}
-        table.insert(free[name], { member = m, at = at, set = set })
-      else
-        rigid[name] = (rigid[name] or 0) + 1
+    local release
+    for at, letters in pairs(m.release or {}) do
+      local list = {}
+      for letter in letters:gmatch "r[xyz]" do list[#list + 1] = moments[letter] end
+      if #list > 0 then
+        release = release or {}
+        release[at] = list
       end
     end
+    m.release = release
   end
-  return rigid, free
-end
-
-local function fixes_rotations(fix)
-  return fix == "all" or fix and fix:find "rx" and fix:find "ry" and fix:find "rz"
-end
-
-local function without_rotations(fix)
-  local kept = {}
-  for letter in (fix == "all" and "xyz" or fix:gsub("r[xyz]", "")):gmatch "[xyz]" do kept[#kept + 1] = letter end
-  return table.concat(kept, ",")
-end
-
--- Springs for the rotations of an end that are not released, N m/rad: as stiff as `stiff` times the member.
-local function springs_of(parts, member, set, length)
-  local m, s = parts.material[member.material], parts.section[member.section]
-  local p = frame_module.properties(s)
-  local G = m.G or m.E / (2 * (1 + (m.nu or 0.3)))
-  local full = { rx = 4 * m.E * p.Ix / length, ry = 4 * m.E * p.Iy / length, rz = G * p.J / length }
-  local springs = {}
-  for letter, stiffness in pairs(full) do
-    if not set[letter] then springs[letter] = stiff * stiffness end
-  end
-  return next(springs) and springs or nil
-end
-
--- The end of the only member at a support: the support holds no rotation, and springs to the ground do.
-local function free_support(parts, joint, spring)
-  joint.fix = without_rotations(joint.fix)
-  if spring then
-    spring.a = joint.name
-    table.insert(parts.springs, spring)
-  end
-end
-
--- An end at a joint: a node of its own, which follows the joint. dofs: "xyz", or "all" where it is not released.
-local function add_own_node(parts, member, at, joint, dofs, spring)
-  local name = member.name .. "." .. at
-  while parts.node[name] do name = name .. "'" end
-  local ends = { frame_module.ends(member, parts.node) }
-  local place = ends[at == "a" and 1 or 2]
-  parts.node[name] = { name = name, x = place.x, y = place.y, z = place.z }
-  table.insert(parts.nodes, parts.node[name])
-  table.insert(parts.links, { from = joint.name, to = name, dofs = dofs })
-  if spring then
-    spring.a, spring.b = joint.name, name
-    table.insert(parts.springs, spring)
-  end
-  return name
-end
-
--- The releases at one joint. rigid: how many ends are fixed to it.
-local function release_at(where, parts, joint, ends, rigid)
-  if rigid == 0 and (#ends > 1 or not fixes_rotations(joint.fix)) then
-    check.fail("%s: all members that end at node '%s' are released there, so that nothing holds its rotation; take "
-      .. "out the release of one of them: frame.members[...].release", where, joint.name)
-  end
-  for _, one in ipairs(ends) do
-    local m = one.member
-    local z, length = frame_module.direction(frame_module.ends(m, parts.node))
-    local x, y = frame_module.axes(z, m.up)
-    if not x then check.fail("%s: member '%s': 'up' is along the member", where, m.name) end
-    local stiffness = springs_of(parts, m, one.set, length)
-    local spring = stiffness and { x = x, y = y, stiffness = stiffness }
-    if rigid == 0 and not (m.offset and m.offset[one.at]) then
-      free_support(parts, joint, spring)
-    else
-      one.own = add_own_node(parts, m, one.at, joint, "xyz", spring)
-    end
-  end
-end
-
--- Ends that are not released, at an offset from their nodes.
-local function offset_ends(parts)
-  local own = {}
-  for _, m in ipairs(parts.members) do
-    for _, at in ipairs { "a", "b" } do
-      if m.offset and m.offset[at] and not released(m, at) then
-        own[#own + 1] = { member = m, at = at, own = add_own_node(parts, m, at, parts.node[m[at]], "all") }
-      end
-    end
-  end
-  return own
-end
-
-local function expand_ends(where, parts)
-  local rigid, free = ends_at_nodes(parts)
-  local declared = #parts.nodes -- own nodes are added behind these
-  local at_offsets = offset_ends(parts)
-  for i = 1, declared do
-    local joint = parts.nodes[i]
-    if free[joint.name] then release_at(where, parts, joint, free[joint.name], rigid[joint.name] or 0) end
-  end
-  for _, ends in pairs(free) do
-    for _, one in ipairs(ends) do one.member[one.at] = one.own or one.member[one.at] end
-  end
-  for _, one in ipairs(at_offsets) do one.member[one.at] = one.own end
-  for _, m in ipairs(parts.members) do m.release, m.offset = nil, nil end
 end
 
 -- Self weight ---------------------------------------------------------------------------------------------------------
@@ -196,9 +89,8 @@ local function expand_weight(where, parts, options)
   end
 end
 
---- The parts of frame_module.check, in which no member has a release or an offset and no case a self weight (but
---- `gravity`, m/s^2 along z; not_by_gravity: why self_weight = "either" took loads), with links = { { from =, to =, dofs = } } and
---- springs = { { a =, b = (nil: the ground), x =, y =, stiffness = } }.
+--- The parts of frame_module.check, in which releases are those of model:member and no case has a self weight (but
+--- `gravity`, m/s^2 along z). not_by_gravity: why self_weight = "either" took loads.
 return function(where, frame, options)
   local o = check.options(where, options, {
     model = { "table", default = {} }, self_weight = { "string", one_of = { "gravity", "loads", "either" },
@@ -208,12 +100,11 @@ return function(where, frame, options)
   })
   local parts = frame_module.check(where, frame)
   for _, case in ipairs(parts.cases) do case.loads = table.move(case.loads, 1, #case.loads, 1, {}) end
-  parts.ties, parts.options = parts.links, {} -- `links` become those of released ends
+  parts.options, parts.scenario = {}, o.scenario
   for _, of in ipairs { parts.model or {}, o.model } do
     for key, value in pairs(of) do parts.options[key] = value end
   end
-  parts.links, parts.springs, parts.scenario = {}, {}, o.scenario
-  expand_ends(where, parts)
+  expand_releases(parts)
   expand_weight(where, parts, o)
   return parts
 end

@@ -70,7 +70,7 @@ function ties.build(core, model, full, nodes)
     for i, name in ipairs(names) do list[i] = nodes[name] end
     return list
   end
-  for _, row in ipairs(full.ties) do
+  for _, row in ipairs(full.links) do
     model:rigid_link { from = nodes[row.from], to = nodes[row.to], dofs = row.dofs }
   end
   for _, row in ipairs(full.diaphragms) do
@@ -101,9 +101,9 @@ local function node_list(w, names)
 end
 
 local function write_links(w, full)
-  if #full.ties == 0 and #full.diaphragms == 0 then return end
+  if #full.links == 0 and #full.diaphragms == 0 then return end
   w.line "-- Rigid links and diaphragms"
-  for _, row in ipairs(full.ties) do
+  for _, row in ipairs(full.links) do
     w.line(("model:rigid_link { from = %s, to = %s, dofs = %s }"):format(node_list(w, { row.from }),
       node_list(w, { row.to }), w.quote(row.dofs)))
   end

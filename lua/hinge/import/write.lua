@@ -113,42 +113,30 @@ local function add_nodes(lines, full)
 end
 
 local function add_members(lines, full)
-  lines[#lines + 1] = "-- Members: name; first and second node; section; material; direction of the section's y axis; "
-    .. "group\nlocal members = {}\nfor _, m in ipairs {"
-  local joints = false
+  local has = {}
   for _, m in ipairs(full.members) do
-    local more = fields(m, { "up", "group", "ends" })
-    joints = joints or m.ends ~= nil
-    lines[#lines + 1] = ("  { %s, %s, %s, %s, %s%s },"):format(quote.lua(m.name), quote.lua(m.a), quote.lua(m.b),
-      quote.lua(m.section), quote.lua(m.material), more ~= "" and ", " .. more or "")
+    for _, field in ipairs { "ends", "release", "offset" } do has[field] = has[field] or m[field] ~= nil end
+  end
+  lines[#lines + 1] = ("-- Members: name; first and second node; section; material; direction of the section's y axis; "
+    .. "group%s%s\nlocal members = {}\nfor _, m in ipairs {"):format(
+    has.release and ";\n-- moments that are released at its ends" or "",
+    has.offset and ";\n-- what leads from its nodes to its ends, m" or "")
+  for _, m in ipairs(full.members) do
+    local more = fields(m, { "up", "group", "ends", "release", "offset" })
+    add_line(lines, ("  { %s, %s, %s, %s, %s%s },"):format(quote.lua(m.name), quote.lua(m.a), quote.lua(m.b),
+      quote.lua(m.section), quote.lua(m.material), more ~= "" and ", " .. more or ""), "  ")
   end
   lines[#lines + 1] = "} do"
-  if joints then
+  if has.ends then
     lines[#lines + 1] = "  local ends = m.ends and {} -- joints: rad, N m\n"
       .. "  for at, options in pairs(m.ends or {}) do ends[at] = hinge.joint(options) end"
   end
   lines[#lines + 1] = ([=[
   members[m[1]] = model:member { nodes[m[2]], nodes[m[3]], section = sections[m[4]], material = materials[m[5]],
-    up = m.up, group = m.group%s }
+    up = m.up, group = m.group%s%s%s }
 end
-]=]):format(joints and ", ends = ends" or "")
-end
-
--- Ends that are released: links and springs between the joint and the member's own node.
-local function add_releases(lines, full)
-  if #full.links == 0 and #full.springs == 0 then return end
-  lines[#lines + 1] = "-- Ends of members that are released or at an offset: the member's own node follows the joint; "
-    .. "what is\n-- not released has a spring of 1000 times the member's stiffness"
-  for _, link in ipairs(full.links) do
-    lines[#lines + 1] = ("model:rigid_link { from = nodes[%s], to = nodes[%s], dofs = %s }"):format(
-      quote.lua(link.from), quote.lua(link.to), quote.lua(link.dofs))
-  end
-  for _, s in ipairs(full.springs) do
-    local other = s.b and "nodes[" .. quote.lua(s.b) .. "]" or "ground = true"
-    add_line(lines, ("model:connector { nodes[%s], %s, axes = %s, stiffness = %s }"):format(quote.lua(s.a), other,
-      literal { x = s.x, y = s.y }, literal(s.stiffness)), "")
-  end
-  lines[#lines + 1] = ""
+]=]):format(has.ends and ", ends = ends" or "", has.release and ", release = m.release" or "",
+    has.offset and ", offset = m.offset" or "")
 end
 
 local function add_masses(lines, full)
@@ -297,7 +285,6 @@ return function(frame, file, options, ...)
   add_materials(lines, full)
   add_nodes(lines, full)
   add_members(lines, full)
-  add_releases(lines, full)
   add_masses(lines, full)
   ties.write({ line = function(text) add_line(lines, text, "") end, literal = literal, quote = quote.lua }, full)
   add_cases(lines, full)

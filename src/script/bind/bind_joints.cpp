@@ -1,5 +1,6 @@
 // hinge.joint, the fields `ends` and `release` of model:member, member:joint, and model:joint.
 #include "script/bind/bind_joints.h"
+#include "model/member_ends.h"
 
 #include <cmath>
 
@@ -199,6 +200,36 @@ void declare_joints(lua_State* L, Model& m, int member, const std::array<std::op
         if (!joints[end]) continue;
         m.declare(joints_effect, Joint{member, end, *joints[end]});
         m.ask(joints_effect, where(L));
+    }
+}
+
+std::array<std::optional<Vec3>, 2> read_offsets(Options& o) {
+    std::array<std::optional<Vec3>, 2> offsets;
+    each_end(o, "offset", "{x, y, z}", [&](int end, Options& of) {
+        const Vec3 by =
+            read_triple(of.L(), lua_gettop(of.L()), of.function() + ": field '" + end_fields[end] + "'", "m");
+        if (!by.isZero(0)) offsets[end] = by;
+    });
+    return offsets;
+}
+
+void declare_offsets(lua_State* L, Model& m, int member, const std::array<std::optional<Vec3>, 2>& offsets) {
+    for (int end : {0, 1}) {
+        if (!offsets[end]) continue;
+        m.declare(member_offsets, MemberOffset{member, end, *offsets[end]});
+        m.ask(joints_effect, where(L));
+    }
+}
+
+void push_offsets_of(lua_State* L, const Model& m, int member) {
+    lua_pushnil(L);
+    for (int end : {0, 1}) {
+        const Vec3 by = offset_of(m, member, end);
+        if (by.isZero(0)) continue;
+        if (lua_isnil(L, -1)) lua_pop(L, 1), lua_createtable(L, 0, 2);
+        lua_createtable(L, 3, 0);
+        for (int c = 0; c < 3; ++c) lua_pushnumber(L, by[c]), lua_rawseti(L, -2, c + 1);
+        lua_setfield(L, -2, end_fields[end]);
     }
 }
 

@@ -1,4 +1,4 @@
-// The fields `ends` and `release` of model:member, and what member:joint reads.
+// The fields `ends`, `release` and `offset` of model:member, and what member:joint reads.
 #pragma once
 
 #include <array>
@@ -19,6 +19,12 @@ std::array<std::optional<JointProperties>, 2> read_joints(Options& o);
 
 /// Declares the joints of a member that the model has accepted.
 void declare_joints(lua_State* L, Model& m, int member, const std::array<std::optional<JointProperties>, 2>& joints);
+
+/// Where both ends of a member stand off their nodes, by the field `offset`, m.
+std::array<std::optional<Vec3>, 2> read_offsets(Options& o);
+void declare_offsets(lua_State* L, Model& m, int member, const std::array<std::optional<Vec3>, 2>& offsets);
+/// Leaves them on the stack, { a = {x, y, z}, b = }; nil where it has none.
+void push_offsets_of(lua_State* L, const Model& m, int member);
 
 /// Leaves the joints of a member on the stack, { a = , b = }; nil where it has none.
 void push_joints_of(lua_State* L, const Model& m, int member);

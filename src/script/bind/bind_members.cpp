@@ -33,8 +33,8 @@ void note_line(lua_State* L, Model& m, const char* kind, int index) {
 
 namespace {
 
-const std::vector<std::string> fields_of_members = {"section",  "material", "up",      "group", "elements",
-                                                    "backbone", "law",      "carries", "ends",  "release"};
+const std::vector<std::string> fields_of_members = {"section", "material", "up",   "group",   "elements", "backbone",
+                                                    "law",     "carries",  "ends", "release", "offset"};
 
 void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std::string>& named) {
     lua_State* L = o.L();
@@ -61,6 +61,7 @@ struct GivenMember {
     MemberData data;
     std::vector<std::string> named;  ///< groups that are given by their names
     std::array<std::optional<JointProperties>, 2> joints;
+    std::array<std::optional<Vec3>, 2> offsets;
 };
 
 GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a, int b) {
@@ -97,7 +98,9 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
     if (data.law && !std::isfinite(data.material->yield_stress) &&
         !(data.section->outline && data.section->outline->concrete()))
         o.complain("law", "given", "needs a material with yield_stress (Pa), or a section of concrete");
-    const Vec3 chord = m->nodes()[b].position - m->nodes()[a].position;
+    given.offsets = read_offsets(o);
+    const Vec3 none = Vec3::Zero(), chord = m->nodes()[b].position + given.offsets[1].value_or(none) -
+                                            m->nodes()[a].position - given.offsets[0].value_or(none);
     // without `up`: the section's y axis is as near to space z as it can be; for an upright member, to space x
     data.up = o.triple("up", "").value_or(chord.head<2>().norm() > 1e-3 * chord.norm() ? Vec3(0, 0, 1) : Vec3(1, 0, 0));
     const Elements elements = read_elements(o, "elements", m->options().formulation,
@@ -108,7 +111,13 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
     for (const Carries c : {Carries::tension, Carries::compression})
         if (carries == carries_word(c)) data.carries = c;
     given.joints = read_joints(o);
-    for (int end : {0, 1}) data.joints |= std::uint8_t(given.joints[end] ? 1 << end : 0);
+    for (int end : {0, 1}) data.joints |= std::uint8_t(given.joints[end] || given.offsets[end] ? 1 << end : 0);
+    const bool moved = given.offsets[0] || given.offsets[1];
+    if (moved && !(chord.norm() > 1e-9 * std::max(1.0, m->nodes()[b].position.cwiseAbs().maxCoeff())))
+        o.complain("offset", "given", "brings both ends of the member to one place");
+    if (moved && !(data.up.cross(chord).norm() > 1e-6 * data.up.norm() * chord.norm()))
+        o.complain("up", "{" + show(data.up.x()) + ", " + show(data.up.y()) + ", " + show(data.up.z()) + "}",
+                   "parallel to the line between the member's ends, which 'offset' moves; it must point across");
     read_groups(o, *m, data.groups, given.named);
     std::vector<std::string> all = given.named;
     for (const int g : data.groups) all.push_back(m->groups()[g]);
@@ -132,6 +141,7 @@ void add(lua_State* L, const std::shared_ptr<ScriptModel>& m, GivenMember given)
     note_line(L, *m, "member", index);
     if (yields && !m->asked("plasticity")) m->ask("plasticity", where(L));
     declare_joints(L, *m, index, given.joints);
+    declare_offsets(L, *m, index, given.offsets);
     tell_members(*context(L), m->members().size());
     if (!given.named.empty()) {
         for (const std::string& name : given.named) groups.push_back(m->group(name));

@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 #include "effects/loads.h"
+#include "model/member_ends.h"
 #include "beam/material_law.h"
 #include "script/bind/bind_joints.h"
 #include "script/lua/objects.h"
@@ -138,8 +139,8 @@ std::string degrees_of_freedom(std::uint8_t fixed) {
     return text;
 }
 
-double length_of(const Model& m, const MemberData& d) {
-    return (m.nodes()[d.node[1]].position - m.nodes()[d.node[0]].position).norm();
+double length_of(const Model& m, int member) {
+    return (end_position(m, member, 1) - end_position(m, member, 0)).norm();
 }
 
 // ---- lists --------------------------------------------------------------------------------------------------------
@@ -224,11 +225,13 @@ int member_fields(lua_State* L) {
     auto& m = self<MemberBox>(L, "member." + key);
     const MemberData& data = m.model->members()[m.index];
     if (key == "index") lua_pushinteger(L, m.index + 1);
-    else if (key == "length") lua_pushnumber(L, length_of(*m.model, data));
-    else if (key == "mass") lua_pushnumber(L, length_of(*m.model, data) * data.section->area * data.material->density);
+    else if (key == "length") lua_pushnumber(L, length_of(*m.model, m.index));
+    else if (key == "mass")
+        lua_pushnumber(L, length_of(*m.model, m.index) * data.section->area * data.material->density);
     else if (key == "a" || key == "b") push_handle<NodeBox>(L, m.model, data.node[key == "b"]);
     else if (key == "group")
         data.groups.empty() ? lua_pushnil(L) : (void)push_text(L, m.model->groups()[data.groups[0]]);
+    else if (key == "offset") push_offsets_of(L, *m.model, m.index);
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
     else if (key == "backbone")
@@ -271,9 +274,10 @@ int group_fields(lua_State* L) {
     auto& g = self<GroupBox>(L, "group." + key);
     double mass = 0, length = 0;
     if (key == "mass" || key == "length")
-        for (const MemberData& d : g.model->members()) {
+        for (std::size_t i = 0; i < g.model->members().size(); ++i) {
+            const MemberData& d = g.model->members()[i];
             if (!in_group(d, g.index)) continue;
-            const double l = length_of(*g.model, d);
+            const double l = length_of(*g.model, int(i));
             length += l, mass += l * d.section->area * d.material->density;
         }
     if (key == "name") push_text(L, g.name);
@@ -387,7 +391,7 @@ void open_objects(lua_State* L) {
     name_fields(L, NodeBox::lua_name, {"x", "y", "z", "index", "fixed"});
     name_fields(L, MemberBox::lua_name,
                 {"index", "length", "mass", "a", "b", "group", "section", "material", "up", "elements", "backbone",
-                 "law", "carries", "ends"});
+                 "law", "carries", "ends", "offset"});
     name_fields(L, LoadBox::lua_name, {"node", "force", "moment", "case"});
     name_fields(L, GroupBox::lua_name, {"name", "size", "mass", "length"});
     luaL_getmetatable(L, GroupBox::lua_name);
