@@ -460,11 +460,12 @@ function backbone.ufc(options) end
 ---from then on, and the energy that the joint stored is lost. Statics breaks no joint; the run warns instead. A rigid
 ---axis beside a free or soft one is a spring of 1e5 times 4 E I / L (bending) or G J / L (torsion) of the member in
 ---statics, 1000 times in dynamics, 100 times in explicit steps: a cantilever with such a joint bends about a rigid
----axis by 7.5e-6 more than without, in dynamics by 7.5e-4, in explicit steps by 7.5e-3. One member at least must be
----joined to each node without a joint, unless model:fix holds the node in all directions: else nothing holds the
----rotation of the node. A joint needs no further element; two elements a member are as exact as without it. It does
----not go with the energy-momentum method. The energy is in run.energy.joint_stored and joint_dissipated.
----run:hinges and hinge.robustness compare the rotations and forces of joints with limits.
+---axis by 7.5e-6 more than without, in dynamics by 7.5e-4, in explicit steps by 7.5e-3. All members at a node may have
+---joints there, as in a pinned truss. What no joint and no support holds of the node's rotation follows one of the
+---members, without a moment; in explicit steps the node keeps its rotation, with the rotary inertia of half an element.
+---A moment on the node about such an axis is an error. A joint needs no further element; two elements a member are as
+---exact as without it. It does not go with the energy-momentum method. The energy is in run.energy.joint_stored and
+---joint_dissipated. run:hinges and hinge.robustness compare the rotations and forces of joints with limits.
 ---```lua
 ---local end_plate = hinge.joint { Mx = { points = { { 0.004, 80e3 }, { 0.02, 110e3 } }, capacity = 0.04 }, -- rad, N m
 ---  My = "free", tension = 250e3, shear = 180e3 } -- N
@@ -898,6 +899,7 @@ function grid:defaults(options) end
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---Columns between the levels, storey by storey.
 ---```lua
@@ -920,6 +922,7 @@ function grid:columns(options) end
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---Beams between neighbouring columns at the top of storeys.
 ---```lua
@@ -944,6 +947,7 @@ function grid:beams(options) end
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---Braces between two column lines, in each storey: "/" from the foot of the first line to the head of the second, "\\"
 ---the other way, "X" both, which do not meet.
@@ -969,6 +973,7 @@ function grid:braces(options) end
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---Members through several nodes, one after the other: nodes, or names of places, and what the members have.
 ---```lua
@@ -1003,6 +1008,7 @@ function grid:copy(options) end
 ---@field carries? "both"|"tension"|"compression"
 ---@field ends? { a?: hinge.joint, b?: hinge.joint }
 ---@field release? { a?: string|string[], b?: string|string[] }
+---@field offset? { a?: vec3, b?: vec3 }
 
 -- Blast --------------------------------------------------------------------------------------------------------------
 
@@ -1572,9 +1578,8 @@ function import.csv(options) end
 ---@field loads? string
 ---@field masses? string path of a file with the columns node, mass (kg)
 
----Makes a model of a frame. Names are those of the file. An end that is released gets a node of its own. It follows the
----joint by model:rigid_link, and a connector of 1000 times the member's stiffness holds the rotations that are not
----released. Not every member at a joint may be released there, unless the joint is a fixed support with one member.
+---Makes a model of a frame. Names are those of the file. Releases and offsets of members are those of
+---model:member.
 ---```lua
 ---local import = hinge.import
 ---local frame = {
@@ -2388,7 +2393,7 @@ function node:position(run) end
 ---@class hinge.member
 ---@field a hinge.node
 ---@field b hinge.node
----@field length number as declared, m
+---@field length number between its ends as declared, m
 ---@field mass number kg
 ---@field group string? name of its first group, which sets its colour; nil: none
 ---@field section hinge.section
@@ -2399,6 +2404,7 @@ function node:position(run) end
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides
 ---@field carries "both"|"tension"|"compression" as given
 ---@field ends table<"a"|"b", hinge.joint>? joints of its ends; nil: none
+---@field offset table<"a"|"b", vec3>? what leads from its nodes to its ends, m; nil: they are at the nodes
 ---@field index integer from 1, in the order of declaration
 local member = {}
 
@@ -2659,6 +2665,12 @@ function model:member(options) end
 ---moments that an end does not pass on: "Mx", "My" (bending about the section's axes) or "Mz" (torsion), or a list of
 ---them. A short form of ends with hinge.joint { Mx = "free" }. Mz can be free at one end alone
 ---@field release? { a?: string|string[], b?: string|string[] }
+---m, what leads from a node to the member's end, in space, as declared: rigid ends, or another line than that between
+---the nodes (insertion points). It rotates with its node, has neither mass nor strain, and does no work. The member,
+---its length, its loads, joints and results are those between these ends. It needs no further node. A node may follow a
+---diaphragm or a rigid link, and the ends of its members follow with it. Not with integrator = "energy-momentum" and
+---not at a node that model:move moves. Default: the ends are at the nodes
+---@field offset? { a?: vec3, b?: vec3 }
 
 ---Members through several nodes, one after the other, with the options of model:member. Where one of them is refused,
 ---none is added.
@@ -2719,7 +2731,8 @@ function model:defaults(options) end
 ---run begins.
 ---
 ---Or a load on a member, or on each member of a group, also on those that come to it later: `q` and `moment` over its
----whole length, linear between `a` and `b`, its two ends, or with `at` a force and moment at that point. The member's
+---whole length, or between `from` and `to`, linear between `a` and `b`, where the load begins and ends; or with `at` a
+---force and moment at that point. The member's
 ---end nodes get the fixed-end forces of the whole Timoshenko member, so that end forces in linear statics are exact for
 ---any number of elements, and joint displacements are those of the stiffness (closed form with asi-gauss). run:forces
 ---includes the load, and yield and a fracture rule's forces go by the same: plastic limit loads under uniform load are
@@ -2738,6 +2751,7 @@ function model:defaults(options) end
 ---```lua
 ---model:load { node = tip, force = { 0, 0, -1000 } } -- N
 ---model:load { member = beam, q = { 0, 0, -200 } } -- N/m
+---model:load { member = beam, q = { a = { 0, 0, 0 }, b = { 0, 0, -300 } }, from = 0.5, to = 1 } -- a triangle
 ---model:load { node = tip, force = { 5e3, 0, 0 }, history = { { 0, 1 }, { 0.01, 0 } } } -- a blast of 10 ms
 ---```
 ---@param options hinge.load_options
@@ -2748,11 +2762,13 @@ function model:load(options) end
 ---@field node? hinge.node
 ---@field member? hinge.member in place of node
 ---@field group? hinge.group_like in place of node: each member of the group
----@field q? vec3|table N/m, or { a = vec3, b = vec3 } at the member's two ends, where one left out is zero
+---@field q? vec3|table N/m, or { a = vec3, b = vec3 } where the load begins and ends; one left out is zero
 ---@field force? vec3|fun(time: number, run: hinge.run): number N, in space; on a member at the point `at`
 ---N m, in space. On a member: N m/m, given as `q`, or N m at the point `at`; numbers only, no function
 ---@field moment? vec3|fun(time: number, run: hinge.run): number
 ---@field at? number on a member: the distance from its first end as a part of its length, 0 to 1
+---@field from? number where `q` and `moment` begin, as a part of the member's length, 0 to 1; default 0
+---@field to? number where they end, more than `from`, up to 1; default 1
 ---axes of a load on a member. "global" (default): in space, per length of the member. "projected": in space, per length
 ---of the member's projection on the plane normal to the load at the start, as for snow (`q` only). "local": in the
 ---member's x, y, z axes
@@ -2795,7 +2811,11 @@ function model:combination(name, factors) end
 ---members (paper, fig 5). Its momentum, energy and weight are counted together with those of members. If fracture takes
 ---the last member of a node, the node flies on with its mass; if the mass has no rotary inertia, it stops rotating. A
 ---mass that is declared after a run is part of the runs that continue from that run. It is an error if the node has no
----member when a run begins. `hinge check` includes the mass in masses and natural periods.
+---member when a run begins. `hinge check` includes the mass in masses and natural periods. Members between point masses
+---may have density 0. In Newmark's method the nodes without mass, and rotations of masses without `inertia`, are in
+---balance at the end of each step, as in the statically condensed structure: forces that set in at once move them at
+---once, and what that loses of the work is in run.energy.numerical. Such members go neither with the other integrators
+---nor with contact and ground, and they cannot break; model:remove takes them out.
 ---```lua
 ---model:mass { node = tip, mass = 20, inertia = 0.1 } -- kg, kg m^2
 ---```
@@ -2805,10 +2825,12 @@ function model:mass(options) end
 ---Makes node `to` move with node `from` as a rigid body, however far both rotate. The link has no mass. It does no
 ---work: what acts on `to` acts on `from`, with its moment about `from`. Several links may begin at one node, and a node
 ---follows one other node. The link keeps the nodes as they are where a run begins. In dynamics `to` begins with the
----velocity that follows from `from`. It is an error if `to` is held by a support where it would follow, and if a node
----has no member when a run begins. If fracture takes the last member of a node, the link keeps the others together.
----These do not go with it yet, and are errors: integrator = "energy-momentum", a support that moves at one of the
----nodes, and several links, one with dofs = "xyz", from a node whose members can break.
+---velocity that follows from `from`. Supports may hold `to` where they hold all of `from` that moves it, as in a plane
+---frame that is held out of its plane. It is an error, when a run is made, if `to` is held and `from` could move it
+---there, and if a node has no member. Rigid ends of a member are simpler with its `offset`. If fracture takes the last
+---member of a node, the link keeps the others together. These do not go with it yet, and are errors: integrator =
+---"energy-momentum", a support that moves at one of the nodes, and several links, one with dofs = "xyz", from a node
+---whose members can break.
 ---```lua
 ---local face = model:node { 0.2, 0, 3 } -- of a column, 0.2 m from its axis
 ---local axis = model:node { 0, 0, 3 }
@@ -2838,7 +2860,8 @@ function model:diaphragm(options) end
 ---@field nodes hinge.node[] at least two
 ---across which axis of space the plane lies. Default "z"
 ---@field normal? "x"|"y"|"z"
----the node that the others follow; of the nodes, it alone may be supported in the plane. Default the first of `nodes`
+---the node that the others follow. Another node may be supported in the plane only where this one is, too. Default the
+---first of `nodes`
 ---@field master? hinge.node
 
 ---@class hinge.mass_options
@@ -2850,10 +2873,11 @@ function model:diaphragm(options) end
 ---@field offset? vec3 m, from the node to the mass, in the undeformed position; default { 0, 0, 0 }
 
 ---Moves supports. The call fixes the given degrees of freedom. In a dynamic run they follow a path, as a displacement
----from the position at the start of the run. Velocity and acceleration follow from differences over the last steps.
----Before the run, the support is taken to move as in the state from which the run begins; without such a state it
----stands still. A path may start and stop suddenly, which is an impact. The work of the supports is in the energy
----balance. In statics the supports stand still; model:settle moves them there.
+---or a rotation from the position at the start of the run. Rotations are about the axes of space: their rates are those
+---of the node about these axes, so that a rotation about one axis may be of any size. Velocity and acceleration follow
+---from differences over the last steps. Before the run, the support is taken to move as in the state from which the run
+---begins; without such a state it stands still. A path may start and stop suddenly, which is an impact. The work of the
+---supports is in the energy balance. In statics the supports stand still; model:settle moves them there.
 ---```lua
 ---model:move { node = wall, z = { { 0, 0 }, { 0.1, 0.01 }, { 0.2, 0 } } } -- up by 10 mm and down again
 ---local shaken = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
@@ -2931,6 +2955,9 @@ function model:settle(options) end
 ---@field x? fun(time: number): number|number[][]
 ---@field y? fun(time: number): number|number[][] the same along y
 ---@field z? fun(time: number): number|number[][] the same along z
+---@field rx? fun(time: number): number|number[][] rotation about x, rad, over time
+---@field ry? fun(time: number): number|number[][] the same about y
+---@field rz? fun(time: number): number|number[][] the same about z
 
 ---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
 ---says, and a clamped member of two elements has end moments of w L^2 / 12 and w L^2 / 24 in the middle. Yield goes by
@@ -4036,7 +4063,9 @@ function run:read(quantity, group) end
 ---damaged. Members are elastic, also where they have yielded; what is broken is left out; connectors, joints, masses,
 ---rigid links and diaphragms count. Joints that have yielded have the stiffness with which they unload, the elastic
 ---one; joints = "slide": those at their strength (to a millionth of it) have none, as long as the motion turns them
----further. Axial forces change the stiffness as in the run. Bodies that nothing holds have modes of frequency 0.
+---further. Axial forces change the stiffness as in the run. Bodies that nothing holds have modes of frequency 0. What
+---has no mass (members without density, nodes with masses that have no rotary inertia) is condensed statically: there
+---are as many modes as there are directions with mass.
 ---Moments, and loads that turn with their member, make the stiffness unsymmetric; where that changes the square of a
 ---frequency by a thousandth, it counts. It is an error if there are then more than 2000 degrees of freedom, and if one
 ---of the modes asked for flutters: its vibrations grow, which no real frequency says (ask for more modes to see
