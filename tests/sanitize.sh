@@ -22,6 +22,7 @@ not_under_asan=(
   script_install      # the compiler, which the test calls, leaks
   script_package      # empties the environment, and with it the sanitizer that is to be loaded before Lua
   script_startup      # bounds how long a script takes to begin
+  script_sandbox_walls  # its walls forbid what the leak checker does when a process ends
   script_slurm        # starts daemons, which would get the sanitizer too
 )
 # Mesa leaks in our own process.

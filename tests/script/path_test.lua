@@ -98,7 +98,8 @@ case("held bars that yield while they are heated arrive at one answer, with any 
       near(moment, first.M, 1e-3 * first.M, what .. ": M in the middle")
     end
     -- of 14 s for one clamped bar that crept; a run takes 0.2 to 1.5 s
-    expect(os.clock() - begun < 5 * #of.counts, "%.1f s", os.clock() - begun)
+    local most = os.getenv "HINGE_SANITIZED" and 60 or 5
+    expect(os.clock() - begun < most * #of.counts, "%.1f s", os.clock() - begun)
   end
 end)
 
