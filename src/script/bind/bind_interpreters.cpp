@@ -59,8 +59,10 @@ struct Started {
     KernelWalls walls;
 };
 
+/// Of the time of the processor the hard limit is a second later: at the soft one the system sends SIGXCPU, which tells
+/// that it was the time.
 void limit(int what, double most) {
-    const rlimit value = {rlim_t(most), rlim_t(most)};
+    const rlimit value = {rlim_t(most), rlim_t(most) + (what == int(RLIMIT_CPU) ? 1 : 0)};
     ::setrlimit(__rlimit_resource_t(what), &value);
 }
 
