@@ -60,8 +60,8 @@ local function sections_of(path)
 end
 
 --- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. o.units and
---- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run; o.sections: path of a table of sections
---- for a file of SAP2000 or ETABS.
+--- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run; o.sections: path of a table of
+--- sections for a file of SAP2000 or ETABS.
 function export.read(source, o)
   local units = o.units
   local tables_there = csv_of(source)
@@ -94,7 +94,8 @@ local function write(frame, file)
   return path
 end
 
---- The program: source, units, model, sections, run_python and file as the command line has them. Returns the exit status.
+--- The program: source, units, model, sections, run_python and file as the command line has them. Returns the exit
+--- status.
 function export.main(options)
   local frame, notes = export.read(options.script, options)
   print(notes)

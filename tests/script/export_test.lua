@@ -16,7 +16,8 @@ local function run(arguments)
 end
 
 for name, source in pairs {
-  e2k = "frame.e2k", s2k = "frame.s2k", tcl = "frame.tcl --units kN,m,t", python = "frame.py --units N,m --run-python", csv = "",
+  e2k = "frame.e2k", s2k = "frame.s2k", tcl = "frame.tcl --units kN,m,t",
+  python = "frame.py --units N,m --run-python", csv = "",
 } do
   case("a script of " .. name .. " is written, looked over and run", function()
     local out = name .. ".lua"

@@ -149,11 +149,11 @@ subject("backbone by points", { of = { "backbone_options" },
 
 subject("member", { of = { "member_options" },
   options = { up = { 1.0, 0.1, 0.0 }, group = "posts", elements = 2, carries = "both", release = { a = "Mx" },
-    ends = { b = 1e6 }, [1] = 1, [2] = 3 },
+    ends = { b = 1e6 }, offset = { b = { 0.1, 0.2, 0.3 } }, [1] = 1, [2] = 3 },
   other = { group = "others", elements = 4, carries = "tension", ["release.a"] = "My", ["[1]"] = 2 },
   build = on_scene(function(model, o, n)
     model:member { n[o[1]], n[o[2]], section = bar(), material = steel(), up = o.up, group = o.group,
-      elements = o.elements, carries = o.carries, release = o.release,
+      elements = o.elements, carries = o.carries, release = o.release, offset = o.offset,
       ends = o.ends and { b = hinge.joint { Mx = { stiffness = o.ends.b } } } }
   end) })
 subject("joint", { of = { "joint_options", "joint_axis" },
@@ -181,6 +181,9 @@ subject("load on a node", { of = { "load_options" },
 subject("load along a member", { of = { "load_options" },
   options = { member = 1, q = { a = { 1.0, 2.0, 3.0 }, b = { 1.0, 2.0, 4.0 } }, axes = "global", history = points },
   other = { axes = "local" },
+  build = on_scene(function(model, o, _, m) model:load(merged(o, { member = m[o.member] })) end) })
+subject("load along a part of a member", { of = { "load_options" },
+  options = { member = 1, q = { 1.0, 2.0, 3.0 }, from = 0.1, to = 0.6 },
   build = on_scene(function(model, o, _, m) model:load(merged(o, { member = m[o.member] })) end) })
 subject("load at a place of a member", { of = { "load_options" },
   options = { member = 1, force = { 1.0, 2.0, 3.0 }, moment = { 1.0, 2.0, 3.0 }, at = 0.3, history = points },
@@ -221,8 +224,9 @@ subject("diaphragm", { of = { "diaphragm_options" }, options = { nodes = { 2, 3 
   end) })
 subject("moving support", { of = { "move_options" },
   options = { node = 1, x = { { 0.0, 0.0 }, { 0.01, 1e-4 } }, y = { { 0.0, 0.0 }, { 0.01, 1e-4 } },
-    z = { { 0.0, 0.0 }, { 0.01, 1e-4 } } }, other = { node = 4, ["x.1.2"] = "keep", ["y.1.2"] = "keep",
-    ["z.1.2"] = "keep" },
+    z = { { 0.0, 0.0 }, { 0.01, 1e-4 } }, rx = { { 0.0, 0.0 }, { 0.01, 1e-4 } }, ry = { { 0.0, 0.0 }, { 0.01, 1e-4 } },
+    rz = { { 0.0, 0.0 }, { 0.01, 1e-4 } } }, other = { node = 4, ["x.1.2"] = "keep", ["y.1.2"] = "keep",
+    ["z.1.2"] = "keep", ["rx.1.2"] = "keep", ["ry.1.2"] = "keep", ["rz.1.2"] = "keep" },
   build = on_scene(function(model, o, n) model:move(merged(o, { node = n[o.node] })) end) })
 subject("fracture", { of = { "fracture_rule" },
   options = { group = "beam", hinge_rotation_x = 0.1, hinge_rotation_y = 0.1, elongation = 0.1, curvature_x = 1.0,

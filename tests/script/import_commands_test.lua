@@ -106,7 +106,8 @@ case("wipe at the beginning and at the end of a file leaves one model, without a
     .. "    ops.model('basic', '-ndm', 2, '-ndf', 3)\n    ops.node(1, 0.0, 0.0)\n    ops.node(2, 0.0, h)\n"
     .. "    ops.fix(1, 1, 1, 1)\n    ops.geomTransf('Linear', 1)\n"
     .. "    ops.element('elasticBeamColumn', 1, 1, 2, 0.01, 2e11, 1e-4, 1)\n"
-  local of_python = import.tcl { file = write("wipe.py", python), units = newton_metres }
+  local of_python = import.tcl { file = write("wipe.py", python), units = newton_metres,
+    run_python = true }
   equal(of_python.nodes[2].z, 4, "in Python")
 end)
 

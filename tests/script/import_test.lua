@@ -914,11 +914,11 @@ proc f {x} {
   node 7 $x 0 0
 }
 f 7
-set a [f 8]
-for {set i 0} {$i < $b} {incr i} {
-  node 9 0 0 0
-}
-fix 7 1 1 1 1 1 1
+set a [nodeDisp 2 1]
+node 9 [expr {$a + 1}] 0 0
+foo 1
+puts "node 2 0 0 5; mass 2 1 1 1 1 1 1"
+fix 9 1 1 1 1 1 1
 element forceBeamColumn 4 1 2 1 HingeRadau 1 0.1
 geomTransf Linear 2 1 0 0 -shift 1
 rigidDiaphragm 3 1
@@ -930,8 +930,8 @@ rigidDiaphragm 3 1
     [15] = "pattern was not read, see line 16",
     [16] = "timeSeries 1 was not read", [17] = "command sp", [18] = "-beamUniform",
     [19] = "-beamPoint", [20] = "element 2 was not read, see line 8",
-    [22] = "procedure f is not followed; nor is what stands in it, 2 lines", [25] = "command f ",
-    [26] = "value of the command f", [27] = "variable b has no value; nor is", [30] = "node 7 is not there; a line",
+    [27] = "hangs on a result of the analysis", [28] = "command foo ",
+    [30] = "node 9 is not there; a line",
     [32] = "-shift", [33] = "needs two nodes" })
   equal(#frame.members, 1, "members")
   local _, of_python = python(python_head .. [[
@@ -953,7 +953,7 @@ element('shell', 2, 1, 2, 1, 1)
 for i in range(3):
     equalDOF(1, 2, 1)
 ]] .. python_end)
-  notes_are("python", of_python, 4, { [5] = "no member", [7] = "hangs on a result of the analysis",
+  notes_are("python", of_python, 4, { [7] = "hangs on a result of the analysis",
     [8] = "the module pylib is not there", [9] = "hangs on a result", [15] = "element shell", [17] = "hinge ties" })
   equal(at_line(of_python, 21).count, 3, "how often a line in a loop was run")
   equal(#of_python.skipped, 1, "what is computed is one entry: " .. tostring(of_python))
@@ -1054,11 +1054,12 @@ case("broken scripts of OpenSees are refused with the line", function()
     { "node 1 0 0 0\nnode 2 0 0 1\nelement elasticBeamColumn 1 1 2 5 8", "5: geomTransf 8 is not there" },
     { "load 1 1 0 0 0 0 0", "3: the load stands outside of a pattern" },
     { "node 1.5 0 0 0", "3: the tag is '1.5'; must be a whole number" },
-    { "for {set i 0} {$i < 3} {incr i} {\n node $i 0 0 0\n", "3: the brace { is not closed" },
-    { "set a \"x\n\n", "3: the quotes are not closed" }, { "set a [expr 1\n", "3: the bracket [ is not closed" },
-    { "set a {1}2", "3: there is no blank after a brace" }, { "model basic -ndm 2 -ndf 1",
+    { "for {set i 0} {$i < 3} {incr i} {\n node $i 0 0 0\n", "3: missing close-brace" },
+    { "set a \"x\n\n", "3: missing \"" }, { "set a [expr 1\n", "3: missing close-bracket" },
+    { "set a {1}2", "3: extra characters after close-brace" }, { "model basic -ndm 2 -ndf 1",
       "3: -ndm 2 -ndf 1 is no frame" },
-    { "while {1} {}", "more than 200000 commands" },
+    { "elment truss 1 1 2 1 1", "3: invalid command name \"elment\" (did you mean 'element'?)" },
+    { "node 1 0 0 $h", "3: can't read \"h\": no such variable" },
   } do
     refused(row[2], row[2], tcl, tcl_head .. row[1])
   end

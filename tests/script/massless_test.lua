@@ -56,10 +56,7 @@ case("rotary inertia of the mass counts: two frequencies of bending in a plane b
   local first, second = (p + math.sqrt(p ^ 2 - 4 * q)) / 2, (p - math.sqrt(p ^ 2 - 4 * q)) / 2
   local function has(inverse)
     local wanted, best = 1 / math.sqrt(inverse) / (2 * math.pi), math.huge
-    for _, mode in ipairs(modes) do
-      local off = math.abs(mode.frequency / wanted - 1)
-      if off < best then best = off end
-    end
+    for _, mode in ipairs(modes) do best = support.smallest_of(best, math.abs(mode.frequency / wanted - 1)) end
     expect(best < 1e-9, "%g Hz is off by %g", wanted, best)
   end
   has(first)
