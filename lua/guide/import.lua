@@ -41,7 +41,7 @@ TABLE:  "LOAD PATTERN DEFINITIONS"
 TABLE:  "FRAME LOADS - DISTRIBUTED"
    Frame=beam   LoadPat=DEAD   CoordSys=GLOBAL   Type=Force   Dir=Gravity   RelDistA=0   RelDistB=1 _
         FOverLA=20   FOverLB=20
-   Frame=left   LoadPat=WIND   CoordSys=GLOBAL   Type=Force   Dir=X   RelDistA=0   RelDistB=1   FOverLA=2   FOverLB=4
+   Frame=left   LoadPat=WIND   CoordSys=SITE   Type=Force   Dir=X   RelDistA=0   RelDistB=1   FOverLA=2   FOverLB=4
 TABLE:  "JOINT LOADS - FORCE"
    Joint=2   LoadPat=WIND   CoordSys=GLOBAL   F1=10   F2=0   F3=0   M1=0   M2=0   M3=0
 TABLE:  "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"
@@ -80,8 +80,8 @@ return hinge.scenario {
     local frame, notes = import.s2k { file = write_sample(folder) }
     print(notes)
 
-    -- Put in by hand what was not read: a mean wind load on the left column.
-    table.insert(frame.cases[2].loads, { member = "left", q = { 3e3, 0, 0 } })
+    -- Put in by hand what was not read: the wind on the left column. SITE has the directions of GLOBAL.
+    table.insert(frame.cases[2].loads, { member = "left", q = { a = { 2e3, 0, 0 }, b = { 4e3, 0, 0 } } })
     local options = { model = { displacement = "small" } }
     local model, nodes = import.build(frame, options)
     local vertical, sway = statics("the model", model, nodes)

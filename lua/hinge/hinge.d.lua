@@ -1397,8 +1397,8 @@ local import = {}
 ---T), FRAME AUTO MESH (at joints), JOINT CONSTRAINT ASSIGNMENTS with CONSTRAINT DEFINITIONS - DIAPHRAGM, - BODY and -
 ---EQUAL (where a support holds one of the joints), JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED, JOINT and FRAME ADDED MASS
 ---ASSIGNMENTS, MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS,
----LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, and FRAME LOADS - DISTRIBUTED if uniform over the
----whole frame. Sections have the properties that the file states, and the size, the outline and what is left out of
+---LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, FRAME LOADS - DISTRIBUTED (forces).
+---Sections have the properties that the file states, and the size, the outline and what is left out of
 ---their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000
 ---times the area. Areas are one note with their size, loads and weight. A file that contradicts itself is an error with
 ---its line.
@@ -1442,7 +1442,7 @@ function import.s2k(options) end
 ---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
 ---to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT, DIAPH, SPRINGPROP), MATERIAL
 ---PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC LOADS, POINT OBJECT
----LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS if uniform over the whole line. A joint is a point on a storey,
+---LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS. A joint is a point on a storey,
 ---"3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes,
 ---releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
 ---hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Of areas the

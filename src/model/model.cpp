@@ -73,7 +73,7 @@ void Model::check_member(const MemberData& m) const {
             number_text(m.material->yield_stress) +
             " Pa; give a material without yield_stress, such as hinge.material.concrete 'C30/37'");
     must_be_finite(m.up, "up", "");
-    if (m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
+    if (!m.is_moved && m.up.cross(chord).norm() <= 1e-6 * m.up.norm() * length)
         throw InputError("up is " + vector_text(m.up) + ", parallel to the member (" + vector_text(chord) +
                          " m); it gives the direction of the section's y axis and must point across the member");
     if (m.carries != Carries::both && !m.material->laws.empty())

@@ -113,6 +113,7 @@ struct MemberData {
     Carries carries = Carries::both;
     /// Bit i: end i is joined to its node by a joint (effects/joints.h), so that it has a node of its own.
     std::uint8_t joints = 0;
+    bool is_moved = false;  ///< by offsets of its ends, beside which `up` is checked
     bool has_joint(int end) const { return joints >> end & 1; }
     /// What the nodes inside stand off the line between its ends, m: half a sine wave with `bow` in the middle, and
     /// `inner`, one for each, or empty. The two elements of a pair are in line, since the pair's bending

@@ -57,6 +57,11 @@ local function rigid(i, j, factor, kind)
 end
 local function point(fields) return 'TABLE:  "FRAME INSERTION POINT ASSIGNMENTS"\n   Frame=1   ' .. fields .. "\n" end
 
+local function spread(fields)
+  return 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   ' .. fields
+    .. "\n"
+end
+
 -- Displacements of the head and reactions of the foot.
 local function solved(frame, options)
   local model, nodes = import.build(frame, { model = { displacement = "small" },
@@ -199,24 +204,46 @@ local function together(frame)
       M = M + l.moment[2]
     else
       local a, b = frame_module.ends(member[l.member], node)
-      F, M = F + l.q[1] * (b.z - a.z), M + l.q[1] * (b.z ^ 2 - a.z ^ 2) / 2
+      local from, to = l.from or 0, l.to or 1
+      local qa, qb = (l.q.a or l.q)[1], (l.q.b or l.q)[1]
+      for k = 0, 1 do -- Gauss points: exact for a linear load
+        local t = 0.5 + (k - 0.5) / math.sqrt(3)
+        local s, w = from + t * (to - from), (to - from) * (b.z - a.z) / 2
+        local q = qa + t * (qb - qa)
+        F, M = F + w * q, M + w * q * (a.z + s * (b.z - a.z))
+      end
     end
   end
   return F, M
 end
 
-case("a uniform load is whole, with rigid ends and joints on the member", function()
-  for _, more in ipairs { "", rigid(0.5, 0.3, 1), point "CardinalPt=8" .. rigid(0.5, 0.3, 0.7) } do
-    for _, joint in ipairs { false, 1.5 } do
-      local frame, notes = column(more .. 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   '
-        .. "CoordSys=GLOBAL   Type=Force   Dir=X   RelDistA=0   RelDistB=1   FOverLA=2   FOverLB=2\n",
-        { joint = joint })
-      equal(#notes, 0, tostring(notes))
-      local F, M = together(frame)
-      near(F, 6e3, 1e-8, "force")
-      near(M, 9e3, 1e-8, "moment")
+case("trapezoids over a part: force and moment as in the file, with rigid ends and joints on the member", function()
+  for _, row in ipairs { { 0, 3, 1, 1 }, { 0, 3, 0, 4 }, { 0.4, 2.2, 2, 5 }, { 0.1, 0.3, 1, 1 }, { 0.2, 2.9, -1, 3 },
+    { 2.75, 3, 2, 1 } } do
+    for _, more in ipairs { "", rigid(0.5, 0.3, 1), point "CardinalPt=8" .. rigid(0.5, 0.3, 0.7) } do
+      for _, joint in ipairs { false, 1.5 } do
+        local a, b, p, q = table.unpack(row)
+        local frame, notes = column(more .. spread(("Dir=X   DistType=RelDist   RelDistA=%.15g   RelDistB=%.15g   "
+          .. "AbsDistA=7   AbsDistB=7   FOverLA=%g   FOverLB=%g"):format(a / 3, b / 3, p, q)), { joint = joint })
+        equal(#notes, 0, tostring(notes))
+        local F, M = together(frame)
+        local mean = (p + q) / 2 * (b - a) * 1e3
+        near(F, mean, 1e-9 * 1e4, "force")
+        -- the first moment of a trapezoid: uniform p, and a triangle to q - p
+        near(M, 1e3 * (p * (b ^ 2 - a ^ 2) / 2 + (q - p) * (b - a) * (a + 2 * (b - a) / 3) / 2), 1e-5, "moment")
+      end
     end
   end
+end)
+
+case("a distance in units of the file, and loads beside the member", function()
+  local frame = column(spread "Dir=X   DistType=AbsDist   AbsDistA=1   AbsDistB=2   FOverLA=3   FOverLB=3")
+  local load = frame.cases[1].loads[1]
+  near(load.from, 1 / 3, 1e-12, "from")
+  near(load.to, 2 / 3, 1e-12, "to")
+  equal(load.q[1], 3e3, "q")
+  local good, problem = pcall(column, spread "Dir=X   RelDistA=0   RelDistB=1.5   FOverLA=3   FOverLB=3")
+  expect(not good and problem:find("RelDistB is 1.5; the load is beside the member", 1, true), "%s", problem)
 end)
 
 case("forces and moments at a point of a member", function()

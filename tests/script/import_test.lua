@@ -622,9 +622,11 @@ $ LOAD COMBINATIONS
 ]]
   local q = frame.cases[1].loads[1].q
   equal(("%g %g %g"):format(q[1], q[2], q[3]), "0 0 -5000", "the uniform load, N/m")
-  equal(#frame.cases[1].loads, 1, "and no other")
+  local more = frame.cases[1].loads[2].q
+  equal(("%g %g"):format(more.a[3], -more.b[3]), "-5000 0", "the trapezoid, N/m")
+  equal(#frame.cases[1].loads, 2, "and no other")
   local text = tostring(notes)
-  for offset, words in pairs { [2] = "PROPMOD", [5] = "spring soft is not read", [8] = "uniform",
+  for offset, words in pairs { [2] = "PROPMOD", [5] = "spring soft is not read",
     [9] = "without RDIST", [11] = "area" } do
     local line = etabs_head + offset
     local entry
@@ -879,12 +881,12 @@ TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
    Material=T   UnitMass=1
 ]] })
   notes_are("s2k", notes, head, { [2] = "no member", [4] = "curved", [9] = "above 0", [12] = "no section",
-    [13] = "section N was not read, see line 26", [15] = "uniform", [16] = "uniform", [17] = "forces alone",
+    [13] = "section N was not read, see line 26", [17] = "forces alone",
     [18] = "direction", [19] = "frame was not read", [21] = "GLOBAL alone", [22] = "no member",
     [24] = { "partial", "P, V2 and V3" }, [25] = "table is not read", [30] = "another temperature", [31] = "no E1" })
   equal(#frame.members, 1, "members")
   expect(at_line(notes.skipped, head + 27), "grid lines are no part of a frame: %s", tostring(notes))
-  expect(tostring(notes):find("not read (17):", 1, true), "print shows them: %s", tostring(notes))
+  expect(tostring(notes):find("not read (15):", 1, true), "print shows them: %s", tostring(notes))
 end)
 
 case("what OpenSees has and is not read is noted with its line, in Tcl and in Python", function()

@@ -110,6 +110,22 @@ case("a cantilever whose wall is at an offset: moments by hand, and the length b
   near(run:read("z")[1], 0.1, 1e-3, "middle of the member, z")
 end)
 
+-- The section's default direction goes by the line between the ends, not by that between the nodes.
+case("a raker between nodes above each other, and a post between nodes that are not, need no `up`", function()
+  for _, by in ipairs { { node = { 0, 0, 3 }, a = { 0.5, 0, 0 } }, { node = { 0.5, 0, 3 }, a = { 0.5, 0, 0 } } } do
+    local u = {}
+    for i, how in ipairs { "offset", "nodes" } do
+      local m = hinge.model { displacement = "small" }
+      local foot, head = m:node(how == "offset" and { 0, 0, 0 } or by.a), m:node(by.node)
+      m:fix(foot)
+      m:member { foot, head, section = beam, material = steel, offset = how == "offset" and { a = by.a } or nil }
+      m:load { node = head, force = { 1e3, 2e3, 0 } }
+      u[i] = { head:displacement(m:static { steps = 1 }:finish()) }
+    end
+    for k = 1, 6 do near(u[1][k], u[2][k], 1e-7 * math.abs(u[2][2]), "displacement " .. k) end
+  end
+end)
+
 case("a node with offset ends alone carries loads, masses and a floor", function()
   local function frame(how)
     local m = hinge.model {}

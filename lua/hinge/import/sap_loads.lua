@@ -4,7 +4,6 @@ local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
 
 local near = 1e-6 -- of a member's length
-local over_parts = false -- whether model:load takes `from`, `to` and a q that varies
 
 -- Directions of loads along members: axes of hinge, and the load of size 1 there. Axes 1, 2, 3 are z, y, -x.
 local global = { X = { 1, 0, 0 }, Y = { 0, 1, 0 }, Z = { 0, 0, 1 }, GRAVITY = { 0, 0, -1 } }
@@ -79,12 +78,8 @@ end
 
 -- A load that is w1 at s1 and w2 at s2, N/m, linear between; s from the member's first joint, m.
 function Loads:spread(case, row, member, given)
-  local reader = self.reader
   local list, whole = self:parts_of(member)
   local s1, s2 = given.s1, given.s2
-  if not over_parts and (s1 > 0 or s2 < whole or given.w1 ~= given.w2) then
-    return reader:not_read(row, "loads that are uniform over the whole member alone are read")
-  end
   local function w(s) return given.w1 + (given.w2 - given.w1) * (s - s1) / (s2 - s1) end
   for _, p in ipairs(list) do
     local low, high = math.max(s1, p.first), math.min(s2, p.last)

@@ -78,34 +78,8 @@ function Ties:held_in_plane(nodes, axis)
   return false, free
 end
 
--- Joints at which a member has a rigid, moved or released end: other nodes follow them by rigid links, and hinge lets
--- no such joint follow a diaphragm.
-function Ties:joints_that_lead()
-  local leads = {}
-  for _, m in ipairs(self.reader.frame.members) do
-    for _, at in ipairs { "a", "b" } do
-      if m.offset and m.offset[at] or m.release and m.release[at] then leads[m[at]] = true end
-    end
-  end
-  return leads
-end
-
--- The joints of a diaphragm that can be tied; a note has the others.
-function Ties:tied(row, nodes, leads)
-  local kept = {}
-  for _, node in ipairs(nodes) do
-    if not leads[node.name] then kept[#kept + 1] = node end
-  end
-  local lost = #nodes - #kept
-  if lost > 0 then
-    self.lost_joints = (self.lost_joints or 0) + lost
-    self.lost_row = self.lost_row or row
-  end
-  return kept
-end
-
 function Ties:read_diaphragms(of)
-  local reader, leads = self.reader, self:joints_that_lead()
+  local reader = self.reader
   for _, row in ipairs(reader:rows "CONSTRAINT DEFINITIONS - DIAPHRAGM") do
     local axis = (row:text "Axis" or "Z"):lower()
     if axis == "auto" then axis = "z" end
@@ -120,17 +94,12 @@ function Ties:read_diaphragms(of)
         if #free < #part then
           reader:not_read(row, "joints of the diaphragm that a support holds in a part of its plane are left out of it")
         end
-        part = self:tied(row, free, leads)
+        part = free
       end
       if not held and #part > 1 then
         table.insert(reader.frame.diaphragms, { nodes = names_of(part), normal = axis })
       end
     end
-  end
-  if self.lost_joints then
-    local row = self.lost_row
-    reader:not_read(row, ("diaphragms leave out %d joints at which a member has a rigid, moved or released end: hinge "
-      .. "ties such a joint to no diaphragm; the members alone hold it in its floor"):format(self.lost_joints))
   end
 end
 

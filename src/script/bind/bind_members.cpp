@@ -112,7 +112,7 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
         if (carries == carries_word(c)) data.carries = c;
     given.joints = read_joints(o);
     for (int end : {0, 1}) data.joints |= std::uint8_t(given.joints[end] || given.offsets[end] ? 1 << end : 0);
-    const bool moved = given.offsets[0] || given.offsets[1];
+    const bool moved = data.is_moved = given.offsets[0] || given.offsets[1];
     if (moved && !(chord.norm() > 1e-9 * std::max(1.0, m->nodes()[b].position.cwiseAbs().maxCoeff())))
         o.complain("offset", "given", "brings both ends of the member to one place");
     if (moved && !(data.up.cross(chord).norm() > 1e-6 * data.up.norm() * chord.norm()))
