@@ -4,7 +4,7 @@
 --
 -- Run: HINGE_MODELS=folder lua5.4 tests/script/import_models_test.lua [table.csv], with the module on LUA_CPATH. In the
 -- place of a folder it may be a text file, with a file or a folder on each line.
--- HINGE_MODELS_PYTHON=yes runs the Python files too: they are programs, and run with the rights of who starts this.
+-- HINGE_MODELS_PYTHON=yes runs the Python files too, as hinge export --run-python does.
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "models at hand"
