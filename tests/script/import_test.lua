@@ -1067,6 +1067,9 @@ case("broken scripts of OpenSees are refused with the line", function()
   end
   refused("before model", "1: the command stands before: model", tcl, "node 1 0 0 0")
   refused("no node", "has no node that was read", tcl, tcl_head)
+  refused("no command", "it calls no command of OpenSees: if its functions do, give the file that calls them", tcl,
+    "proc frame {} { node 1 0 0 }")
+  refused("no -ndm", "1: the number of dimensions is missing: model basic -ndm 2, or -ndm 3", tcl, "model Tcl2dTruss")
   for _, row in ipairs {
     { "x = (1,\n  2\n", "5: SyntaxError: '(' was never closed" }, { "x = 1)", "5: SyntaxError: unmatched ')'" },
     { "x = 'a\n", "5: SyntaxError: unterminated string literal" },

@@ -225,8 +225,11 @@ end
 --- Ends the reading: frame, notes.
 function Reader:finish()
   models.choose(self)
-  if #self.frame.nodes == 0 then check.fail("%s: %s has no node that was read%s", self.where, self.frame.source,
-    #self.notes > 0 and "; the first line that was not read: " .. self.notes[1].text or "") end
+  if #self.frame.nodes == 0 then
+    local why = #self.notes > 0 and "; the first line that was not read: " .. self.notes[1].text
+      or not self.command and "; it calls no command of OpenSees: if its functions do, give the file that calls them"
+    check.fail("%s: %s has no node that was read%s", self.where, self.frame.source, why or "")
+  end
   self.used = {} -- nodes without a member that a spring or a tie has read
   ends.finish(self)
   local joined = {}

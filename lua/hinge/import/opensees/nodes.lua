@@ -10,10 +10,11 @@ local commands = {}
 
 function commands.model(self, args)
   local ndm, ndf = arguments.number_of(self, args, "-ndm"), arguments.number_of(self, args, "-ndf")
+  if not ndm then self:fail("the number of dimensions is missing: model basic -ndm 2, or -ndm 3") end
   ndf = ndf or ndm == 2 and 3 or 6
   if not (ndm == 2 and (ndf == 2 or ndf == 3) or ndm == 3 and (ndf == 3 or ndf == 6)) then
     self:fail("-ndm %s -ndf %s is no frame; frames have 2 and 3, or 3 and 6, trusses 2 and 2, or 3 and 3",
-      tostring(args[(option(args, "-ndm") or -1) + 1]), tostring(ndf))
+      args[option(args, "-ndm") + 1], tostring(ndf))
   end
   if self.ndm and self.ndm ~= ndm and #self.frame.nodes > 0 then
     self:fail("the number of dimensions changes from %d to %d", self.ndm, ndm)
