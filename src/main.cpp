@@ -11,7 +11,7 @@
 #include "live/live.h"
 #include "new_project.h"
 #include "prompt.h"
-#include "script/files/folders.h"
+#include "record/folders.h"
 #include "script/lua/interrupts.h"
 #include "script/lua/lua_module.h"
 #include "script/lua/objects.h"

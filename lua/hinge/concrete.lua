@@ -1,9 +1,9 @@
 -- A rectangle of reinforced concrete, from its sizes, its bars and its strengths.
 --
--- It yields by the ultimate states of its strains (src/beam/ultimate_states.h): EN 1992-1-1, table 3.1, 3.1.7 and 3.2.7
+-- It yields by the ultimate states of its strains (src/section/ultimate_states.h): EN 1992-1-1, table 3.1, 3.1.7 and 3.2.7
 -- (parabola and rectangle, bars without a limit of strain), or the block of ACI 318.
 --
--- strains = "plastic": by the plastic interaction of concrete and bars (src/beam/plastic_domain.h). Two numbers bring
+-- strains = "plastic": by the plastic interaction of concrete and bars (src/section/plastic_domain.h). Two numbers bring
 -- that near the ultimate states of EN: bars carry at most Es 0.002 = 400 MPa in compression, their stress where the
 -- whole section is at that strain; and the concrete carries `effectiveness` of its strength, 0.95.
 -- lua/guide/concrete.md has the errors.

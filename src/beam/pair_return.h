@@ -24,7 +24,7 @@
 #pragma once
 
 #include "beam/elastic_pair.h"
-#include "beam/section_law.h"
+#include "section/section_law.h"
 
 namespace hinge::beam {
 

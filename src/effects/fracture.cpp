@@ -1,5 +1,5 @@
 // When elements break (eq 16): limits of curvature and axial strain, or rules of the script's own.
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 
 #include <algorithm>
 #include <array>

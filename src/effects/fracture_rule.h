@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 
 namespace hinge {
 
 /// Data of a section of an element at the end of a step, passed to a script's own fracture rule. Strains are the
-/// element's (beam/fracture_limits.h); the rotation of the hinge is the section's (HingeLimits::rotation).
+/// element's (section/fracture_limits.h); the rotation of the hinge is the section's (HingeLimits::rotation).
 struct SectionView {
     double time, dt;           ///< s, of the step's end; of the step
     double step;               ///< from 1

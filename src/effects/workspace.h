@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 #include "core/failure.h"
 #include "core/thread_pool.h"
 #include "state/breaking.h"

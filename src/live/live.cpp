@@ -4,12 +4,12 @@
 #include <cctype>
 #include <random>
 
-#include "script/checks/chain.h"
-#include "script/record/frame_pack.h"
-#include "script/record/element_events.h"
-#include "script/record/recording.h"
-#include "script/record/snapshot.h"
-#include "script/record/summary.h"
+#include "advice/chain.h"
+#include "record/frame_pack.h"
+#include "record/element_events.h"
+#include "record/recording.h"
+#include "record/snapshot.h"
+#include "record/summary.h"
 
 namespace hinge::live {
 namespace {

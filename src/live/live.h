@@ -7,7 +7,7 @@
 
 #include "live/server.h"
 #include "output/picture.h"
-#include "script/record/events.h"
+#include "record/events.h"
 #include "script/lua/run_observer.h"
 
 namespace hinge::live {

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "beam/material_law.h"
-#include "beam/plastic_domain.h"
+#include "section/material_law.h"
+#include "section/plastic_domain.h"
 #include "core/errors.h"
 #include "core/text.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 #include "model/structure.h"
 
 namespace hinge {

@@ -31,11 +31,11 @@ struct Material {
     double yield_stress = std::numeric_limits<double>::infinity();  ///< Pa
     std::string asked_at = {};                                      ///< the script's line, "" where none
     std::vector<std::shared_ptr<const beam::MaterialLaw>> laws =
-        {};  ///< hardening, effect of the strain rate (src/laws)
+        {};  ///< hardening, effect of the strain rate (src/section/laws)
 };
 
-/// Interaction of N, Mx and My where a section yields (src/laws): eq 14, or that of its outline, without or with what
-/// shear forces take off. by_model: as the model's option says.
+/// Interaction of N, Mx and My where a section yields (src/section/laws): eq 14, or that of its outline, without or
+/// with what shear forces take off. by_model: as the model's option says.
 enum class Interaction : std::uint8_t { by_model, paper, exact, exact_with_shear };
 inline bool is_exact(Interaction i) { return i == Interaction::exact || i == Interaction::exact_with_shear; }
 Interaction interaction_of(const std::string& word);  ///< "paper", "exact", "exact with shear"
@@ -87,7 +87,7 @@ struct NodeData {
 };
 
 /// Reason for the number of elements of a member: given by the script, or chosen by a run for elements = "auto"
-/// (undecided: not yet; see script/checks/element_count.h).
+/// (undecided: not yet; see advice/element_count.h).
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
 /// Which axial forces a member carries: both signs, tension alone (cables, slender braces) or compression alone (props,
@@ -104,9 +104,10 @@ struct MemberData {
     Vec3 up;
     int elements;
     std::vector<int> groups;  ///< the first one colours it
-    /// Strength of its ends over their plastic rotation (laws/backbone.cpp); null: constant.
+    /// Strength of its ends over their plastic rotation (section/laws/backbone.cpp); null: constant.
     std::shared_ptr<const beam::MaterialLaw> backbone = nullptr;
-    std::shared_ptr<const beam::MaterialLaw> law = nullptr;  ///< of the script, for all its sections (laws/own_law.cpp)
+    std::shared_ptr<const beam::MaterialLaw> law =
+        nullptr;  ///< of the script, for all its sections (section/laws/own_law.cpp)
     ElementsBy elements_by = ElementsBy::script;
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "model/model.h"
 
 namespace hinge {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <set>
 
-#include "beam/material_law.h"
-#include "beam/section_law.h"
+#include "section/material_law.h"
+#include "section/section_law.h"
 #include "model/structure.h"
 
 namespace hinge {

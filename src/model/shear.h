@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 #include "model/model.h"
 
 namespace hinge {

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "core/errors.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 #include "model/member_ends.h"
 #include "model/section_laws.h"
 #include "model/shear.h"

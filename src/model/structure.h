@@ -10,7 +10,7 @@
 
 #include "beam/element_mass.h"
 #include "beam/timoshenko.h"
-#include "beam/section_law.h"
+#include "section/section_law.h"
 #include "model/model.h"
 
 namespace hinge {

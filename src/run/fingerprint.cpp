@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "beam/material_law.h"
-#include "beam/plastic_domain.h"
+#include "section/material_law.h"
+#include "section/plastic_domain.h"
 #include "core/archive.h"
 
 namespace hinge {

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "beam/section_law.h"
+#include "section/section_law.h"
 #include "core/failure.h"
 #include "core/thread_pool.h"
 #include "state/configuration.h"

@@ -6,7 +6,7 @@
 //   p = stiffness . p_cold(d - heat - plastic)
 //
 // where heat is the deformation that the element would take without force. The yield surface shrinks by `strength`
-// (beam/softened_law.h).
+// (section/softened_law.h).
 #pragma once
 
 #include <vector>

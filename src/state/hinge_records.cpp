@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 
 namespace hinge {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "beam/pair_return.h"
-#include "beam/softened_law.h"
+#include "section/softened_law.h"
 #include "state/element_assembly.h"
 
 namespace hinge {

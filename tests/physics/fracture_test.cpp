@@ -1,5 +1,5 @@
 // Fracture (paper 2.3, eq 16, figs 4 and 5): what it conserves, what it costs, when it happens.
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 #include "helpers.h"
 #include "state/breaking.h"
 

@@ -15,7 +15,7 @@ local function steel(hardening)
   return hinge.material { E = 210e9, density = 7850, yield_stress = fy, hardening = hardening }
 end
 
--- Linear hardening as laws/hardening.cpp has it, by its two kinds.
+-- Linear hardening as section/laws/hardening.cpp has it, by its two kinds.
 local isotropic = { variables = 1, step = function(flow, history)
   local strain = history[1] + flow.strain
   return 1 + H / fy * strain, nil, { strain }

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "beam/pair_return.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 #include "helpers.h"
 
 using namespace hinge;

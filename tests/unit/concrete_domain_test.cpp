@@ -3,7 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "helpers.h"
 
 using namespace hinge;

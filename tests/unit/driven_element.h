@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "helpers.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 
 namespace hinge::test::element {
 

@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "beam/fracture_limits.h"
+#include "section/fracture_limits.h"
 
 using namespace hinge;
 

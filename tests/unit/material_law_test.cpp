@@ -383,7 +383,7 @@ TEST_CASE("eq 14: a moment far beyond the surface comes back to it", "[material_
     }
 }
 
-// The same law twice: laws/hardening.cpp, and its formulas as a function.
+// The same law twice: section/laws/hardening.cpp, and its formulas as a function.
 TEST_CASE("own law: hardening as a function gives what hardening gives", "[material_law]") {
     const double H = 4e9;
     const auto size = [](const Vec6& p) {

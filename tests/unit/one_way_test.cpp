@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "helpers.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 
 using namespace hinge;
 using namespace hinge::beam;

@@ -1,5 +1,5 @@
 // The exact plastic interaction of N, Mx and My: against fibres, closed forms, differences, and its own rules.
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 
 #include <Eigen/Eigenvalues>
 #include <numbers>

@@ -4,7 +4,7 @@
 #include <functional>
 #include <numbers>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "helpers.h"
 #include "model/model.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "helpers.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 
 namespace hinge::test::sections {
 

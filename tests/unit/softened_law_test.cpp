@@ -1,7 +1,7 @@
 // The law of a section that heat has weakened: it is the law that was declared with less strength.
-#include "beam/softened_law.h"
+#include "section/softened_law.h"
 #include "helpers.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 
 using namespace hinge;
 using namespace hinge::beam;

@@ -2,7 +2,7 @@
 #include "beam/tangent.h"
 
 #include "beam/timoshenko.h"
-#include "beam/yield.h"
+#include "section/yield.h"
 #include "helpers.h"
 
 using namespace hinge;

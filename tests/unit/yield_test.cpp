@@ -1,5 +1,5 @@
 // Plastic hinges: the return to the surface of eq 14, and what moving the integration point leaves alone.
-#include "beam/yield.h"
+#include "section/yield.h"
 
 #include "helpers.h"
 #include "state/hinges.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/text.h"
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 #include "script/bind/material_laws.h"
 #include "script/lua/objects.h"
 

@@ -1,5 +1,5 @@
 // core.pack_frames: the frames of a run, packed for a page.
-#include "script/record/frame_pack.h"
+#include "record/frame_pack.h"
 #include "script/lua/picture_module.h"
 
 namespace hinge::script {

@@ -6,8 +6,8 @@
 #include <cstring>
 
 #include "script/lua/objects.h"
-#include "script/record/joint_ratings.h"
-#include "script/record/storeys.h"
+#include "record/joint_ratings.h"
+#include "record/storeys.h"
 #include "state/hinge_records.h"
 
 namespace hinge::script {

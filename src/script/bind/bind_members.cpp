@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "script/bind/bind_joints.h"
 #include "script/bind/material_laws.h"
-#include "script/checks/size_notice.h"
+#include "advice/size_notice.h"
 #include "script/lua/objects.h"
 
 namespace hinge::script {

@@ -1,7 +1,7 @@
 // hinge.model, and how a script adds nodes, supports, members, loads and velocities to it.
 #include <algorithm>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "effects/gravity.h"
 #include "script/bind/bind_members.h"
 #include "script/lua/objects.h"

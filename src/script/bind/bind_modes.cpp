@@ -7,8 +7,8 @@
 #include "run/eigenmodes.h"
 #include "run/statics.h"
 #include "script/bind/mode_box.h"
-#include "script/checks/check.h"
-#include "script/record/snapshot.h"
+#include "advice/check.h"
+#include "record/snapshot.h"
 
 namespace hinge::script {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/text.h"
 #include "effects/loads.h"
 #include "model/member_ends.h"
-#include "beam/material_law.h"
+#include "section/material_law.h"
 #include "script/bind/bind_joints.h"
 #include "script/lua/objects.h"
 

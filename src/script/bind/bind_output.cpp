@@ -4,14 +4,14 @@
 
 #include "core/files.h"
 #include "core/text.h"
-#include "script/checks/chain.h"
-#include "script/checks/check.h"
-#include "script/record/events.h"
-#include "script/files/folder_lock.h"
-#include "script/files/folders.h"
+#include "advice/chain.h"
+#include "advice/check.h"
+#include "record/events.h"
+#include "record/folder_lock.h"
+#include "record/folders.h"
 #include "script/files/quoting.h"
-#include "script/record/element_events.h"
-#include "script/record/summary.h"
+#include "record/element_events.h"
+#include "record/summary.h"
 #include "run/dynamics.h"
 
 namespace hinge::script {

@@ -5,9 +5,9 @@
 #include "output/film.h"
 #include "output/hinge_marks.h"
 #include "script/files/drawing.h"
-#include "script/files/folders.h"
+#include "record/folders.h"
 #include "script/lua/picture_module.h"
-#include "script/record/view.h"
+#include "script/bind/view.h"
 
 namespace hinge::script {
 namespace {

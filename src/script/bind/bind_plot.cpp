@@ -13,10 +13,10 @@
 
 #include "core/files.h"
 #include "core/programs.h"
-#include "script/files/folders.h"
+#include "record/folders.h"
 #include "script/files/walls.h"
 #include "script/lua/objects.h"
-#include "script/record/recording.h"
+#include "record/recording.h"
 
 namespace hinge::script {
 namespace {

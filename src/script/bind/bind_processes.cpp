@@ -19,7 +19,7 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include "core/text.h"
-#include "script/record/events.h"
+#include "record/events.h"
 #include "script/lua/run_observer.h"
 #include "script/files/processes.h"
 

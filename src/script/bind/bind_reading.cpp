@@ -5,7 +5,7 @@
 #include "script/bind/bind_along.h"
 #include "script/bind/bind_joints.h"
 #include "script/lua/objects.h"
-#include "script/record/recording.h"
+#include "record/recording.h"
 
 namespace hinge::script {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "beam/material_law.h"
-#include "beam/plastic_domain.h"
+#include "section/material_law.h"
+#include "section/plastic_domain.h"
 #include "model/plastic_shape.h"
 #include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"

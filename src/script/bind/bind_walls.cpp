@@ -4,11 +4,11 @@
 
 #include "core/files.h"
 #include "script/files/drawing.h"
-#include "script/files/folder_lock.h"
-#include "script/files/folders.h"
+#include "record/folder_lock.h"
+#include "record/folders.h"
 #include "script/files/walls.h"
 #include "script/lua/objects.h"
-#include "script/record/events.h"
+#include "record/events.h"
 
 namespace hinge::script {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "laws/laws.h"
+#include "section/laws/laws.h"
 
 namespace hinge::script {
 namespace {

@@ -8,9 +8,9 @@
 #include "effects/contact.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
-#include "script/checks/chain.h"
-#include "script/checks/check.h"
-#include "script/record/recording.h"
+#include "advice/chain.h"
+#include "advice/check.h"
+#include "record/recording.h"
 
 namespace hinge::script {
 namespace {

@@ -106,7 +106,7 @@ double strength(Options& o, const char* field) {
     return stress;
 }
 
-/// Strains of concrete, and E of the bars (beam/ultimate_states.h).
+/// Strains of concrete, and E of the bars (section/ultimate_states.h).
 beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
     if (!lua_istable(L, -1)) throw InputError(what + " is " + show(L, -1) + "; must be a table");
     Options s(L, -1, what);

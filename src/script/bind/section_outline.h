@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "beam/plastic_domain.h"
+#include "section/plastic_domain.h"
 #include "script/lua/lua_support.h"
 
 namespace hinge::script {

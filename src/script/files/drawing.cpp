@@ -10,7 +10,7 @@
 
 #include "core/archive.h"
 #include "core/files.h"
-#include "script/files/folders.h"
+#include "record/folders.h"
 #include "script/files/walls.h"
 #include "script/lua/picture_module.h"
 

@@ -3,7 +3,7 @@
 
 #include <lua.hpp>
 
-#include "script/record/drawing_order.h"
+#include "record/drawing_order.h"
 
 namespace hinge::script {
 

@@ -1,7 +1,7 @@
 #include "script/lua/kept_values.h"
 
 #include "core/archive.h"
-#include "script/record/probe_list.h"
+#include "script/bind/probe_list.h"
 
 namespace hinge::script {
 namespace {

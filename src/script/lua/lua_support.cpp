@@ -1,6 +1,6 @@
 #include "script/lua/lua_support.h"
 
-#include "script/record/probe_list.h"
+#include "script/bind/probe_list.h"
 
 #include <algorithm>
 #include <cctype>

@@ -31,7 +31,7 @@ export const diagrams = {
 const is_known = (frames, bar, kind) => diagrams[kind].sags === undefined || !frames.pointed.has(bar);
 
 /// The value at a share t of the length: a straight line between the ends and what loads between them add (add_sags of
-/// src/script/record/frame_pack.cpp).
+/// src/record/frame_pack.cpp).
 export function value_at(frames, frame, bar, kind, t) {
   const { ends, sags } = diagrams[kind], a = force(frames, frame, bar, ends[0]), b = force(frames, frame, bar, ends[1]);
   const straight = a + t * (b - a);

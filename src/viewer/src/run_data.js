@@ -247,7 +247,7 @@ export const force = (frames, frame, bar, c) =>
   frames.forces[(6 * frame + c) * frames.bars + bar] * frames.scale[6 * bar + c];
 /// The largest magnitude of that in any frame.
 export const largest_force = (frames, bar, c) => (frames.largest ? frames.largest[6 * bar + c] : 32767 * frames.scale[6 * bar + c]);
-/// What loads between an element's ends add to the straight line of a moment (src/script/record/frame_pack.cpp), N m. c: 0 and 1
+/// What loads between an element's ends add to the straight line of a moment (src/record/frame_pack.cpp), N m. c: 0 and 1
 /// of Mx, 2 and 3 of My: at the middle, and by how much the sum of the slopes at both ends differs.
 export const sag = (frames, frame, bar, c) => (frames.sags ? frames.sags[(4 * frame + c) * frames.bars + bar]
   * frames.sag_scale[4 * bar + c] : 0);

@@ -1,0 +1,147 @@
+#include "record/summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "effects/declared.h"
+#include "advice/element_count.h"
+#include "record/element_events.h"
+#include "record/joint_ratings.h"
+#include "advice/plan.h"
+#include "record/recording.h"
+#include "run/dynamics.h"
+#include "run/statics.h"
+
+namespace hinge::script {
+namespace {
+
+Json energy_json(const Run& run) {
+    const Energy e = run.energy();
+    Json j = {{"initial", e.initial}};
+    for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
+    j["energy_error"] = j["remainder"] = e.error;  // remainder: the name up to 0.2
+    return j;
+}
+
+constexpr std::size_t most_joints = 20;  // in the summary; hinges.csv has all
+
+Json joint_json(const Structure& s, const JointRating& j) {
+    Json row = {{"joint", j.connector ? connector_name(s, j.joint) : joint_name(s, j.joint)},
+                {"axis", joint_rating_names[j.which]},
+                {"node", s.node_name(j.node)},
+                {j.is_force() ? "force" : "moment", j.force},
+                {j.is_force() ? "largest_force" : "largest_moment", j.largest_force},
+                {"broken", j.broken}};
+    if (!j.is_force()) row["largest_rotation"] = j.largest, row["yielded"] = j.record->yielded;
+    if (std::isfinite(j.strength)) row["strength"] = j.strength;
+    if (std::isfinite(j.capacity)) row["capacity"] = j.capacity;
+    if (const double ratio = j.of_own_limit(); ratio > 0) row["ratio"] = ratio;
+    return row;
+}
+
+/// Joints: how many have yielded, broken or are beyond a limit of their own, and those that have come furthest: by
+/// their own limit, then by rotation. Or connectors, of which only a force at which they break counts.
+Json joints_json(const Run& run, bool connectors) {
+    std::vector<JointRating> list = joint_ratings(run);
+    std::erase_if(list, [connectors](const JointRating& j) { return j.connector != connectors; });
+    std::set<int> all, yielded, broken, beyond;
+    for (const JointRating& j : list) {
+        all.insert(j.joint);
+        if (j.record && j.record->yielded) yielded.insert(j.joint);
+        if (j.broken) broken.insert(j.joint);
+        if (j.failed || j.of_own_limit() > 1) beyond.insert(j.joint);
+    }
+    std::stable_sort(list.begin(), list.end(), [](const JointRating& a, const JointRating& b) {
+        return a.of_own_limit() != b.of_own_limit() ? a.of_own_limit() > b.of_own_limit() : a.largest > b.largest;
+    });
+    if (list.size() > most_joints) list.resize(most_joints);
+    Json j = {{"count", all.size()}};
+    if (!connectors) j["yielded"] = yielded.size();
+    j["broken"] = broken.size(), j["beyond_own_limit"] = beyond.size(), j["largest"] = Json::array();
+    for (const JointRating& r : list) j["largest"].push_back(joint_json(run.structure(), r));
+    return j;
+}
+
+/// Of all members and added masses, kg.
+double mass_of(const Structure& s) {
+    double mass = 0;
+    for (const Element& e : s.elements()) mass += e.mass();
+    for (const AddedMass& m : added_masses(s.model())) mass += m.mass.mass;
+    return mass;
+}
+
+}  // namespace
+
+Json probes_json(const RunRecord& r) {
+    Json list = Json::array();
+    for (const auto& p : r.probes) {
+        list.push_back({{"name", p->name},
+                        {"node", p->node + 1},
+                        {"quantity", node_quantities()[std::size_t(6 * int(p->quantity) + p->component)]},
+                        {"unit", unit_of(*p)}});
+        if (p->relative_to >= 0) list.back()["relative_to"] = p->relative_to + 1;
+        if (p->height > 0) list.back()["quantity"] = p->component == 0 ? "drift_x" : "drift_y";
+        if (p->height > 0) list.back()["height"] = p->height;
+    }
+    return list;
+}
+
+void describe_run(Json& j, const RunRecord& r) {
+    const Run& run = *r.run;
+    const Structure& s = run.structure();
+    j["kind"] = run.kind();
+    j["model"] = {{"members", s.model().members().size()},
+                  {"elements", s.elements().size()},
+                  {"nodes", s.position().size()},
+                  {"free_dofs", s.free_dofs()},
+                  {"mass", mass_of(s)}};
+    for (const ElementGroup& g : element_groups(s.model()))
+        j["model"]["automatic_elements"].push_back(
+            {{"elements", g.elements}, {"members", g.members}, {"because", g.because}});
+    j["steps"] = run.steps_done();
+    j["time"] = run.state().time;
+    j["factor"] = run.state().factor;
+    j["wall_seconds"] = r.wall;
+    if (r.resumed_at > 0) j["resumed_at"] = r.resumed_at;
+    j["effects"] = Json::array();
+    for (const PlanLine& e : effects_of(r)) {
+        j["effects"].push_back(
+            {{"name", e.name}, {"active", e.active}, {"because", e.because}, {"seconds", e.seconds}});
+        if (!e.asked_at.empty()) j["effects"].back()["asked_at"] = e.asked_at;
+    }
+    j["state_changes"] = Json::array();
+    for (const Run::Activation& w : run.activations())
+        j["state_changes"].push_back({{"time", w.time}, {"effect", w.effect}, {"awake", w.awake}, {"why", w.why}});
+    j["stages"] = Json::array();
+    for (const StageTime& t : run.stage_times()) j["stages"].push_back({{"name", t.name}, {"seconds", t.seconds}});
+    j["damage"] = damage_by_group(run);
+    if (Json joints = joints_json(run, false); joints["count"] != 0) j["joints"] = std::move(joints);
+    if (Json connectors = joints_json(run, true); connectors["count"] != 0) j["connectors"] = std::move(connectors);
+    j["probes"] = probes_json(r);
+    j["energy"] = energy_json(run);
+    j["energy_error"] =
+        std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));
+    if (r.state_energy_share != r.last_energy_share) j["energy_error_of_state"] = r.state_energy_share;
+    j["worst_energy_error"] = r.worst_energy_error;
+    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && (d->settings().step_control > 0 || d->rejected() > 0))
+        j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
+    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
+        j["fastest_node"] = {
+            {"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
+    if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
+        j["limit"] = statics->limit();
+        if (const auto& i = statics->instability()) {
+            j["instability"] = {{"factor", i->factor}, {"beyond", i->beyond}, {"count", i->count}};
+            if (i->node >= 0) {
+                j["instability"]["node"] = s.node_name(i->node);
+                j["instability"]["component"] = component_name(i->component);
+            }
+            if (!i->members.empty()) j["instability"]["by"] = i->by_compression ? "compression" : "bending";
+            j["instability"]["members"] = Json::array();
+            for (int member : i->members) j["instability"]["members"].push_back(member + 1);
+        }
+    }
+}
+
+}  // namespace hinge::script

@@ -1,0 +1,120 @@
+// What a section's flow does to its strength, as a function of the script's own: a factor on the yield surface, and
+// back resultants by which it moves. The function is asked in every round of the return of a section that flows, with
+// what the round before found. Back resultants that grow in proportion to the flow are found in the first round.
+#include <array>
+#include <cmath>
+
+#include "section/laws/laws.h"
+
+namespace hinge::beam {
+namespace {
+
+constexpr double slope_step = 1e-6;  ///< part of a step by which the slope is found
+/// Parts of a step that the function is asked for at once: Simpson's rule, and the slope.
+constexpr std::array parts{1.0, 0.5, 1 + slope_step};
+
+class OwnLaw : public MaterialLaw {
+public:
+    OwnLaw(SectionRule rule, int variables) : rule_(std::move(rule)), variables_(variables) {
+        std::vector<double> none(variables_, 0.0);
+        initial_ = one({}, none.data()).strength;
+    }
+
+    const char* name() const override { return "law"; }
+    std::string words() const override { return "a law of the script"; }
+    void save(Writer& to) const override { to(initial_, variables_); }
+    bool calls_script() const override { return true; }
+
+    int history_size() const override { return first + variables_; }
+    void start(bool, double* history) const override { keep(one({}, history + first), history); }
+    bool moves_surface() const override { return true; }
+    double initial() const override { return initial_; }
+
+    bool follows_rotation() const override { return true; }
+    /// The mean is that of Simpson's rule over the step.
+    Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
+        const double now = history ? history[strength] : initial_;
+        if (!(work > 0)) return {now, 0, now};
+        const std::vector<SectionAnswer>& at = ask(zone, history, e, work);
+        Turned out;
+        out.factor = at[0].strength;
+        out.mean = (now + 4 * at[1].strength + out.factor) / 6;
+        out.slope = (at[2].strength - out.factor) / (slope_step * work);
+        return out;
+    }
+
+    bool back_follows_flow() const override { return true; }
+    void add_back(const PlasticZone& zone, const double* history, double strain, const Vec4& e, Vec4& back,
+                  Vec4& modulus) const override {
+        const Vec4 start = history ? Vec4(history[moved], history[moved + 1], history[moved + 2], history[moved + 3])
+                                   : Vec4(Vec4::Zero());
+        back += start.cwiseProduct(zone.per_strength);
+        if (e.isZero(0)) return;
+        const Vec4 change =
+            (ask(zone, history, e, strain * zone.energy)[0].back - start).cwiseProduct(zone.per_strength);
+        for (int c = 0; c < 4; ++c) {
+            const double slope = change[c] / e[c];
+            if (slope >= 0 && std::abs(e[c]) > 1e-9 * e.norm()) modulus[c] += slope;
+            else back[c] += change[c];
+        }
+    }
+
+    void commit(const PlasticZone& zone, const Vec4& e, double strain, double, double* history) const override {
+        keep(ask(zone, history, e, strain * zone.energy)[0], history);
+    }
+
+private:
+    /// History variables: the strength and the back resultants (N m, N) at the end of the step before, then those of
+    /// the function.
+    enum { strength, moved, first = moved + 4 };
+
+    SectionAnswer one(const SectionFlow& flow, const double* history) const {
+        return rule_(std::span(&flow, 1), history)[0];
+    }
+
+    /// What was asked, and the answers. A round asks again what the round before has found.
+    struct Asked {
+        Vec4 e = Vec4::Zero();
+        double work = 0;
+        std::vector<double> history;
+        std::vector<SectionAnswer> answers;
+    };
+
+    /// The answers at `parts` of a step with e that does `work`.
+    const std::vector<SectionAnswer>& ask(const PlasticZone& zone, const double* history, const Vec4& e,
+                                          double work) const {
+        std::vector<double> start(std::size_t(variables_), 0.0);
+        if (history) std::copy_n(history + first, variables_, start.begin());
+        for (const Asked& a : asked_)
+            if (a.work == work && a.e == e && a.history == start && !a.answers.empty()) return a.answers;
+        std::array<SectionFlow, parts.size()> flows;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            const Vec4 d = parts[i] * e.cwiseProduct(zone.per_strength);
+            flows[i] = {d[0], d[1], d[2], d[3], parts[i] * work / zone.energy};
+        }
+        Asked& a = asked_[next_++ % asked_.size()];
+        a.answers.clear();
+        a.answers = rule_(flows, start.data());
+        a.e = e, a.work = work, a.history = std::move(start);
+        return a.answers;
+    }
+    void keep(const SectionAnswer& answer, double* history) const {
+        history[strength] = answer.strength;
+        for (int c = 0; c < 4; ++c) history[moved + c] = answer.back[c];
+        for (std::size_t i = 0; i < answer.history.size(); ++i) history[first + i] = answer.history[i];
+    }
+
+    SectionRule rule_;
+    int variables_;
+    double initial_ = 1;
+    mutable std::array<Asked, 4> asked_;  ///< the last ones; a run that calls the script has one thread
+    mutable std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::shared_ptr<const MaterialLaw> own_law(SectionRule rule, int variables) {
+    return std::make_shared<OwnLaw>(std::move(rule), variables);
+}
+
+}  // namespace hinge::beam

@@ -1,0 +1,152 @@
+// The flow of all four ends of a pair at once, for the laws of potential_law.h: Newton's method for the equilibrium of
+// the ends that flow, with the stiffness of the whole pair.
+#include <cmath>
+
+#include "section/potential_parts.h"
+#include "core/positive.h"
+
+namespace hinge::beam {
+namespace {
+
+constexpr int most_steps_of_pair = 6;
+constexpr double must_fall = 0.5;           ///< to what part a step must bring what is missed
+constexpr double missed_over_change = 0.1;  ///< of the tolerance on the flow: what equilibrium may be off
+constexpr double stiffer = 1e-13;           ///< of the elastic stiffness: N may flow at either end
+
+/// Rows and columns of the ends that flow, four each.
+template <int ends>
+using EndsMatrix = Eigen::Matrix<double, 4 * ends, 4 * ends>;
+template <int ends>
+using EndsVector = Eigen::Matrix<double, 4 * ends, 1>;
+
+/// B K of one end, of a matrix K of which two columns or one belong to each of its resultants.
+template <class Rows, class Out>
+void rows_times(const Rows& n, const Vec4& per, int first, const Mat12& K, Out&& out) {
+    const auto& [n1, n2] = n;
+    out.row(0) = per[0] * (n1 * K.row(first) + n2 * K.row(first + 1));
+    out.row(1) = per[1] * (n1 * K.row(first + 2) + n2 * K.row(first + 3));
+    out.row(2) = per[2] * K.row(first + 4);
+    out.row(3) = per[3] * K.row(first + 5);
+}
+
+}  // namespace
+
+/// An end that flows, and where it stands among the four.
+struct PotentialLaw::PairEnd {
+    End end;
+    int element = 0, section = 0;
+};
+
+template <int count>
+bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance,
+                              Vec6 (&p)[2]) const {
+    double last = INFINITY;
+    for (int step = 0;; ++step) {
+        Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()};
+        for (int i = 0; i < count; ++i) plastic[flowing[i]->element] += flowing[i]->end.plastic();
+        Mat12 K;
+        pair.at(plastic, p, K);
+        EndsVector<count> off;
+        Mat4 bend[count];
+        double size = 1;
+        for (int i = 0; i < count; ++i) {
+            const End& end = flowing[i]->end;
+            Work w = work_at(end.e, end.own);
+            harden(end, end.e, w);
+            const Vec4 carries = end.carries(p[flowing[i]->element]);
+            off.template segment<4>(4 * i) = carries - w.q;
+            bend[i] = w.curvature;
+            size += carries.norm();
+        }
+        const double missed = off.norm();
+        if (missed <= missed_over_change * tolerance * size) return true;
+        if (step == most_steps_of_pair || !(missed < must_fall * last)) return false;
+        last = missed;
+        EndsMatrix<count> H;
+        for (int i = 0; i < count; ++i) {
+            const End& of = flowing[i]->end;
+            Eigen::Matrix<double, 4, 12> BK;
+            rows_times(std::pair(of.n1, of.n2), of.per, 6 * flowing[i]->element, K, BK);
+            for (int j = 0; j <= i; ++j) {
+                const End& by = flowing[j]->end;
+                const int first = 6 * flowing[j]->element;
+                Mat4 block;
+                block.col(0) = by.per[0] * (by.n1 * BK.col(first) + by.n2 * BK.col(first + 1));
+                block.col(1) = by.per[1] * (by.n1 * BK.col(first + 2) + by.n2 * BK.col(first + 3));
+                block.col(2) = by.per[2] * BK.col(first + 4);
+                block.col(3) = by.per[3] * BK.col(first + 5);
+                if (i == j) {
+                    for (int c = 0; c < 4; ++c) block(c, c) = block(c, c) == 0 ? 1 : (1 + stiffer) * block(c, c);
+                    block += bend[i];
+                }
+                H.template block<4, 4>(4 * i, 4 * j) = block;
+            }
+        }
+        if (!solve_positive(H, off) || !off.allFinite()) return false;
+        for (int i = 0; i < count; ++i) {
+            Vec4& e = flowing[i]->end.e;
+            const Vec4 next = e + off.template segment<4>(4 * i);
+            if (!(next.dot(e) > 0)) return false;  // an end that turns back may not flow
+            e = next;
+        }
+    }
+}
+
+/// Scales the flow of all ends to where the pair comes to along its ray: the least value of the work and of the elastic
+/// energy, by its stiffness without flow. False: there is no flow along it.
+bool PotentialLaw::on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], int count) const {
+    Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()}, p[2];
+    Mat12 K;
+    pair.at(plastic, p, K);
+    double falls = 0;
+    for (int i = 0; i < count; ++i) {
+        const End& end = flowing[i]->end;
+        plastic[flowing[i]->element] += end.plastic();
+        falls += end.carries(p[flowing[i]->element]).dot(end.e) - work_at(end.e, end.own).value;
+    }
+    Vec12 x;
+    x << plastic[0], plastic[1];
+    const double by = falls / x.dot(K * x);
+    if (!(by > 0) || !std::isfinite(by)) return false;
+    for (int i = 0; i < count; ++i) flowing[i]->end.e *= by;
+    return true;
+}
+
+bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
+                                   ElementFlow (&flow)[2]) const {
+    if (in_rounds()) return false;
+    const bool as_before = !flow[0].flows() && !flow[1].flows();
+    if (as_before && flow_at_ < 0) return false;
+    PairEnd all[4];
+    PairEnd* flowing[4];
+    int count = 0;
+    for (int i = 0; i < 4; ++i) {
+        PairEnd& of = all[i];
+        of.element = i / 2, of.section = i % 2;
+        of.end = End(of.section == 0 ? -1 : 1, per_strength_, Stiffness{}, at[of.element], of.section, *this, {});
+        if (as_before && of.end.history) of.end.e = Eigen::Map<const Vec4>(of.end.history + flow_at_);
+        else if (flow[of.element].lambda[of.section] > 0) of.end.e = normalised_flow(flow[of.element], of.section);
+        if (of.end.flows()) flowing[count++] = &of;
+    }
+    if (as_before && !(count > 0 && on_ray_of_pair(pair, flowing, count))) return false;
+    Vec6 p[2];
+    const bool found = count == 1   ? solve_pair<1>(pair, flowing, tolerance, p)
+                       : count == 2 ? solve_pair<2>(pair, flowing, tolerance, p)
+                       : count == 3 ? solve_pair<3>(pair, flowing, tolerance, p)
+                       : count == 4 ? solve_pair<4>(pair, flowing, tolerance, p)
+                                    : false;
+    if (!found) return false;
+    for (const PairEnd& of : all) {
+        Vec4 direction;
+        if (!of.end.flows() && beyond(of.end, of.end.carries(p[of.element]), direction)) return false;
+    }
+    for (int i : {0, 1}) {
+        ElementFlow out;
+        out.p = p[i];
+        for (const int j : {0, 1}) add_flow(all[2 * i + j].end, j, out);
+        flow[i] = out;
+    }
+    return true;
+}
+
+}  // namespace hinge::beam

@@ -1,0 +1,97 @@
+// What the return mapping of a PotentialLaw works with: a section that can flow, and the work of its flow.
+#pragma once
+
+#include <algorithm>
+
+#include "section/potential_law.h"
+
+namespace hinge::beam {
+
+inline constexpr double flow_tolerance = 2e-13;  ///< of the trial forces: what a section's equilibrium may be off
+
+using SectionRows = Eigen::Matrix<double, 4, 6>;
+
+/// What a section has flowed in the step.
+struct PotentialLaw::SoFar {
+    double strain = 0;  ///< growth of its mean plastic strain
+    Vec4 e = Vec4::Zero();
+};
+
+/// Work of a plastic deformation e and its derivatives: D alone, or with what hardening and rate make of it.
+struct PotentialLaw::Work {
+    double value = 0, initial = 0;  ///< J; initial: D(e)
+    Vec4 q = Vec4::Zero();
+    Mat4 curvature = Mat4::Zero();
+    void scale(double t) { value *= t, initial *= t, curvature /= t; }
+    /// A small change of e, where this is D alone: the curvature stays.
+    void step(const Vec4& way) {
+        const Vec4 more = curvature * way;
+        value = initial += (q + 0.5 * more).dot(way);
+        q += more;
+    }
+};
+
+/// A section that can flow, and how far it has.
+struct PotentialLaw::End {
+    double n1, n2;                ///< of the section's moments, from those at the element's ends
+    Vec4 per;                     ///< 1 over the strength
+    Vec4 fixed;                   ///< normalised fixed-end part, less the back resultants at the start
+    Vec4 k;                       ///< stiffness against its own flow
+    Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
+    MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
+    const double *history = nullptr, *own = nullptr;  ///< own: the variables of the law itself
+    Moment moment{0, room_temperature};
+    Vec4 e = Vec4::Zero();
+    mutable Vec4 known_at = Vec4::Zero();  ///< the e, not zero, of which the search knows D(e) and its derivatives
+    mutable Work known;                    ///< those
+    mutable int looks = 0;                 ///< evaluations of D(e) so far
+
+    End() = default;
+    End(double r, const Vec4& per_strength, const Stiffness& of)
+        : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength), fixed(Vec4::Zero()) {
+        k << n1 * n1 * of.x11 + 2 * n1 * n2 * of.x12 + n2 * n2 * of.x22,
+            n1 * n1 * of.y11 + 2 * n1 * n2 * of.y12 + n2 * n2 * of.y22, of.axial, of.twist;
+        k = k.cwiseProduct(per.cwiseProduct(per));
+        for (int c = 0; c < 4; ++c)
+            if (per[c] == 0) k[c] = 1;
+    }
+    /// `so_far`: of the round before.
+    End(double r, const Vec4& per_strength, const Stiffness& of, const SectionConditions& at, int section,
+        const PotentialLaw& law, const SoFar& so_far)
+        : End(r, per_strength, of) {
+        fixed = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
+        set_history(at, section, law, so_far);
+    }
+    void set_history(const SectionConditions& at, int section, const PotentialLaw& law, const SoFar& so_far) {
+        moment = {at.dt, at.temperature};
+        history = at.history_of(section, law.history_size_), own = law.own(history);
+        const double strain = so_far.strain;
+        turned = law.turned(history, so_far.e, strain * law.material_.zone.energy);
+        Vec4 back = Vec4::Zero();
+        const double* of = history;
+        for (const auto& m : law.material_.laws) {
+            m->add_back(law.material_.zone, of, strain, so_far.e, back, hardens);
+            if (of) of += m->history_size();
+        }
+        fixed -= back;
+    }
+    bool flows() const { return !e.isZero(0); }
+    void knows(const Vec4& at, const Work& work) const { known_at = at, known = work; }
+    double at() const { return n1 + n2; }  ///< its position in the element, -1 to 1
+    /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
+    Vec4 carries(const Vec6& p) const {
+        return per.cwiseProduct(Vec4(n1 * p[0] + n2 * p[1], n1 * p[2] + n2 * p[3], p[4], p[5])) + fixed;
+    }
+    Vec6 plastic() const {
+        const Vec4 s = per.cwiseProduct(e);
+        return (Vec6() << n1 * s[0], n2 * s[0], n1 * s[1], n2 * s[1], s[2], s[3]).finished();
+    }
+    SectionRows rows() const {
+        SectionRows B = SectionRows::Zero();
+        B(0, 0) = n1 * per[0], B(0, 1) = n2 * per[0], B(1, 2) = n1 * per[1], B(1, 3) = n2 * per[1];
+        B(2, 4) = per[2], B(3, 5) = per[3];
+        return B;
+    }
+};
+
+}  // namespace hinge::beam
