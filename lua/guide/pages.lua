@@ -70,6 +70,14 @@ function pages.workplace(build)
   return folder, run, function() os.execute("rm -rf " .. quote(folder)) end
 end
 
+-- The part of a page's script that its other blocks go on from: all of it, or what stands above a line that the page
+-- names in a comment, where the rest takes long: <!-- blocks follow the script up to: LINE -->
+local function before_blocks(script, text)
+  local line = text:match "<!%-%- blocks follow the script up to: ([^\n]-) %-%->"
+  local at = line and assert(script:find("\n" .. line, 1, true), "the script has no line " .. line)
+  return at and script:sub(1, at) or script
+end
+
 --- The Lua blocks after the first as one program or several.
 function pages.snippets(text)
   local script, alone, after, last = nil, {}, {}, nil
@@ -79,7 +87,7 @@ function pages.snippets(text)
       printed[#printed + 1] = block.text
     elseif block.language == "lua" then
       if not script then
-        script = ("\n" .. block.text):gsub("\nreturn .*$", "\n"):sub(2)
+        script = before_blocks(("\n" .. block.text):gsub("\nreturn .*$", "\n"):sub(2), text)
       elseif block.hidden and last then
         last[#last] = last[#last] .. block.text
       else
