@@ -271,7 +271,7 @@ private:
     /// The impulses that the step missed (surface_contact.h), scaled so that they do the work that was missed: near 1.
     void add_missed(double work) {
         const ImpulseResponse k = host_.respond(impulse_);
-        add_to_trial(k.factor_for(work), k);
+        add_to_trial(w_, k.factor_for(work), k);
     }
 
     /// What a tie held when it was released springs back at once, along its own forces and so that the two bars part.
@@ -295,7 +295,7 @@ private:
         for (std::size_t i = 0; i < impulse_.size(); ++i) power -= 2 * impulse_[i].dot(w_.trial.acceleration[i]);
         const double energy = std::max(0.0, tie.energy - w_.scheme.held_back(power, step.dt));
         const double root = std::sqrt(k.linear * k.linear + 4 * k.square * energy);
-        add_to_trial((-k.linear + std::copysign(root, opening)) / (2 * k.square), k);
+        add_to_trial(w_, (-k.linear + std::copysign(root, opening)) / (2 * k.square), k);
         return tie.energy;
     }
 

@@ -22,10 +22,10 @@ double Effect::work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& pa
         ->work_of(part, of.flow, section, n, w_.assembly.conditions(w_.state, of.element));
 }
 
-void Effect::add_to_trial(double x, const ImpulseResponse& response) {
-    ++w_.impulses;
-    w_.state.accumulated["work"] += x * response.by_supports;
-    for (std::size_t i = 0; i < response.change.size(); ++i) w_.trial.velocity[i] += x * response.change[i];
+void add_to_trial(Workspace& w, double x, const ImpulseResponse& response) {
+    ++w.impulses;
+    w.state.accumulated["work"] += x * response.by_supports;
+    for (std::size_t i = 0; i < response.change.size(); ++i) w.trial.velocity[i] += x * response.change[i];
 }
 
 }  // namespace hinge

@@ -23,6 +23,9 @@ struct EffectTraits {
     bool strains_at_start = false;  ///< it strains elements at once where the run begins
 };
 
+/// Adds x times what an impulse does to the velocities of the trial; the supports' work is counted.
+void add_to_trial(Workspace& w, double x, const ImpulseResponse& response);
+
 class Effect {
 public:
     Effect(const char* name, Workspace& w, Host& host, EffectTraits traits = {})
@@ -70,9 +73,6 @@ public:
     virtual bool restored(std::span<const State* const> states) { return (void)states, true; }
 
 protected:
-    /// Adds x times what an impulse does to the velocities of the trial; the supports' work is counted.
-    void add_to_trial(double x, const ImpulseResponse& response);
-
     /// The work of a fixed-end part on what an element flows in the step, J.
     double work_on_flow(const PlasticIncrement& of, const beam::FixedEnd& part) const;
 

@@ -1,5 +1,4 @@
-// A ground that members fall on, as a script declares it: points on springs (ground.cpp), or a layer with springs and
-// dashpots per area (ground_layer.cpp).
+// A ground that members fall on, as a script declares it. ground_law.h has the two laws by which it presses.
 #pragma once
 
 #include <optional>

@@ -123,8 +123,6 @@ public:
     virtual bool meet(const Step& step) = 0;
     /// Whether the solution agrees with the forces that it was found with; false: another iteration.
     virtual bool settled() = 0;
-    /// Statics: the trial is an equilibrium that is about to become the state.
-    virtual void end_statics() {}
     /// Ends the contacts that are over at the end of the step, and adds the impulses that the step missed.
     virtual void end(const Step& step) { (void)step; }
 };

@@ -214,7 +214,6 @@ void Statics::commit_state() {
     const Step step{state_.time, 0, false, 0, {}, {}};
     forces_.add_work(substeps_ == 0 ? factor_at_start_ : state_.factor, state_.accumulated["work"]);
     forces_.find_reactions(w_.factor);
-    for (const auto& law : effects_->contact_laws) law->end_statics();
     for (const auto& e : effects_->all) e->accumulate_energy(step, state_.accumulated);
     for (const auto& e : effects_->all) e->before_commit(step);
     state_.displacement = w_.trial.displacement;
