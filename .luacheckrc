@@ -9,7 +9,7 @@ ignore = { "581" }
 files["lua/hinge/*.d.lua"] = { ignore = { "212", "241", "431" } }
 
 -- These silence what a script prints while it runs only to be planned or timed.
-files["lua/hinge/runner.lua"] = { globals = { "print" } }
+files["lua/hinge/program/runner.lua"] = { globals = { "print" } }
 files["lua/hinge/cost/measure.lua"] = { globals = { "print" } }
 
 -- This notes what a script opens.

@@ -91,7 +91,7 @@ std::FILE* events_alone_on_stdout() {
 std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, int port) {
     auto live = std::make_unique<hinge::live::Live>(port);
     lua_getglobal(L, "require");
-    lua_pushstring(L, "hinge.report_page");
+    lua_pushstring(L, "hinge.report.page");
     bool ok = lua_pcall(L, 1, 1, 0) == LUA_OK;
     if (ok) {
         lua_getfield(L, -1, "live");
@@ -165,7 +165,8 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
                          << hinge::script::did_you_mean(request.script, verbs) << "; hinge --help lists the verbs\n",
                2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
-    if (request.verb == "plan" || request.verb == "check") return with_lua(request, "hinge.runner", "main", false);
+    const bool only_looks = request.verb == "plan" || request.verb == "check";
+    if (only_looks) return with_lua(request, "hinge.program.runner", "main", false);
     request.out_given = !request.out.empty();
     if (!request.out_given)
         request.out = (fs::path("out") / fs::path(request.script).stem()).string() +
@@ -176,7 +177,7 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
                                                 : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     if (request.verb == "study") return with_lua(request, "hinge.study.program", "main", false);
-    const int status = with_lua(request, "hinge.runner", "main", true);
+    const int status = with_lua(request, "hinge.program.runner", "main", true);
     if (status <= 1 && !request.quiet && !request.json && fs::exists(fs::path(request.out) / "summary.json"))
         std::cout << "written to " << request.out << "\n";
     return status;
@@ -193,9 +194,9 @@ int program(int argc, char** argv) {
     Request& request = line.request;
     const std::string verb = request.verb;
     if (verb == "render") return with_lua(request, "hinge.render", "main", false);
-    if (verb == "report") return with_lua(request, "hinge.report_page", "main", false);
-    if (verb == "export") return with_lua(request, "hinge.export", "main", false);
-    if (verb == "reference") return with_lua(request, "hinge.help", "main", false);
+    if (verb == "report") return with_lua(request, "hinge.report.page", "main", false);
+    if (verb == "export") return with_lua(request, "hinge.import.export", "main", false);
+    if (verb == "reference") return with_lua(request, "hinge.program.help", "main", false);
     if (verb == "new") return hinge::new_project(request.out);
     if (verb == "history") {
         if (request.folders.empty()) request.folders = {"out"};
@@ -203,13 +204,13 @@ int program(int argc, char** argv) {
         return std::cerr << "hinge: no run was written to " << request.folders[0] << "\n", 2;
     }
     if (verb == "completion") {
-        if (request.code == "names") return with_lua(request, "hinge.completion", "main", false);
+        if (request.code == "names") return with_lua(request, "hinge.program.completion", "main", false);
         std::cout << line.completion;
         return 0;
     }
     if (verb == "do" || verb == "prompt") {
         if (!are_settings(request.overrides)) return 2;
-        return with_lua(request, "hinge.prompt", verb == "do" ? "line" : "main", verb == "prompt");
+        return with_lua(request, "hinge.program.prompt", verb == "do" ? "line" : "main", verb == "prompt");
     }
     return run(std::move(request), line.named, line.verbs);
 }

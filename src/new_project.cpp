@@ -51,7 +51,7 @@ int new_project(const std::string& folder) {
     if (problem) return std::cerr << "hinge: cannot make " << folder << ": " << problem.message() << "\n", 1;
 
     const std::string name = script::plain_name(fs::canonical(target, problem).filename().string());
-    for (const auto& entry : fs::directory_iterator(library / "template", problem)) {
+    for (const auto& entry : fs::directory_iterator(library / "program/template", problem)) {
         std::ostringstream text;
         text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
         std::string content = text.str();

@@ -5,7 +5,8 @@
 
 namespace hinge {
 
-/// Writes the files of lua/hinge/template into a new folder, prints the next steps, and returns the exit status.
+/// Writes the files of lua/hinge/program/template into a new folder, prints the next steps, and returns the exit
+/// status.
 int new_project(const std::string& folder);
 
 }  // namespace hinge

@@ -1,4 +1,4 @@
-// Functions of the program for lua/hinge/prompt.lua: reading lines from a terminal, and Ctrl-C.
+// Functions of the program for lua/hinge/program/prompt.lua: reading lines from a terminal, and Ctrl-C.
 #pragma once
 
 struct lua_State;

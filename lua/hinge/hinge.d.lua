@@ -235,8 +235,8 @@ function any_material:with(options) end
 -- Materials by their names in standards -------------------------------------------------------------------------------
 
 ---Materials by their names in standards. Upper and lower case, blanks and hyphens do not count. Yield stresses are
----characteristic or nominal values, without partial factors. lua/hinge/grades.lua names the source of each table, and
----what was not confirmed. An unknown name is an error that names the nearest.
+---characteristic or nominal values, without partial factors. lua/hinge/sections/grades.lua names the source of each
+---table, and what was not confirmed. An unknown name is an error that names the nearest.
 ---@class hinge.materials
 local material = {}
 
@@ -314,8 +314,8 @@ function material.names(kind) end
 
 ---Backbones of steel hinges by published formulas. The section is an H; its root radius, and with it h / tw, follows
 ---from its area. `material` is that of the member: its yield_stress is the expected one, and gives Mp, and its E gives
----the yield rotation. lua/hinge/backbones.lua has the numbers, names the source of each table and says what was not
----confirmed: no standard was at hand. The formulas of a rule hold for bending about the strong axis.
+---the yield rotation. lua/hinge/sections/backbones.lua has the numbers, names the source of each table and says what
+---was not confirmed: no standard was at hand. The formulas of a rule hold for bending about the strong axis.
 ---@class hinge.backbones
 local backbone = {}
 
@@ -1017,8 +1017,8 @@ function grid:copy(options) end
 ---there, and permanent ones have both of their factors. Combinations with the same factors are declared once, also over
 ---several calls. `loads` of a run takes them by name, such as "ULS 1.35 dead + 1.5 office". In a name, permanent cases
 ---that have one factor are written as G, or D in ASCE 7. Loads and gravity that belong to no case act in every run with
----the factor 1. No standard was at hand: lua/hinge/combinations.lua names the source of each table, and what was not
----confirmed. Wrong input is an error, and nothing is declared.
+---the factor 1. No standard was at hand: lua/hinge/actions/combinations.lua names the source of each table, and what
+---was not confirmed. Wrong input is an error, and nothing is declared.
 ---```lua
 ---local house = hinge.model()
 ---for _, name in ipairs { "dead", "office", "snow", "wind" } do house:case(name) end

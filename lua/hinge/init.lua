@@ -1,20 +1,22 @@
 -- The module: everything a script gets from `require "hinge"`. hinge.d.lua describes it for editors.
 -- Most of its files are read when a script first asks for what they hold: a small script starts at once.
 local core = require "hinge.core"
-local check = require "hinge.check"
-local free = require "hinge.job".free
-require "hinge.hinges" -- the method of runs
+local check = require "hinge.library.check"
+local free = require "hinge.program.job".free
+require "hinge.results.hinges" -- the method of runs
 
 local later = {
   results = function() return require "hinge.results" end,
-  scenario = function() return require "hinge.scenario".new end,
-  record = function() return require "hinge.records" end,
+  scenario = function() return require "hinge.program.scenario".new end,
+  record = function() return require "hinge.actions.records" end,
 }
-for _, name in ipairs {
-  "material", "section", "backbone", "blast", "combinations", "grid", "heat", "import", "joint", "moving_load",
-  "pressure", "units", "ground", "spectrum",
+for name, file in pairs {
+  backbone = "sections.backbone", blast = "actions.blast", combinations = "actions.combinations", grid = "model.grid",
+  ground = "actions.ground", heat = "standards.en_1993_1_2.heat", import = "import", joint = "joints",
+  material = "sections.material", moving_load = "actions.moving_load", pressure = "actions.pressure",
+  section = "sections", spectrum = "actions.spectrum", units = "library.units",
 } do
-  later[name] = function() return require("hinge." .. name) end
+  later[name] = function() return require("hinge." .. file) end
 end
 
 -- hinge.study and hinge.cost go by what is in the files that the script has read

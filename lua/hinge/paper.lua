@@ -1,7 +1,7 @@
 -- Functions for the scripts of scripts/paper: error measures, tables, and the structure as in figures 4 and 5.
 -- library.d.lua describes the calls.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local paper = {
   methods = { "conventional", "asi", "asi-gauss" },

@@ -9,7 +9,7 @@
 --         shows them all. jobs=0: as many at once as there are processors. write=true writes the table into README.md
 --         of the folder, between its two marks, and the pictures into its folder "pictures"
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local hinge = require "hinge"
 local picture = require "hinge.benchmark.picture"
 local readme = require "hinge.benchmark.readme"

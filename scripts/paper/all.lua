@@ -6,7 +6,7 @@
 --         not stop the others; the exit status is then 1, and the reason names the script. A run that fails is a row of
 --         its table
 local hinge = require "hinge"
-local jobs  = require "hinge.job"
+local jobs  = require "hinge.program.job"
 
 local scripts = {
   "space_frame_static", "space_frame_dynamic", "fracture_figures", "two_beam_impact", "ten_storey_cases",

@@ -15,7 +15,7 @@ local core   = require "hinge.core"
 local fit    = require "hinge.study.fit"
 local hinge  = require "hinge"
 local paper  = require "hinge.paper"
-local values = require "hinge.values"
+local values = require "hinge.library.values"
 
 local folder = debug.getinfo(1, "S").source:match "^@(.*/)" or ""
 local cases = { "I", "II", "III", "IV" }

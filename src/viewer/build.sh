@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Makes lua/hinge/viewer.js, the one file that a report holds, from src and three.js. Needed only after a change of src:
-# the file is part of the tree. built.sha256 lists the hashes of all that went into it; tests/script/viewer_test.lua
-# compares them, without npm.
+# Makes lua/hinge/report/viewer.js, the one file that a report holds, from src and three.js. Needed only after a change
+# of src: the file is part of the tree. built.sha256 lists the hashes of all that went into it;
+# tests/script/viewer_test.lua compares them, without npm.
 #
 # Run     src/viewer/build.sh          needs Node.js 18 or later, with npm
 #         src/viewer/build.sh --check  makes it elsewhere, and says whether the tree's is the same
 set -euo pipefail
 cd "$(dirname -- "${BASH_SOURCE[0]}")"
-made=../../lua/hinge/viewer.js
+made=../../lua/hinge/report/viewer.js
 out=$made
 if [ "${1:-}" = --check ]; then
   out=$(mktemp)

@@ -8,7 +8,7 @@
 -- Run: lua5.4 tests/script/aisc_tables_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
-local aisc = require "hinge.results.aisc"
+local aisc = require "hinge.standards.aisc_360.members"
 local profile = require "hinge.results.profile"
 local support = require "support"
 local checks = support.checks "tables of AISC 360-16"

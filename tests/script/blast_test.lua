@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local blast = require "hinge.blast"
+local blast = require "hinge.actions.blast"
 local checks = support.checks "blast"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local combinations = require "hinge.combinations"
+local combinations = require "hinge.actions.combinations"
 local checks = support.checks "combinations"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

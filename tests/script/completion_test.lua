@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 require "hinge"
-local names = require "hinge.completion".names
+local names = require "hinge.program.completion".names
 local checks = support.checks "completion"
 local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal

@@ -4,7 +4,7 @@
 -- Run: lua5.4 tests/script/eurocode_members_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
-local eurocode = require "hinge.results.eurocode"
+local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
 local support = require "support"
 local checks = support.checks "members by EN 1993-1-1"

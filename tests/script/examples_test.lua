@@ -21,8 +21,8 @@ end
 local checks = support.checks "examples"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 require "hinge"
-local reference = require "hinge.reference"
-local new_job = require "hinge.job".new
+local reference = require "hinge.program.reference"
+local new_job = require "hinge.program.job".new
 os.execute "mkdir -p job"
 local has_pictures = support.is_there(arg[1] .. "/libhinge_output.so")
 

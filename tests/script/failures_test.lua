@@ -253,16 +253,18 @@ local texts = { "reason", "failure", "failed", "problem", "why", "%w+%.what", "w
 
 -- What of a text is looked at all the same, with the reason: { file, part of the line, why }.
 local allowed = {
-  { "lua/hinge/prompt.lua", 'problem:find "<eof>$"', "Lua's own mark of a chunk that is not complete" },
-  { "lua/hinge/render.lua", 'problem:gsub("%S+%.%a%a%a%f[%W]", "")', "lines with other file names, printed once" },
-  { "lua/hinge/render.lua", "problem:find(frame.file, 1, true)", "prints a file's name that is not there yet" },
-  { "lua/hinge/report_page.lua", "frame.problem:find(frame.file, 1, true)", "the same" },
+  { "lua/hinge/program/prompt.lua", 'problem:find "<eof>$"', "Lua's own mark of a chunk that is not complete" },
+  { "lua/hinge/render/init.lua", 'problem:gsub("%S+%.%a%a%a%f[%W]", "")', "lines with other file names, printed once" },
+  { "lua/hinge/render/init.lua", "problem:find(frame.file, 1, true)", "prints a file's name that is not there yet" },
+  { "lua/hinge/report/page.lua", "frame.problem:find(frame.file, 1, true)", "the same" },
   { "lua/hinge/benchmark/tables.lua", 'name:find("observed order", 1, true)', "name of a benchmark's row" },
   { "src/command_line.cpp", 'rfind("--live", 0)', "an option of the program" },
   { "src/live/live.cpp", 'query.find("page")', "key of a map" },
   { "src/live/live.cpp", 'query.find("program")', "key of a map" },
-  { "lua/hinge/joints/end_plate.lua", 'governs:find "^end plate"', "name of a component, of the file's own table" },
-  { "lua/hinge/joints/end_plate.lua", 'governs:find "^column flange"', "the same" },
+  { "lua/hinge/standards/en_1993_1_8/end_plate.lua",
+    'governs:find "^end plate"', "name of a component, of the file's own table" },
+  { "lua/hinge/standards/en_1993_1_8/end_plate.lua",
+    'governs:find "^column flange"', "the same" },
 }
 
 local function is_allowed(file, line)

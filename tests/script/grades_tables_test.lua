@@ -2,8 +2,8 @@
 -- each thickness.
 --
 -- Read for it: EN 10025-2 and table 3.1 of EN 1993-1-1 as the programs XC and metku give them. ASTM, JIS, EN 338,
--- EN 14080, EN 1999-1-1 and the bars are transcribed from memory a second time; lua/hinge/grades.lua says the same of
--- its table.
+-- EN 14080, EN 1999-1-1 and the bars are transcribed from memory a second time; lua/hinge/sections/grades.lua says the
+-- same of its table.
 --
 -- Run: lua5.4 tests/script/grades_tables_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path

@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 require "hinge"
-local reference, overview = require "hinge.reference", require "hinge.help".overview
+local reference, overview = require "hinge.program.reference", require "hinge.program.help".overview
 local checks = support.checks "help"
 local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
@@ -111,7 +111,7 @@ end)
 
 case("what the reference has is not denied", function()
   -- other words for what there is, and the call that they must lead to
-  local words = require "hinge.other_words"
+  local words = require "hinge.program.other_words"
   for word, name in pairs { ["code check"] = "results.utilisation", ["design check"] = "results.utilisation",
     utilisation = "results.utilisation", eurocode = "results.utilisation", drift = "results.storeys",
     ["storey drift"] = "results.storeys", ["interstorey drift"] = "results.storeys", slab = "model:diaphragm",
@@ -137,9 +137,9 @@ case("what the reference has is not denied", function()
   end
 end)
 
-local help, count = require "hinge.help", 0
+local help, count = require "hinge.program.help", 0
 case("hinge reference of an unknown name suggests near ones", function()
-  for word, known in pairs(require "hinge.other_words") do
+  for word, known in pairs(require "hinge.program.other_words") do
     count = count + 1
     for _, name in ipairs(known.see) do expect(help.text(name), "'%s': there is no %s to see", word, name) end
     expect(known.how ~= "" and #known.see > 0 and word == word:lower(), "'%s' tells nothing", word)

@@ -292,7 +292,7 @@ case("CSV: a frame in SI, row by row, with all columns", function()
       .. 'dead,2,,1,2,3,4,5,6,,,,\ndead,,m2,,,,,,,7,8,9,local\n,3,,,,-1,,,,,,,\nwind,,"m,1",,,,,,,1,,,projected\n'),
     masses = write("masses.csv", "node,mass\n2,500\n"),
   }
-  local steel = require "hinge.grades".steel "S355"
+  local steel = require "hinge.sections.grades".steel "S355"
   same_lines(dump(frame), ([[
 node 1 x=0 y=0 z=0 fix=all
 node 2 x=0 y=0.5 z=4

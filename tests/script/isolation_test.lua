@@ -22,7 +22,8 @@ end
 local globals, library, loaded = keys(_G), keys(string) .. keys(table) .. keys(math), strings(package.loaded)
 local hinge = require "hinge"
 case("the module sets no global and changes no library of Lua", function()
-  for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "job", "runner", "render" } do
+  for _, name in ipairs { "models.ten_storey", "models.aircraft", "report", "program.job", "program.runner",
+    "render" } do
     require("hinge." .. name)
   end
   checks.equal(keys(_G), globals, "globals after require")

@@ -8,7 +8,7 @@
 -- Run: lua5.4 tests/script/joint_tables_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
-local parts = require "hinge.joints.parts"
+local parts = require "hinge.standards.en_1993_1_8.parts"
 local support = require "support"
 local checks = support.checks "tables of joints"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near

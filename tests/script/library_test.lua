@@ -6,8 +6,8 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. 
 local hinge = require "hinge"
 local support = require "support"
 local core = require "hinge.core"
-local shapes = require "hinge.shapes"
-local values = require "hinge.values"
+local shapes = require "hinge.sections.shapes"
+local values = require "hinge.library.values"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"
 

@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local moving_load = require "hinge.moving_load"
+local moving_load = require "hinge.actions.moving_load"
 local checks = support.checks "moving load"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

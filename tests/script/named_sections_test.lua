@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 
 local checks = support.checks "named sections"
 local case, expect, equal = checks.case, checks.expect, checks.equal
@@ -69,7 +69,7 @@ for _, family in ipairs(hinge.section.names()) do
 end
 
 case("the engine takes every section, and each outline has its area and moduli", function()
-  local outline = require "hinge.outline"
+  local outline = require "hinge.sections.outline"
   for _, family in ipairs(hinge.section.names()) do
     for _, name in ipairs(family:find "^BC" and { family .. " 400x16" } or hinge.section.names(family)) do
       local made = named.properties(name)
@@ -189,7 +189,7 @@ end)
 
 -- A square column by the formulas for round corners of EN 10219-2, whose check is in rounded_sections_test.lua.
 case("Japanese columns have the corners of their makers", function()
-  local bcr, box = named.properties "BCR 400x16", require "hinge.shapes".box { width = 0.4, depth = 0.4,
+  local bcr, box = named.properties "BCR 400x16", require "hinge.sections.shapes".box { width = 0.4, depth = 0.4,
     thickness = 0.016, r = 2.5 * 0.016, r_inner = 1.5 * 0.016 }
   equal(bcr.area, box.area, "area")
   expect(named.properties "BCP 400x16".area < bcr.area, "BCP has larger radii")

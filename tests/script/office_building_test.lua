@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local new_job = require("hinge.job").new
+local new_job = require("hinge.program.job").new
 local checks = support.checks "office building"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

@@ -67,7 +67,7 @@ end)
 -- In an empty environment: an example of the package gives its number, a frame is written, plain Lua finds the same
 -- library, and none of it comes from the folders of the build. `usr`: where the package lies.
 support.write(folder .. "/frame.lua", support.frame_script())
-local asks = "local hinge = require 'hinge' local section = require 'hinge.section' "
+local asks = "local hinge = require 'hinge' local section = require 'hinge.sections' "
   .. "print(hinge.version, section ~= nil, package.searchpath('hinge', package.path))"
 local function works(usr, environment, lua_environment, what)
   local clean = ("cd %s && env -i HOME=%s %s "):format(home, home, environment)

@@ -31,7 +31,7 @@ case("the portal that is drawn has a plastic hinge", function()
 end)
 
 local folder = support.temporary_folder()
-local job = require "hinge.job".new(folder)
+local job = require "hinge.program.job".new(folder)
 local function draw(view)
   view.width, view.height = view.width or 320, view.height or 240
   job:picture(run, view, "a.png")

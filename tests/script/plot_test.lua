@@ -190,7 +190,7 @@ end)
 
 case("curves that would lie on the axis have a panel of their own, with their own unit", function()
   require "hinge"
-  local plotted = require "hinge.history".plot
+  local plotted = require "hinge.plot.history".plot
   local history_csv = "time,factor,kinetic,elastic,work,energy_error,a,b\n"
   for i = 0, 10 do
     history_csv = history_csv .. ("%g,1,%g,%g,%g,%g,%g,%g\n"):format(i, 5e6 * i, 1e6 * i, 4e4 * i, 3 * i, i, 2 * i)

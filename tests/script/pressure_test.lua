@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local pressure = require "hinge.pressure"
+local pressure = require "hinge.actions.pressure"
 local checks = support.checks "pressure"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

@@ -199,7 +199,7 @@ case("lists of probes give drifts, sums and largest values", function()
   changed.name = "x"
   equal(changed.name, "x", "a field of its own")
   equal(#changed, n, "beside the items")
-  local text = require "hinge.readable"(early)
+  local text = require "hinge.library.readable"(early)
   expect(text:find("^{ " .. ("%.14g"):format(early[1])) or text:find "^{ 0", "as text: %s", text)
 
   local file = support.temporary_folder() .. "/kept"

@@ -138,7 +138,7 @@ end)
 
 case("Tab offers names, methods and files", function()
   _G.hinge = require "hinge"
-  local complete = require "hinge.prompt".complete
+  local complete = require "hinge.program.prompt".complete
   local scene = { model = _G.hinge.model(), name = "x", ["not a name"] = 1 }
   _G.scene = scene
   scene.wall = scene.model:node { 0, 0, 0 }

@@ -8,7 +8,7 @@ local checks = support.checks "quoting"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 local _ = require "hinge"
 local core = require "hinge.core"
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 local program = support.quote((support.output("realpath " .. support.quote(arg[1] .. "/hinge")):gsub("%s+$", "")))
 local folder = support.temporary_folder()
 

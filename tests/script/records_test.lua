@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local records, spectrum = require "hinge.records", require "hinge.spectrum"
+local records, spectrum = require "hinge.actions.records", require "hinge.actions.spectrum"
 local checks = support.checks "records"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local reference = require "hinge.reference"
+local reference = require "hinge.program.reference"
 local checks = support.checks "reference"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 
@@ -174,7 +174,7 @@ case("every object has the fields and methods that its declared type names", fun
 end)
 
 -- The job is a Lua object.
-local job = require "hinge.job".new("", "II")
+local job = require "hinge.program.job".new("", "II")
 case("the job has the methods that are declared", function()
   local methods = {}
   local all = getmetatable(job).__index -- a script in the sandbox cannot reach it
@@ -408,7 +408,7 @@ end)
 case("the page of the reference is the one made from the declarations", function()
   local page = support.read(support.root .. "lua/hinge/reference.md")
   expect(page == reference.page(),
-    "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/reference.lua`")
+    "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/program/reference.lua`")
   local program = support.quote(arg[1] .. "/hinge")
   local status, printed = support.run(program .. " reference")
   expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)

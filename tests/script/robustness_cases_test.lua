@@ -302,7 +302,7 @@ end)
 
 case("the CSV file and the report hold each number of each row, and each warning once", function()
   local drawn
-  local job = require "hinge.job"
+  local job = require "hinge.program.job"
   local new = job.new
   job.new = function(where)
     return { plot = function(_, plot, filename) drawn = { where = where, plot = plot, filename = filename } end }
@@ -355,7 +355,7 @@ end)
 -- The plot that a result draws.
 local function drawing(result)
   local drawn
-  local job = require "hinge.job"
+  local job = require "hinge.program.job"
   local new = job.new
   job.new = function() return { plot = function(_, plot) drawn = plot end } end
   result:picture()

@@ -5,8 +5,8 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
-local shapes = require "hinge.shapes"
-local outline = require "hinge.outline"
+local shapes = require "hinge.sections.shapes"
+local outline = require "hinge.sections.outline"
 
 local checks = support.checks "rounded sections"
 local case, expect, equal = checks.case, checks.expect, checks.equal
@@ -142,7 +142,7 @@ case("the moment beside an axial force has the fillets", function()
     "circles of an outline")
 end)
 
--- Published values: cm^2, cm^4, cm^3. Sources: lua/hinge/profiles.
+-- Published values: cm^2, cm^4, cm^3. Sources: lua/hinge/sections/profiles.
 case("rolled sections have the published properties", function()
   for name, row in pairs {
     -- d, b, web, flange, r: mm; A, Ix, Iy, Zx, Zy, J

@@ -19,11 +19,11 @@ end
 local checks = support.checks "sandbox_sharing"
 local case, expect = checks.case, checks.expect
 require "hinge"
-local reference = require "hinge.reference"
-local jobs = require "hinge.job"
+local reference = require "hinge.program.reference"
+local jobs = require "hinge.program.job"
 
 local say = print
-local env = require "hinge.sandbox".environment()
+local env = require "hinge.program.sandbox".environment()
 
 local function upvalue(f, wanted)
   for i = 1, 255 do
@@ -78,10 +78,10 @@ local function library(but)
   seen[upvalue(env.require, "copies")], seen[env.require] = true, true
   seen[package.loaded] = true
   for name, module in pairs(loaded) do
-    if name ~= "hinge.sandbox" then roots[#roots + 1] = module seen[module] = true end
+    if name ~= "hinge.program.sandbox" then roots[#roots + 1] = module seen[module] = true end
   end
   for name, module in pairs(package.loaded) do
-    if name:find "^hinge" and name ~= "hinge.sandbox" then roots[#roots + 1] = module seen[module] = true end
+    if name:find "^hinge" and name ~= "hinge.program.sandbox" then roots[#roots + 1] = module seen[module] = true end
   end
   for value in pairs(but) do seen[value] = true end
   walk_library(roots, seen)
@@ -169,9 +169,9 @@ local function call_all(t, depth)
     elseif type(f) == "table" and depth < 2 then call_all(f, depth + 1) end
   end
 end
-for _, name in ipairs { "hinge", "hinge.check", "hinge.models.aircraft", "hinge.models.materials",
+for _, name in ipairs { "hinge", "hinge.library.check", "hinge.models.aircraft", "hinge.models.materials",
   "hinge.models.space_frame", "hinge.models.ten_storey", "hinge.models.ten_storey_impact", "hinge.paper",
-  "hinge.report", "hinge.section", "hinge.shapes", "hinge.values" } do call_all(require(name), 0) end
+  "hinge.report", "hinge.sections", "hinge.sections.shapes", "hinge.library.values" } do call_all(require(name), 0) end
 ]]
 
 case("no table of the library is in the script's reach, by fields, metatables or calls", function()

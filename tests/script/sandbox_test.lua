@@ -46,7 +46,7 @@ end
 ]]
 local _ -- a result that is not looked at
 local status, printed, complaint = try(frame .. [[
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 return hinge.scenario {
   parameters = { dt = 1e-5 }, cases = { slow = { dt = 2e-5 } },
   run = function(p, job)
@@ -121,8 +121,8 @@ case("every way out of the sandbox is closed", function()
   local ways = { -- script -> status, message
     { "require 'hinge.core'", 2,
       "s.lua:1: require: module 'hinge.core' is not available to a script in the sandbox; there are hinge, ..." },
-    { "require 'hinge.runner'", 2,
-      "s.lua:1: require: module 'hinge.runner' is not available to a script in the sandbox; ..." },
+    { "require 'hinge.program.runner'", 2,
+      "s.lua:1: require: module 'hinge.program.runner' is not available to a script in the sandbox; ..." },
     { "require 'secret'", 2, "s.lua:1: require: module 'secret' is not available to a script in the sandbox; ..." },
     { "require 'hinge.../../secret'", 2, "s.lua:1: require: module 'hinge.../../secret' is not available..." },
     { "collectgarbage 'stop'", 2,
@@ -136,14 +136,14 @@ case("every way out of the sandbox is closed", function()
     { frame .. "getmetatable(cantilever():static()).__gc()", 2, "s.lua:13: attempt to index a boolean value" },
     -- a script that bends what it was given harms itself alone
     { "string.format, table.concat, print, error = nil, nil, nil, nil; string = nil", 0, "" },
-    { "require 'hinge.check'.fail = function() print 'OUT' end; require 'hinge'.material { E = -1 }", 2,
+    { "require 'hinge.library.check'.fail = function() print 'OUT' end; require 'hinge'.material { E = -1 }", 2,
       "s.lua:1: hinge.material: field 'E' is -1 Pa; must be above 0 Pa" },
     -- files: only a plain name, only in the output folder
     { "return require 'hinge'.scenario { run = function(_, job) job:plot({ series = {} }, '../x.png') end }", 2,
       "s.lua:1: job:plot: filename is '../x.png'; must be a plain name ending in .png, .svg or .pdf" },
     { "return require 'hinge'.scenario { run = function(_, job) job:plot('/tmp', 'x.svg') end }", 2,
       "s.lua:1: job:plot: what is '/tmp'; must be a plot or a run: a script in the sandbox reads no files" },
-    { "require 'hinge.check'.fail = function() end; require 'hinge'.plot('/tmp', 'x.svg')", 2,
+    { "require 'hinge.library.check'.fail = function() end; require 'hinge'.plot('/tmp', 'x.svg')", 2,
       "what is '/tmp'; must be a plot or a run: a script in the sandbox reads no files" },
     { "require 'hinge'.import.tcl { file = '/etc/passwd', units = { force = 'N', length = 'm' } }", 2,
       "hinge.import.tcl: a script in the sandbox reads no files" },
@@ -153,7 +153,7 @@ case("every way out of the sandbox is closed", function()
     { "error '\\27]0;title\\7'", 2, "?]0;title?" },
     { "require 'hinge'.note '\\27[31mOUT'", 0, "" },
     -- what it has of the library is a copy, at any depth and however it is read
-    { "require 'hinge.check'.value = function() end; require 'hinge'.plot(" .. series .. ", {})", 2,
+    { "require 'hinge.library.check'.value = function() end; require 'hinge'.plot(" .. series .. ", {})", 2,
       "s.lua:1: hinge.plot: field 'filename' is a table; must be a string" },
     { "for _, f in pairs(require 'hinge.models.ten_storey'.designs) do f.storey_height = 'x' end "
       .. "require 'hinge.models.ten_storey'.add(require 'hinge'.model {}, { bays = { 1, 1 }, storeys = 1 })", 0, "" },

@@ -111,8 +111,9 @@ print("unknown: " .. tostring(select(2, pcall(function() return hinge.grids end)
   local status, printed, complaint = support.run(hinge .. " run " .. lines)
   equal(status, 0, "status " .. complaint)
   local read = printed:match "read: ([^\n]*)" or ""
-  expect(read:find("hinge.material", 1, true), "what the script used is not in the list: %s", read)
-  for _, unused in ipairs { "hinge.joint", "hinge.results", "hinge.plot.draw", "hinge.blast", "hinge.import" } do
+  expect(read:find("hinge.sections.material", 1, true), "what the script used is not in the list: %s", read)
+  for _, unused in ipairs { "hinge.joints", "hinge.results.table", "hinge.plot.draw", "hinge.actions.blast",
+    "hinge.import" } do
     expect(not read:find(unused, 1, true), "a cantilever reads %s: %s", unused, read)
   end
   expect(printed:find("kN: 1000.* /nowhere/%?%.lua\n"), "another package.path: %s", printed)

@@ -417,7 +417,8 @@ case("a scenario under plain Lua says how to run it", function()
   local status, _, complaint = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 returned.lua"):format(folder, quote(arg[1])))
   expect(status == 1 and complaint:find("hinge run returned.lua [key=value ...]", 1, true),
     "a scenario, plain Lua: %s %s", status, complaint)
-  support.write(folder .. "/used.lua", "local s = dofile 'returned.lua'\nprint(require 'hinge.scenario'.is(s))\n")
+  support.write(folder .. "/used.lua",
+    "local s = dofile 'returned.lua'\nprint(require 'hinge.program.scenario'.is(s))\n")
   status, printed = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 used.lua"):format(folder, quote(arg[1])))
   expect(status == 0 and printed == "true\n", "a scenario that another script loads: %s %s", status, printed)
 end)

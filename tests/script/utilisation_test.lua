@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "?.lua;" .. package.path
 local hinge = require "hinge"
 local results = require "hinge.results"
-local eurocode = require "hinge.results.eurocode"
+local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
 local support = require "support"
 local checks = support.checks "utilisation"

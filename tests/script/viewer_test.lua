@@ -1,4 +1,4 @@
--- lua/hinge/viewer.js, part of the tree, was built from the sources that are in src/viewer now. The build lists
+-- lua/hinge/report/viewer.js, part of the tree, was built from the sources that are in src/viewer now. The build lists
 -- the hashes of all its files in src/viewer/built.sha256, so that this check needs neither npm nor a network.
 --
 -- Run: lua5.4 tests/script/viewer_test.lua
@@ -8,7 +8,7 @@ local checks = support.checks "viewer"
 local case = checks.case
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 
-local built, list = "lua/hinge/viewer.js", "src/viewer/built.sha256"
+local built, list = "lua/hinge/report/viewer.js", "src/viewer/built.sha256"
 local sources = "src/viewer/build.sh src/viewer/package*.json src/viewer/src/*"
 
 -- Hash of each file that a build reads or writes, by path.

@@ -1,6 +1,6 @@
 -- The table of all benchmarks in the README.md of their folder, and the pictures that they drew.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local files = require "hinge.study.files"
 local set = require "hinge.benchmark.set"
 local tables = require "hinge.benchmark.tables"

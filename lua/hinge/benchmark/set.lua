@@ -1,13 +1,13 @@
 -- A folder of benchmarks: each file in a process of its own, several at a time, and the rows that all have found.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local files = require "hinge.study.files"
 local pool = require "hinge.study.pool"
-local runner = require "hinge.runner"
-local scenario = require "hinge.scenario"
-local status_line = require "hinge.status_line"
-local quote = require "hinge.quote"
+local runner = require "hinge.program.runner"
+local scenario = require "hinge.program.scenario"
+local status_line = require "hinge.library.status_line"
+local quote = require "hinge.library.quote"
 
 local set, kinds = {}, {}
 for i, kind in ipairs(require "hinge.benchmark".kinds) do kinds[kind] = i end

@@ -1,5 +1,5 @@
 -- The rows of benchmarks as text, as results.csv and as the tables of a README.md.
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 local tables = {}
 
 local function is_finite(value) return value == value and math.abs(value) < math.huge end

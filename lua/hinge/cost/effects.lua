@@ -3,7 +3,7 @@
 --
 -- The script does not change. While it runs, the engine removes the declarations of the effect from its models, or the
 -- law (core.leave_out).
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"

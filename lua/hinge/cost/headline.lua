@@ -1,5 +1,5 @@
 -- The result of hinge cost in words: its first lines, the settings that failed, and what the budget left out.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local compare = require "hinge.cost.compare"
 local text = require "hinge.cost.text"
 local words = require "hinge.cost.words"

@@ -1,5 +1,5 @@
 -- The settings of accuracy against time: their list, the finer side of each, and references that are finer than all.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local ladder = {}
 

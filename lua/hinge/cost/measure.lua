@@ -1,6 +1,6 @@
 -- One run of a scenario as a measurement: its answers (numbers and histories), its time and its memory.
 local core = require "hinge.core"
-local jobs = require "hinge.job"
+local jobs = require "hinge.program.job"
 local compare = require "hinge.cost.compare"
 
 local measure = {}

@@ -1,5 +1,5 @@
 -- The work-precision plot: error against time, a line for each method, the front marked.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local ladder = require "hinge.cost.ladder"
 local methods = require "hinge.cost.methods"
 local words = require "hinge.cost.words"

@@ -1,9 +1,9 @@
 -- hinge cost: reads the command line, compares, prints and writes.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local cost = require "hinge.cost"
 local files = require "hinge.study.files"
-local runner = require "hinge.runner"
-local values = require "hinge.values"
+local runner = require "hinge.program.runner"
+local values = require "hinge.library.values"
 
 local program = {}
 

@@ -1,7 +1,7 @@
 -- The results of a comparison: printed tables, cost.csv and summary.json.
 local core = require "hinge.core"
-local check = require "hinge.check"
-local jobs = require "hinge.job"
+local check = require "hinge.library.check"
+local jobs = require "hinge.program.job"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 local paper = require "hinge.paper"

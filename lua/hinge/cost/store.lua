@@ -1,7 +1,7 @@
 -- Measurements that are kept between calls: finished.lua in the output folder, one line each.
 local core = require "hinge.core"
-local quote = require "hinge.quote"
-local check = require "hinge.check"
+local quote = require "hinge.library.quote"
+local check = require "hinge.library.check"
 
 local store = {}
 local Store = {}

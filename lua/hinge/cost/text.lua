@@ -1,5 +1,5 @@
 -- Numbers and cells as text, for the reports of hinge cost.
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 local text = {}
 
 function text.percent(part)

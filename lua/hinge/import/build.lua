@@ -1,8 +1,8 @@
 -- import.build: a model of hinge from the description of a frame (frame.lua).
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local in_full = require "hinge.import.in_full"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local ties = require "hinge.import.ties"
 
 local where = "hinge.import.build"

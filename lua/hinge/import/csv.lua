@@ -1,9 +1,9 @@
 -- import.csv: a frame from tables of nodes, members, sections, materials, supports, masses and loads, each a file whose
 -- first line has the names of its columns. Units are SI.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
-local grades = require "hinge.grades"
-local named = require "hinge.named"
+local grades = require "hinge.sections.grades"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 
 local where = "hinge.import.csv"

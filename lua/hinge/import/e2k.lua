@@ -5,12 +5,12 @@
 -- STORY lists the storeys from the top, each with its height, the base with its elevation. LINE "C1" COLUMN "1" "2" 1
 -- has its second point on the storey to which LINEASSIGN puts it, and its first point one storey below. The third
 -- number of a POINT is how far it lies below its storey.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local e2k_areas = require "hinge.import.e2k_areas"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local sap_frame = require "hinge.import.sap_frame"
-local units = require "hinge.units"
+local units = require "hinge.library.units"
 
 local where = "hinge.import.e2k"
 

@@ -1,6 +1,6 @@
 -- Areas of ETABS as rows of SAP2000's tables: floors and walls on each storey with their area, thickness and loads, of
 -- which sap_areas.lua makes a note. Points of a floor that is a rigid diaphragm are tied.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local Areas = {}
 Areas.__index = Areas

@@ -17,8 +17,8 @@
 -- there.
 -- A material may have `hardening`, a member `ends` = { a = { Mx = ... }, b = } as hinge.joint takes them, and a case
 -- `history`, points { time, factor } of all its loads, and `held` = true: it acts before the others and while they do.
-local check = require "hinge.check"
-local named = require "hinge.named"
+local check = require "hinge.library.check"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local ties = require "hinge.import.ties"
 

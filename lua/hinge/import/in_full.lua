@@ -1,6 +1,6 @@
 -- A frame in full, as import.build and import.write take it: releases are those of model:member, and self weight
 -- becomes gravity or loads.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
 
 -- Releases ------------------------------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 -- What a reader of files has to say: the notes of what it could not read, and errors with file and line.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local core = require "hinge.core"
 
 local notes = {}

@@ -4,7 +4,7 @@
 --
 -- Commands: the wiki of OpenSees and the documentation of OpenSeesPy. A plane frame in x and y becomes one in x and z
 -- of hinge: y of OpenSees is z of hinge, and rotations about z of OpenSees are those about -y.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local command_names = require "hinge.import.opensees_names"
 local constraints = require "hinge.import.opensees.constraints"
 local ends = require "hinge.import.opensees.ends"

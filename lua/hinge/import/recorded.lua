@@ -3,7 +3,7 @@
 -- gives, which go to the reader of opensees.lua.
 --
 -- The script runs twice, with different results of the analysis, which are made up: what differs hangs on them.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local core = require "hinge.core"
 local names = require "hinge.import.opensees_names"
 local notes = require "hinge.import.notes"

@@ -1,5 +1,5 @@
 -- import.s2k: a frame from text tables of SAP2000 and ETABS (.s2k, .$2k): TABLE: "NAME", then rows of Key=Value.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 local sap_frame = require "hinge.import.sap_frame"
 

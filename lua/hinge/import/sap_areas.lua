@@ -1,5 +1,5 @@
 -- Floors and walls of SAP2000 and ETABS, which are not read: one note with their number, area, and loads by pattern.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 
 -- The area of a polygon in space of points { x, y, z }, by its triangles.

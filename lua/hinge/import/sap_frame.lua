@@ -4,9 +4,9 @@
 -- Names of tables and fields: exported files in public repositories. Local axes, after the help of CSI on frames: axis
 -- 1 is along the member. Axis 2 is in a vertical plane and upwards; of a vertical member it is along global X. A member
 -- is vertical if the sine of its angle to Z is below 1e-3. The angle turns axis 2 towards axis 3.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local divided = require "hinge.import.divided"
 local sap_areas = require "hinge.import.sap_areas"
@@ -15,7 +15,7 @@ local sap_loads = require "hinge.import.sap_loads"
 local sap_offsets = require "hinge.import.sap_offsets"
 local sap_ties = require "hinge.import.sap_ties"
 local sap_section = require "hinge.import.sap_section"
-local units = require "hinge.units"
+local units = require "hinge.library.units"
 
 -- Rows ----------------------------------------------------------------------------------------------------------------
 

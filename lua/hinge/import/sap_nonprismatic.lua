@@ -4,7 +4,7 @@
 -- of a share of what these leave. E I varies linearly, or its square root (Parabolic) or cube root (Cubic) does; area,
 -- shear areas and torsion constant vary linearly.
 local frame_module = require "hinge.import.frame"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 
 local pieces_of_taper = 12 -- the deflection of a cantilever of I from 1 to 8 is right to 0.3 %

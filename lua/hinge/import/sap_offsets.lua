@@ -8,7 +8,7 @@
 -- Rigid end: the part RigidFactor of the length from the joint to the face of what crosses there. CSI leaves axial
 -- strain and torsion flexible in it; here it is rigid in all. Loads in it act on the joint.
 local frame_module = require "hinge.import.frame"
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 
 local gravity = 9.80665 -- m/s^2

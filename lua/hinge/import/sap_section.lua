@@ -2,10 +2,10 @@
 --
 -- t3 is the depth along axis 2, which is y of hinge, t2 the width along axis 3. I33 is Ix, I22 is Iy, AS2 is
 -- shear_area_y, AS3 is shear_area_x. A shear area of 0 means that the member has no shear strain.
-local named = require "hinge.named"
+local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
-local shapes = require "hinge.shapes"
-local tees = require "hinge.tees"
+local shapes = require "hinge.sections.shapes"
+local tees = require "hinge.sections.tees"
 
 local rigid = 1000 -- shear areas over the area: the shear strain that is left is 1/1000 of what the area would give
 local largest_difference = 0.02 -- of areas, beyond which hinge.section.general refuses the outline

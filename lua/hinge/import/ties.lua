@@ -85,7 +85,7 @@ function ties.build(core, model, full, nodes)
       joint = core.joint { Mx = row.Mx, My = row.My, Mz = row.Mz } }
   end
   for _, row in ipairs(full.motions) do
-    model:move { node = all(held_along(full, row.axis)), [row.axis] = require "hinge.ground" { dt = row.dt,
+    model:move { node = all(held_along(full, row.axis)), [row.axis] = require "hinge.actions.ground" { dt = row.dt,
       acceleration = row.acceleration, scale = row.scale } }
   end
   if full.damping then model:damping(full.damping) end

@@ -1,8 +1,8 @@
 -- import.write: a frame as a script of hinge in tables of nodes and members, one line each.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local core = require "hinge.core"
 local in_full = require "hinge.import.in_full"
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 local ties = require "hinge.import.ties"
 
 local where = "hinge.import.write"

@@ -14,7 +14,7 @@
 -- `stiff` is the default, box 260x260x13; scripts/paper/lost_inputs.lua chose it. `slender` is box 120x120x6. From the
 -- paper: the mass of the aircraft is spread evenly over its members, by their density.
 local hinge = require "hinge"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local materials = require "hinge.models.materials"
 
 local aircraft = {}

@@ -5,7 +5,7 @@
 -- Every one is an option. From the paper: the feet are fixed, and a horizontal load acts on an upper corner,
 -- here along the beam from it (x).
 local hinge = require "hinge"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local space_frame = {}
 local where = "space_frame.add"

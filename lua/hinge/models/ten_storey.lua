@@ -5,7 +5,7 @@
 -- hold there. `heavy` is a frame that the aircraft does not cut. From the paper: ten storeys, steel, fixed at its feet,
 -- and a floor weight of twenty times the own weight of the whole structure, put into the density of the beams.
 local hinge = require "hinge"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local materials = require "hinge.models.materials"
 
 local ten_storey = {}

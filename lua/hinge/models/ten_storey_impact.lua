@@ -5,11 +5,11 @@
 -- aircraft.lua mark as reconstructed, in two designs; the rule of contact. From the paper: table 1, the limits of
 -- fracture, gap elements with a binding time of 0.5 ms, no inclination, no damping.
 local hinge    = require "hinge"
-local check    = require "hinge.check"
+local check    = require "hinge.library.check"
 local core     = require "hinge.core"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 
 local impact = {
   order = { "I", "II", "III", "IV" },

@@ -1,7 +1,7 @@
 -- A plot as commands and data for gnuplot: NAME.gp and NAME.dat.
 local layout = require "hinge.plot.layout"
 local read = require "hinge.plot.read"
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 
 local ink, faint_ink = 0x1f2328, 0x6e747c
 

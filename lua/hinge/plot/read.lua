@@ -1,6 +1,6 @@
 -- Reads the table of a plot: checks each field and copies it, with numbers in place of names of categories.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local read = {}
 

@@ -1,7 +1,7 @@
 -- Films: which frame is seen when, and what writes MP4, WebM and GIF.
 local core = require "hinge.core"
-local check = require "hinge.check"
-local quote = require "hinge.quote"
+local check = require "hinge.library.check"
+local quote = require "hinge.library.quote"
 
 local film = {}
 

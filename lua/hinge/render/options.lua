@@ -1,9 +1,9 @@
 -- The options of hinge render, read from the command line's text and checked before anything is drawn.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local film = require "hinge.render.film"
-local values = require "hinge.values"
-local view = require "hinge.view"
+local values = require "hinge.library.values"
+local view = require "hinge.render.view"
 
 local options = {}
 

@@ -1,7 +1,7 @@
 -- Work on numbered items in several processes, each of which takes the next item when it has done one; with a line on a
 -- terminal that says how far it is.
 local core = require "hinge.core"
-local status_line = require "hinge.status_line"
+local status_line = require "hinge.library.status_line"
 
 local workers = {}
 

@@ -1,6 +1,6 @@
 -- hinge.results.base: reactions by support, the loads that act, and whether the two are in balance.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 

@@ -1,6 +1,6 @@
 -- hinge.results.envelope: the smallest and largest resultants of each member over the steps of a dynamic run, or over
 -- several runs.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local joints = require "hinge.results.joints"
 local members = require "hinge.results.members"
 local source = require "hinge.results.source"

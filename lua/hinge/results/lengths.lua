@@ -1,5 +1,5 @@
 -- Buckling lengths of members: one table for all, one for each group, or a function of the member.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local lengths = {}
 

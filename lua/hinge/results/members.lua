@@ -1,5 +1,5 @@
 -- hinge.results.members: the extreme resultants of each member, and where they are.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 

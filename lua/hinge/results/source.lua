@@ -1,5 +1,5 @@
 -- What results are read from: runs, the members that are asked for, and the states of a run that is still to be done.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local source = {}
 

@@ -1,6 +1,6 @@
 -- hinge.results.storeys: drifts and shear forces of storeys, with their peaks over a run.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 

@@ -6,9 +6,9 @@
 -- fields of the row that stand in the same cell, and have columns of their own in CSV files. `minor`: in these files
 -- alone.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local units = require "hinge.results.units"
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 
 local Table = {}
 
@@ -312,7 +312,7 @@ function Table.draw(where, plot, job, filename)
     check.fail("%s: the job is %s; call it as table:plot(filename, options) or table:plot(job, filename, options)",
       where, check.show(job))
   end
-  if job then job:plot(plot, filename) else require "hinge.job".free.plot(plot, filename) end
+  if job then job:plot(plot, filename) else require "hinge.program.job".free.plot(plot, filename) end
 end
 
 --- The arguments of a method plot: (filename, options) or (job, filename, options).

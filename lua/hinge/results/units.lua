@@ -1,7 +1,7 @@
 -- The units of a table of results: "kN, m, mm" names those of forces, lengths and displacements. Moments have the units
 -- of force times length.
-local check = require "hinge.check"
-local si = require "hinge.units"
+local check = require "hinge.library.check"
+local si = require "hinge.library.units"
 
 local units = {}
 

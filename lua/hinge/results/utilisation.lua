@@ -1,9 +1,9 @@
 -- hinge.results.utilisation: the checks of EN 1993-1-1 or AISC 360-16 for members of steel, over one or more runs, and
 -- joints against their own strength.
-local check = require "hinge.check"
-local aisc = require "hinge.results.aisc"
+local check = require "hinge.library.check"
+local aisc = require "hinge.standards.aisc_360.members"
 local Envelope = require "hinge.results.envelope".class
-local eurocode = require "hinge.results.eurocode"
+local eurocode = require "hinge.standards.en_1993_1_1.members"
 local joints = require "hinge.results.joints"
 local lengths = require "hinge.results.lengths"
 local profile = require "hinge.results.profile"

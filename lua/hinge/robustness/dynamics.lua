@@ -1,6 +1,6 @@
 -- The dynamic procedure of hinge.robustness: members leave a frame at rest, and the run goes on until the joint above
 -- has turned or something has fallen.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local runs = require "hinge.robustness.runs"
 local statics = require "hinge.robustness.statics"
 

@@ -1,7 +1,7 @@
 -- The factors of UFC 4-023-03 and of GSA's guidelines of 2016, demand over capacity, and the limits of rotation that
 -- hinge.robustness holds them against. The numbers are those of digitised tables of both documents (steel); the
 -- originals were not at hand. Not confirmed beyond that: that a column goes within a tenth of the vertical period.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local geometry = require "hinge.robustness.geometry"
 
 local factors = {}

@@ -1,6 +1,6 @@
 -- The columns of a model as hinge.robustness sees them: vertical members from joint to joint, the bays beside them and
 -- the beams in these bays. All are plain numbers, so that they outlive the model they were read from.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local geometry = {}
 

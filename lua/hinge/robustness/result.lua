@@ -1,9 +1,9 @@
 -- What hinge.robustness returns: the rows as text, Markdown, CSV, a picture, and a page about all.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local factors = require "hinge.robustness.factors"
-local job = require "hinge.job"
-local quote = require "hinge.quote"
+local job = require "hinge.program.job"
+local quote = require "hinge.library.quote"
 
 local Result = {}
 local class = check.class(Result, "hinge.robustness_result")

@@ -1,6 +1,6 @@
 -- What the procedures of hinge.robustness share: models that lose members, statics without these, and rotations.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local geometry = require "hinge.robustness.geometry"
 
 local runs = {}

@@ -1,8 +1,8 @@
 -- One case of a study: run in a process of its own, and what the study keeps of it.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local files = require "hinge.study.files"
-local runner = require "hinge.runner"
+local runner = require "hinge.program.runner"
 local tables = require "hinge.study.table"
 
 local case = {}

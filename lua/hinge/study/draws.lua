@@ -1,6 +1,6 @@
 -- Random draws of parameters: independent ones, a Latin hypercube, or Sobol's sequence; and the distributions.
-local check = require "hinge.check"
-local values = require "hinge.values"
+local check = require "hinge.library.check"
+local values = require "hinge.library.values"
 
 local draws = {}
 

@@ -2,7 +2,7 @@
 -- holds what is in them, and so does a measurement of hinge cost. They are watched from the moment when the program
 -- loads the script, or the script the library: what it reads at its top counts as much as what a case reads.
 local core = require "hinge.core"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local files = {}
 local fingerprint_of = {} -- by whole path, of what has been read or looked for

@@ -3,7 +3,7 @@
 local core = require "hinge.core"
 local files = require "hinge.study.files"
 local finished = require "hinge.study.case".finished
-local quote = require "hinge.quote"
+local quote = require "hinge.library.quote"
 
 local journal = {}
 

@@ -2,7 +2,7 @@
 -- were drawn, and the rank correlation of each quantity with each parameter.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local draw_plot = require "hinge.plot.draw"
 local fit = require "hinge.study.fit"
 local tables = require "hinge.study.table"

@@ -1,7 +1,7 @@
 -- Cases in processes of their own, several at a time.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local pool = {}
 

@@ -1,12 +1,12 @@
 -- hinge study: reads the command line, runs the cases, prints and writes.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local files = require "hinge.study.files"
-local runner = require "hinge.runner"
+local runner = require "hinge.program.runner"
 local study = require "hinge.study"
 local tables = require "hinge.study.table"
-local values = require "hinge.values"
+local values = require "hinge.library.values"
 local vary = require "hinge.study.vary"
 
 local program = {}

@@ -1,7 +1,7 @@
 -- How a study goes, while it goes: a line that is renewed on a terminal, lines now and then in a pipe.
 local core = require "hinge.core"
 local case = require "hinge.study.case"
-local status_line = require "hinge.status_line"
+local status_line = require "hinge.library.status_line"
 
 local progress = {}
 

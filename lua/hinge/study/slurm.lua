@@ -1,8 +1,8 @@
 -- hinge study --slurm: the study as a job array. Each task runs some cases by `hinge study ... --case A-B`, which
 -- leaves finished ones alone, so a task that runs again goes on where it ended.
 local core = require "hinge.core"
-local check = require "hinge.check"
-local quote = require "hinge.quote"
+local check = require "hinge.library.check"
+local quote = require "hinge.library.quote"
 
 local slurm = {}
 

@@ -1,6 +1,6 @@
 -- The cases of a study as a table: results.csv, and what is printed of it.
-local check = require "hinge.check"
-local quote = require "hinge.quote"
+local check = require "hinge.library.check"
+local quote = require "hinge.library.quote"
 
 local tables = {}
 

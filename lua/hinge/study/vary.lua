@@ -1,6 +1,6 @@
 -- What a study varies: values in the command line's words or as Lua tables, and the list of cases that follows.
-local check = require "hinge.check"
-local values = require "hinge.values"
+local check = require "hinge.library.check"
+local values = require "hinge.library.values"
 local draws = require "hinge.study.draws"
 local files = require "hinge.study.files"
 

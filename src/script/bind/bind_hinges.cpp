@@ -1,4 +1,4 @@
-// The plastic hinges and the joints of a run, for run:hinges (lua/hinge/hinges.lua).
+// The plastic hinges and the joints of a run, for run:hinges (lua/hinge/results/hinges.lua).
 #include "script/bind/bind_hinges.h"
 
 #include <algorithm>

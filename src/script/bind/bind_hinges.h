@@ -1,4 +1,4 @@
-// Binding of the method run:hinges (lua/hinge/hinges.lua).
+// Binding of the method run:hinges (lua/hinge/results/hinges.lua).
 #pragma once
 
 #include <lua.hpp>

@@ -1,5 +1,5 @@
 // Texts of others inside languages that hinge writes: one function for each. Those of Lua, gnuplot, HTML and others are
-// in lua/hinge/quote.lua, XML is in output/snapshot_file.cpp; tests/README.md lists where each is used.
+// in lua/hinge/library/quote.lua, XML is in output/snapshot_file.cpp; tests/README.md lists where each is used.
 #pragma once
 
 #include <string>

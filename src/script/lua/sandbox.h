@@ -1,5 +1,5 @@
-// Limits of a script that is not trusted. Calls that it may use are in lua/hinge/sandbox.lua; folders that it may write
-// to, in output_file.
+// Limits of a script that is not trusted. Calls that it may use are in lua/hinge/program/sandbox.lua; folders that it
+// may write to, in output_file.
 #pragma once
 
 #include <lua.hpp>

@@ -1,6 +1,6 @@
 -- Arguments of a command of OpenSees: numbers, tags, options, and what they refer to. Each function takes the reader,
 -- which knows the command that runs now and its place in the file.
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 
 local arguments = {}

@@ -3,7 +3,7 @@
 -- Axes: z of hinge is x of OpenSees, y is z, which is towards vecxz, and x is y. In a plane frame y of hinge is y of
 -- OpenSees, and x is -z.
 local arguments = require "hinge.import.opensees.arguments"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
 local materials = require "hinge.import.opensees.materials"
 local sections = require "hinge.import.opensees.sections"

@@ -2,7 +2,7 @@
 -- (remove). What stands at the end is the model. What stands at a wipe, or at an analysis after which something is
 -- removed, is another one, which has a number.
 local arguments = require "hinge.import.opensees.arguments"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 
 local tag, find = arguments.tag, arguments.find

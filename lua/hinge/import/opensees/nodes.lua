@@ -1,6 +1,6 @@
 -- Commands of OpenSees that make nodes, supports and masses.
 local arguments = require "hinge.import.opensees.arguments"
-local check = require "hinge.check"
+local check = require "hinge.library.check"
 
 local number, tag, numbers, positional = arguments.number, arguments.tag, arguments.numbers, arguments.positional
 local option, find, assume = arguments.option, arguments.find, arguments.assume

@@ -1,6 +1,6 @@
 -- The units of a script of OpenSees, which the script does not say: each by its name, checked by its kind.
-local check = require "hinge.check"
-local known = require "hinge.units"
+local check = require "hinge.library.check"
+local known = require "hinge.library.units"
 
 local units = {}
 
