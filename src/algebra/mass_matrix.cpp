@@ -82,7 +82,7 @@ ElementMass::ElementMass(const Structure& structure, const State& state)
       part_(structure.elements().size()),
       own_inverse_(structure.position().size(), 0),
       own_rotary_inverse_(structure.position().size(), Mat3::Zero()) {
-    const Configuration pose = configuration_of(state);
+    const Configuration& pose = state;
     for (std::size_t i = 0; i < part_.size(); ++i) {
         part_[i] = part_of(structure, int(i), state, pose);
         for (int node : structure.elements()[i].node)
@@ -170,7 +170,7 @@ Mass::Mass(const Structure& structure, const State& state) : structure_(structur
     if (!structure.lumped()) return;
     std::vector<int> all(structure.elements().size());
     std::iota(all.begin(), all.end(), 0);
-    renew(all, state, configuration_of(state));
+    renew(all, state, state);
 }
 
 void Mass::set_reduction(const Reduction* reduction) {
@@ -284,7 +284,7 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
         return report;
     }
     if (reduction_) return solve_reduced(right, change, state);
-    if (!blocks_ && structure_.cubic()) renew({}, state, configuration_of(state));
+    if (!blocks_ && structure_.cubic()) renew({}, state, state);
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
     take_up_held(state);
     std::sort(blocks_->dirty.begin(), blocks_->dirty.end());
@@ -362,7 +362,7 @@ SolveReport Mass::solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6
     std::vector<int> elements;
     for (int e = 0; e < int(state.broken.size()); ++e)
         if (!state.broken[e]) elements.push_back(e);
-    const Configuration at = pose_ ? *pose_ : configuration_of(state);
+    const Configuration& at = pose_ ? *pose_ : static_cast<const Configuration&>(state);
     reduced.build(elements, state, at, {});
     for (int n = 0; n < int(state.offset_mass.size()); ++n)
         if (has_offset_mass(state, n))

@@ -149,7 +149,7 @@ void condense_velocities(const std::vector<MasslessNode>& list, const Structure&
     std::vector<int> whole;
     for (int e = 0; e < int(state.broken.size()); ++e)
         if (!state.broken[e]) whole.push_back(e);
-    const Configuration pose = configuration_of(state);
+    const Configuration& pose = state;
     K.build(whole, state, pose, {});
     K.set_blocks(blocks);
     K.assemble();

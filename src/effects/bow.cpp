@@ -69,7 +69,7 @@ public:
             any_added_ = has_kept(int(block)) || counts(int(block), w_.force_of_fixed_ends());
         return any_added_;
     }
-    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         if (w_.at_state) {  // what broke as the last step was kept has none any more
             const std::vector<double>& list = kept().list;
             for (std::size_t i = 0; i < all.size(); ++i)
@@ -155,9 +155,7 @@ private:
     const BowMoments& kept() const { return *w_.state.data.find<BowMoments>("bow"); }
     static int first_of(int element) { return element & ~1; }
     /// Where `force_of_fixed_ends` belongs to.
-    ConfigurationView place() const {
-        return w_.kind.dynamic ? ConfigurationView(w_.state) : ConfigurationView(w_.trial);
-    }
+    const Pose& place() const { return w_.kind.dynamic ? static_cast<const Pose&>(w_.state) : w_.trial; }
     bool whole(int first) const { return !w_.state.broken[first] && !w_.state.broken[first + 1]; }
 
     /// From the axial forces of elements.
@@ -185,8 +183,8 @@ private:
         return false;
     }
 
-    void add_to_block(int block, const Forces& of, const std::vector<Vec6>& force, const ConfigurationView& at,
-                      double factor, std::vector<beam::FixedEnd>& all) const {
+    void add_to_block(int block, const Forces& of, const std::vector<Vec6>& force, const Pose& at, double factor,
+                      std::vector<beam::FixedEnd>& all) const {
         const Block& b = blocks_[block];
         const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
         const Lanes p[2] = {b.p(0, of.P), b.p(1, of.P)};
@@ -249,7 +247,7 @@ private:
     /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where both sides
     /// of the middle come near to the plastic one. `m`: the bow's part there.
     Eigen::Vector2d beyond_middle(int first, const Eigen::Vector2d& p, const Eigen::Vector2d& m,
-                                  const std::vector<Vec6>& force, const ConfigurationView& at, double factor,
+                                  const std::vector<Vec6>& force, const Pose& at, double factor,
                                   const std::vector<beam::FixedEnd>& all) const {
         Eigen::Vector2d peak = Eigen::Vector2d::Zero();
         if (!w_.structure.elements()[first].law) return peak;
@@ -271,7 +269,7 @@ private:
     }
 
     /// What the middle section of a pair has beyond its elements' moments there, about x and about y, N m.
-    Eigen::Vector2d middle_moment(int first, const std::vector<Vec6>& force, const ConfigurationView& at) const {
+    Eigen::Vector2d middle_moment(int first, const std::vector<Vec6>& force, const Pose& at) const {
         Eigen::Vector2d m = Eigen::Vector2d::Zero();
         const auto& elements = w_.structure.elements();
         if (first + 1 >= int(elements.size()) || elements[first].partner != first + 1 || !whole(first)) return m;

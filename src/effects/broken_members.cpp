@@ -49,10 +49,10 @@ public:
     }
 
     /// Weights at rest, where the nodes have rotated them.
-    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const Pose& at, std::vector<Vec6>& external) const override {
         add_weights(at, gravity().acceleration, external);
     }
-    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const Pose& at, std::vector<Vec6>& external) const override {
         add_weights(at, gravity().held, external);
     }
     bool follows_nodes() const override {
@@ -128,7 +128,7 @@ public:
     }
 
 private:
-    void add_weights(const ConfigurationView& at, const Vec3& g, std::vector<Vec6>& external) const {
+    void add_weights(const Pose& at, const Vec3& g, std::vector<Vec6>& external) const {
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
             if (h.mass == 0) continue;

@@ -61,7 +61,7 @@ double ClampedMember::of_force(int end, int plane, double xi) const {
 }
 double ClampedMember::of_moment(int end, int plane, double xi) const { return rotation(end, xi, phi_[plane]); }
 
-MemberEnds::Chord MemberEnds::chord(const Structure& s, const ConfigurationView& at) const {
+MemberEnds::Chord MemberEnds::chord(const Structure& s, const Pose& at) const {
     const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
     Vec3 span = double(count) * a.chord;
     if (!s.large()) return {a.axes.toRotationMatrix(), span};
@@ -72,7 +72,7 @@ MemberEnds::Chord MemberEnds::chord(const Structure& s, const ConfigurationView&
             span};
 }
 
-Mat3 MemberEnds::axes(const Structure& s, const ConfigurationView& at) const {
+Mat3 MemberEnds::axes(const Structure& s, const Pose& at) const {
     const Element &a = s.elements()[first], &b = s.elements()[first + count - 1];
     if (!s.large()) return a.axes.toRotationMatrix();
     const Vec3 start = a.axes * Vec3::UnitY(),
@@ -171,7 +171,7 @@ double PressedPair::middle_of_couple(int plane, double x) const {
     return p_[plane] == 0 ? 0 : -(1 + more_[plane]) * beam::bow_of_couple(p_[plane], x);
 }
 
-Vec3 direction_of(const Structure& s, int element, const ConfigurationView& at) {
+Vec3 direction_of(const Structure& s, int element, const Pose& at) {
     const Element& e = s.elements()[element];
     return (s.large() ? chord_of(e, at.displacement) : e.chord).normalized();
 }

@@ -60,9 +60,9 @@ struct MemberEnds {
         Mat3 axes;
         Vec3 span;
     };
-    Chord chord(const Structure& structure, const ConfigurationView& at) const;
+    Chord chord(const Structure& structure, const Pose& at) const;
     /// Its axes alone, in a third of the time: by the mean of the y axes at its ends.
-    Mat3 axes(const Structure& structure, const ConfigurationView& at) const;
+    Mat3 axes(const Structure& structure, const Pose& at) const;
 
     /// Calls add(node, force and moment in space) for moments m at the two ends, in space.
     template <class Add>
@@ -137,7 +137,7 @@ private:
 };
 
 /// Of an element, along its chord.
-Vec3 direction_of(const Structure& structure, int element, const ConfigurationView& at);
+Vec3 direction_of(const Structure& structure, int element, const Pose& at);
 
 /// The forces of a section at an end of an element balance what its node got of the load: in the element's axes.
 void add_share(double side, const Vec3& force, const Vec3& moment, SectionForces& forces);

@@ -80,7 +80,7 @@ public:
             if (!list()[i].broken && !is_linear(declared()[i])) return true;
         return false;
     }
-    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
         for (std::size_t i = 0; i < now_.size(); ++i) {
             if (list()[i].broken) continue;
             const Connector& c = declared()[i];
@@ -216,7 +216,7 @@ private:
                         : " between " + w_.structure.node_name(c.a) + " and " + w_.structure.node_name(c.b));
     }
 
-    Placed place(std::size_t i, const ConfigurationView& at, const ConnectorNow& before) const {
+    Placed place(std::size_t i, const Pose& at, const ConnectorNow& before) const {
         const Connector& c = declared()[i];
         const auto& X = w_.structure.position();
         const Vec3 arm = c.a < 0 ? Vec3(Vec3::Zero()) : Vec3(X[c.b] - X[c.a]);
@@ -368,7 +368,7 @@ private:
                           direction < 3 ? "N" : "N m", name[direction]);
         host_.note_activation(connectors_effect, false, name_of(i) + how);
     }
-    void changed(const ConfigurationView& at) {
+    void changed(const Pose& at) {
         host_.accelerations_anew();
         host_.blocks_changed(at);
     }

@@ -87,7 +87,7 @@ public:
         place(w_.trial.displacement);
         now().add_internal_forces(position_, w_.trial.rotation, resisting);
     }
-    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
         place(at.displacement);
         now().add_stiffness(position_, at.rotation, [&](int a, int b, const Mat12& K) { blocks.stiffness(a, b, K); });
     }

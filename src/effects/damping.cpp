@@ -121,7 +121,7 @@ public:
     }
 
     bool has_blocks() const override { return !masses_.empty(); }
-    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
         for (const auto& [node, mass] : masses_)
             blocks.damping(node, Mat6(alpha_at(node) * offset_mass_in_space(mass, at.rotation[node])));
     }
@@ -252,7 +252,7 @@ private:
         return false;
     }
 
-    void renew(const ConfigurationView& at) {
+    void renew(const Pose& at) {
         for (std::size_t i = 0; i < masses_.size(); ++i) built_[i] = at.rotation[masses_[i].node];
         host_.blocks_changed(at);
     }

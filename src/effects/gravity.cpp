@@ -35,10 +35,10 @@ public:
         for_each_weight(w_.structure, w_.state, [&](int node, double mass) { external[node].head<3>() += mass * g_; });
         for (std::size_t n = 0; n < even_.more().size(); ++n) external[n].head<3>() += even_.more()[n] * g_;
     }
-    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const Pose& at, std::vector<Vec6>& external) const override {
         add_corrections(g_, at, external);
     }
-    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const Pose& at, std::vector<Vec6>& external) const override {
         for_each_weight(w_.structure, w_.state,
                         [&](int node, double mass) { external[node].head<3>() += mass * held_; });
         add_corrections(held_, at, external);
@@ -75,11 +75,11 @@ public:
     void acceleration_found() override { before_ = now_; }
 
     bool has_fixed_ends() const override { return !members_.joints().empty(); }
-    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, w_.force_of_fixed_ends(), false, all);
         placed_ = true;
     }
-    void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void set_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         members_.add_fixed_ends(w_.structure, w_.pool, g_at(factor), at, w_.force_of_fixed_ends(), true, all);
         placed_ = true;
     }
@@ -156,7 +156,7 @@ private:
         members_.find_moments(w_.structure, g_, w_.state, w_.state.force, false, now_);
         before_ = now_;
     }
-    void add_corrections(const Vec3& g, const ConfigurationView& at, std::vector<Vec6>& external) const {
+    void add_corrections(const Vec3& g, const Pose& at, std::vector<Vec6>& external) const {
         std::vector<Vec3> moments;
         members_.find_moments(w_.structure, g, at, w_.force, false, moments);
         for (std::size_t i = 0; i < moments.size(); ++i) external[members_.joints()[i]].tail<3>() += moments[i];

@@ -76,7 +76,7 @@ public:
     void add_forces(double, std::vector<Vec6>& resisting) override {
         each([&](GroundLaw& law) { law.add_forces(resisting); });
     }
-    void add_blocks(const ConfigurationView&, Blocks& blocks) const override {
+    void add_blocks(const Pose&, Blocks& blocks) const override {
         each([&](const GroundLaw& law) { law.add_blocks(blocks); });
     }
     bool has_blocks() const override {

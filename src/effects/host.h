@@ -33,7 +33,7 @@ public:
     /// The element's stiffness is not what the effective stiffness has of it.
     virtual void stiffness_changed(int element) = 0;
     /// The stiffness of forces has changed: Force::add_blocks is asked of all, at that configuration.
-    virtual void blocks_changed(const ConfigurationView& at) = 0;
+    virtual void blocks_changed(const Pose& at) = 0;
     /// Mass that hangs rigidly on a node, 6 x 6 in space, in the effective stiffness.
     virtual void set_offset_mass(int node, const Mat6& mass) = 0;
     /// These nodes (not negative) take no part in the solution; empty: all do.
@@ -54,8 +54,7 @@ public:
     /// Effect::keep_from_rest of all.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
     /// Loads at points between the ends of a pair of elements (SectionForceSource::add_points of all).
-    virtual std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
-                                                       double factor) = 0;
+    virtual std::vector<beam::BowPoint> points_on_pair(int first, int plane, const Pose& at, double factor) = 0;
     virtual void count_break() = 0;
     virtual bool has_effective_stiffness() const = 0;
 };

@@ -111,7 +111,7 @@ public:
             if (!list()[i].broken && !declared()[i].is.is_linear()) return true;
         return false;
     }
-    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
         for (std::size_t i = 0; i < made_.size(); ++i) {
             if (list()[i].broken) continue;
             const RelativeRotation r = turn(i, at);
@@ -134,7 +134,7 @@ public:
     // ---- constraints ----------------------------------------------------------------------------------------------
     /// u' = u + w x arm of the member's own node, and w' = w where it has no joint. A node that follows another one
     /// passes the end on to that one.
-    void add_constraints(const ConfigurationView& at, std::vector<LinearConstraint>& list_of_all) const override {
+    void add_constraints(const Pose& at, std::vector<LinearConstraint>& list_of_all) const override {
         std::unordered_map<int, std::size_t> follows;
         for (std::size_t i = 0; i < list_of_all.size(); ++i)
             follows[6 * list_of_all[i].dependent.node + list_of_all[i].dependent.component] = i;
@@ -157,7 +157,7 @@ public:
             }
         }
     }
-    void place(const ConfigurationView&, const std::vector<Vec3>&, Configuration& to) const override {
+    void place(const Pose&, const std::vector<Vec3>&, Configuration& to) const override {
         for_each_tied([&](const Tie& t) {
             to.displacement[t.end] = to.displacement[t.node];
             if (t.arm.isZero(0)) return;
@@ -185,8 +185,7 @@ public:
         });
     }
     /// The moment arm x f of an end on its node changes as the arm rotates.
-    void add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced,
-                       Blocks& blocks) const override {
+    void add_curvature(const Pose& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const override {
         if (!w_.structure.large()) return;
         for (const Tie& t : ties_) {
             if (t.arm.isZero(0) || !is_whole(t)) continue;
@@ -415,7 +414,7 @@ private:
     bool is_whole(const Tie& t) const {
         return t.is_rigid() ? !lost(t.node) && !w_.state.gone[t.end] : !list()[std::size_t(t.joint)].broken;
     }
-    Vec3 arm_of(const Tie& t, const ConfigurationView& at) const {
+    Vec3 arm_of(const Tie& t, const Pose& at) const {
         return t.arm.isZero(0) || !w_.structure.large() ? t.arm : Vec3(at.rotation[t.node] * t.arm);
     }
     template <class F>
@@ -424,7 +423,7 @@ private:
             if (is_whole(t)) f(t);
     }
 
-    RelativeRotation turn(std::size_t i, const ConfigurationView& at) const {
+    RelativeRotation turn(std::size_t i, const Pose& at) const {
         const Made& m = made_[i];
         return relative_rotation(w_.structure, at, m.node, m.end, m.axes, list()[i].rotation);
     }
@@ -724,7 +723,7 @@ private:
         j.broken_at = time;
         host_.note_activation(joints_effect, false, name_of(i) + " broke: " + why(i));
     }
-    void changed(const ConfigurationView& at) {
+    void changed(const Pose& at) {
         host_.accelerations_anew();
         host_.blocks_changed(at);
     }

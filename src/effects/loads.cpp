@@ -36,7 +36,7 @@ public:
 
     /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
     /// and takes them as they are at time 0, or in full where that is nothing.
-    void add_static_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
+    void add_static_loads(const Pose&, std::vector<Vec6>& external) const override {
         for (const NodalLoad& l : declared_) {
             if (l.held) continue;
             const double factor = l.history ? l.history(0) : 1.0;
@@ -44,7 +44,7 @@ public:
             external[l.node].tail<3>() += (l.history && factor == 0 ? 1.0 : factor) * l.moment;
         }
     }
-    void add_held_loads(const ConfigurationView&, std::vector<Vec6>& external) const override {
+    void add_held_loads(const Pose&, std::vector<Vec6>& external) const override {
         for (const NodalLoad& l : declared_)
             if (l.held) external[l.node].head<3>() += l.force, external[l.node].tail<3>() += l.moment;
     }

@@ -137,7 +137,7 @@ public:
                std::any_of(loads_.begin(), loads_.end(), [](const Loaded& l) { return l.local; });
     }
     bool blocks_follow() const override { return has_blocks(); }
-    void add_blocks(const ConfigurationView& at, Blocks& blocks) const override {
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
         if (has_blocks())
             for (const Loaded& l : loads_)
                 if (l.local) add_derivative(l, at, factor_now(l, w_.factor), blocks);
@@ -151,11 +151,11 @@ public:
             l.factor = l.kept_factor = factor == 0 ? 1 : factor;
         }
     }
-    void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_static_loads(const Pose& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
             if (!l.held) act(l, at, l.factor, [&](int node, const Vec6& f) { external[node] += f; });
     }
-    void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const override {
+    void add_held_loads(const Pose& at, std::vector<Vec6>& external) const override {
         for (const Loaded& l : loads_)
             if (l.held) act(l, at, 1, [&](int node, const Vec6& f) { external[node] += f; });
     }
@@ -191,7 +191,7 @@ public:
     }
 
     bool has_fixed_ends() const override { return true; }
-    void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const override {
+    void add_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const override {
         for (const Loaded& l : loads_) {
             Vec3 m[2];
             const double now = factor_now(l, factor);
@@ -202,7 +202,7 @@ public:
     }
 
     /// A force along y makes dMx/dz fall, one along x lets dMy/dz rise.
-    void add_points(int first, int plane, const ConfigurationView& at, double factor,
+    void add_points(int first, int plane, const Pose& at, double factor,
                     std::vector<beam::BowPoint>& to) const override {
         const auto on = on_element_.find(first);
         if (on == on_element_.end()) return;
@@ -476,14 +476,14 @@ private:
     static double factor_now(const Loaded& l, double load_factor) { return l.held ? 1 : load_factor * l.factor; }
     double kept_factor(const Loaded& l) const { return l.held ? 1 : w_.acting_factor() * l.kept_factor; }
     /// The corrections at the member's ends, in its axes; none where it is not whole.
-    void find_moments(const Loaded& l, double factor, const ConfigurationView& at, Vec3 m[2]) const {
+    void find_moments(const Loaded& l, double factor, const Pose& at, Vec3 m[2]) const {
         m[0].setZero(), m[1].setZero();
         if (!l.ends.whole(w_.state)) return;
         const Mat3 axes = l.ends.axes(w_.structure, at);
         for (int end : {0, 1}) m[end] = factor * end_moment(l, end, axes);
     }
     /// What a load adds to the resultants of an element, with the corrections m at its member's ends.
-    void add_fixed_end(const Loaded& l, int element, double factor, const ConfigurationView& at, const Vec3 m[2],
+    void add_fixed_end(const Loaded& l, int element, double factor, const Pose& at, const Vec3 m[2],
                        beam::FixedEnd& to) const {
         const Share& share = l.shares[element - l.ends.first];
         const Vec3 along = l.local ? Vec3(0, 0, 1) : direction_of(w_.structure, element, at);
@@ -518,7 +518,7 @@ private:
         bool is_middle(int element, int end) const { return (element == pair.first) == (end == 1); }
     };
     /// `force`: p of all elements, of which N is taken.
-    Pressed pressed(const Loaded& l, double factor, const ConfigurationView& at, const std::vector<Vec6>& force) const {
+    Pressed pressed(const Loaded& l, double factor, const Pose& at, const std::vector<Vec6>& force) const {
         Pressed is{false, l.ends};
         const bool between = l.at < 0 || (l.at > 0 && l.at < 1);
         if (!w_.structure.p_delta() || l.ends.count != 2 || !between) return is;
@@ -575,7 +575,7 @@ private:
         blocks.stiffness(node[0], node[1], K);
     }
 
-    void add_derivative(const Loaded& l, const ConfigurationView& at, double factor, Blocks& blocks) const {
+    void add_derivative(const Loaded& l, const Pose& at, double factor, Blocks& blocks) const {
         const auto& elements = w_.structure.elements();
         const auto place = [&](int node) { return Vec3(w_.structure.position()[node] + at.displacement[node]); };
         for (std::size_t i = 0; i < l.shares.size(); ++i) {
@@ -599,7 +599,7 @@ private:
 
     /// Calls add(node, force and moment in space) with all that a load asks of the nodes at such a place.
     template <class Add>
-    void act(const Loaded& l, const ConfigurationView& at, double factor, Add add) const {
+    void act(const Loaded& l, const Pose& at, double factor, Add add) const {
         const auto& elements = w_.structure.elements();
         bool broken = false;
         for (std::size_t i = 0; i < l.shares.size(); ++i) {
@@ -630,7 +630,7 @@ private:
     }
 
     /// On each of nodes_, now.
-    std::vector<Vec6> acting(const ConfigurationView& at) const {
+    std::vector<Vec6> acting(const Pose& at) const {
         std::vector<Vec6> sum(nodes_.size(), Vec6::Zero());
         for (const Loaded& l : loads_) act(l, at, l.factor, [&](int node, const Vec6& f) { sum[place_[node]] += f; });
         return sum;

@@ -133,7 +133,7 @@ void MemberWeights::choose(const Structure& s, const std::vector<int>& members) 
 }
 
 /// And its length.
-Lanes MemberWeights::find_span(const Block& b, bool large, const ConfigurationView& at, Lanes (&span)[3]) const {
+Lanes MemberWeights::find_span(const Block& b, bool large, const Pose& at, Lanes (&span)[3]) const {
     for (int c : {0, 1, 2}) span[c] = b.span[c];
     if (large) {
         Lanes u[2][lane_count];
@@ -216,8 +216,8 @@ bool MemberWeights::find_by_N(const Block& b, const std::vector<Vec6>& force, co
     return visit_pressed(b, force, heat, [&](int, int plane, const Lanes& p) { of[plane] += end_by_N(b, plane, p); });
 }
 
-void MemberWeights::find_moments(const Structure& s, const Vec3& g, const ConfigurationView& at,
-                                 const std::vector<Vec6>& force, bool placed, std::vector<Vec3>& out) const {
+void MemberWeights::find_moments(const Structure& s, const Vec3& g, const Pose& at, const std::vector<Vec6>& force,
+                                 bool placed, std::vector<Vec3>& out) const {
     out.assign(joints_.size(), Vec3::Zero());
     const auto put = [&](const Block& b, const Lanes(&m)[3]) {
         for (int i = 0; i < b.count; ++i) {
@@ -249,7 +249,7 @@ void MemberWeights::Axes::to_members(const Vec3& v, Lanes (&components)[3]) cons
     for (int c : {0, 1, 2}) components[c] = dot(axis[c], v);
 }
 
-void MemberWeights::find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const {
+void MemberWeights::find_axes(const Structure& s, const Block& b, const Pose& at, Axes& axes) const {
     const auto one_by_one = [&](const Lanes& size) {
         for (int i = 0; i < lane_count; ++i) {
             if (size[i] > 0.1) continue;
@@ -271,7 +271,7 @@ void MemberWeights::find_axes(const Structure& s, const Block& b, const Configur
     if (any_not_below(-size, -0.1)) one_by_one(size);  // ends that point apart
 }
 
-beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const ConfigurationView& at,
+beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const Pose& at,
                                         const std::vector<Vec6>& force, int element) const {
     const int member = s.elements()[element].member;
     const MemberEnds& ends = ends_[member];
@@ -285,7 +285,7 @@ beam::FixedEnd MemberWeights::fixed_end(const Structure& s, const Vec3& g, const
     return part;
 }
 
-void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const ConfigurationView& at,
+void MemberWeights::add_fixed_ends(const Structure& s, ThreadPool& pool, const Vec3& g, const Pose& at,
                                    const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const {
     static_assert(sizeof(beam::FixedEnd) == sizeof(Lanes));
     if (anew)

@@ -32,13 +32,13 @@ public:
     /// The moment on each of the joints, N m, in space.
     /// `force`: p of all elements, of which N is taken (PressedPair). `placed`: the members are where add_fixed_ends
     /// has been told last.
-    void find_moments(const Structure& structure, const Vec3& g, const ConfigurationView& at,
-                      const std::vector<Vec6>& force, bool placed, std::vector<Vec3>& moments) const;
+    void find_moments(const Structure& structure, const Vec3& g, const Pose& at, const std::vector<Vec6>& force,
+                      bool placed, std::vector<Vec3>& moments) const;
     /// Of all elements. `anew`: what `all` has does not count.
-    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const ConfigurationView& at,
+    void add_fixed_ends(const Structure& structure, ThreadPool& pool, const Vec3& g, const Pose& at,
                         const std::vector<Vec6>& force, bool anew, std::vector<beam::FixedEnd>& all) const;
-    beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const ConfigurationView& at,
-                             const std::vector<Vec6>& force, int element) const;
+    beam::FixedEnd fixed_end(const Structure& structure, const Vec3& g, const Pose& at, const std::vector<Vec6>& force,
+                             int element) const;
     void add_section_forces(const Structure& structure, const State& state, const Vec3& g, int element, double side,
                             SectionForces& forces) const;
 
@@ -69,9 +69,9 @@ private:
         Lanes axis[3][3];
         void to_members(const Vec3& v, Lanes (&components)[3]) const;
     };
-    Lanes find_span(const Block& b, bool large, const ConfigurationView& at, Lanes (&span)[3]) const;
+    Lanes find_span(const Block& b, bool large, const Pose& at, Lanes (&span)[3]) const;
     /// As by MemberEnds::axes and to the same bits.
-    void find_axes(const Structure& s, const Block& b, const ConfigurationView& at, Axes& axes) const;
+    void find_axes(const Structure& s, const Block& b, const Pose& at, Axes& axes) const;
     static Kind kind_of(const Structure& s, const MemberEnds& ends);
     /// N of the k-th pair of its members over what heat leaves of E, N; 0 where a member has none.
     static Lanes force_of_pairs(const Block& b, int k, const std::vector<Vec6>& force, const ElementHeats& heat);

@@ -8,8 +8,8 @@
 
 namespace hinge {
 
-RelativeRotation relative_rotation(const Structure& structure, const ConfigurationView& at, int a, int b,
-                                   const Mat3& axes, const Vec3& before) {
+RelativeRotation relative_rotation(const Structure& structure, const Pose& at, int a, int b, const Mat3& axes,
+                                   const Vec3& before) {
     if (!structure.large()) {
         const Vec3 of_a = a < 0 ? Vec3(Vec3::Zero()) : at.small_rotation[a];
         return {axes, Mat3::Identity(), axes.transpose() * (at.small_rotation[b] - of_a)};

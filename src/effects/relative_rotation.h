@@ -17,8 +17,8 @@ struct RelativeRotation {
 
 /// `a`: -1 for the ground. `axes`: as declared. `before`: the rotation where the last step ended; of rotations that
 /// differ by multiples of 2 pi the one next to it counts.
-RelativeRotation relative_rotation(const Structure& structure, const ConfigurationView& at, int a, int b,
-                                   const Mat3& axes, const Vec3& before);
+RelativeRotation relative_rotation(const Structure& structure, const Pose& at, int a, int b, const Mat3& axes,
+                                   const Vec3& before);
 
 /// Adds what the rotation of axes and moments adds to the stiffness, 12 x 12 of nodes a and b; `moment` in the axes,
 /// N m. Not symmetric.

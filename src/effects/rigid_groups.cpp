@@ -114,7 +114,7 @@ void RigidGroups::broke(const Break&) { find_bodies(); }
 bool RigidGroups::restored(std::span<const State* const>) { return find_bodies(), true; }
 
 /// Small displacement: as declared.
-Vec3 RigidGroups::place_of(int node, const ConfigurationView& at) const {
+Vec3 RigidGroups::place_of(int node, const Pose& at) const {
     return w_.structure.large() ? Vec3(w_.structure.position()[node] + at.displacement[node])
                                 : w_.structure.position()[node];
 }
@@ -129,14 +129,14 @@ Vec3 RigidGroups::mean(const Body& body, Of of) const {
 
 /// set(node, r) for each node that is placed by the reference point.
 template <class Set>
-void RigidGroups::for_arms(const Body& body, const ConfigurationView& at, Set set) const {
+void RigidGroups::for_arms(const Body& body, const Pose& at, Set set) const {
     const Vec3 centre = mean(body, [&](int n) { return place_of(n, at); });
     for (const Weighed& n : body.nodes)
         if (n.tied || !body.about_first) set(n, Vec3(body.in_plane(place_of(n.node, at)) - centre));
 }
 
 /// u' = u + w x arm, w' = w.
-void RigidGroups::add_constraints(const ConfigurationView& at, std::vector<LinearConstraint>& list) const {
+void RigidGroups::add_constraints(const Pose& at, std::vector<LinearConstraint>& list) const {
     for (const Body& body : bodies_) {
         const int first = body.group.first;
         for (const RigidGroup::Follower& f : body.group.followers) {
@@ -153,8 +153,7 @@ void RigidGroups::add_constraints(const ConfigurationView& at, std::vector<Linea
     }
 }
 
-void RigidGroups::place(const ConfigurationView& from, const std::vector<Vec3>& rotation_step,
-                        Configuration& to) const {
+void RigidGroups::place(const Pose& from, const std::vector<Vec3>& rotation_step, Configuration& to) const {
     for (const Body& body : bodies_) {
         const Vec3 by = body.turning(rotation_step[body.group.first]);
         const Quat turn = rotated(by, Quat::Identity());
@@ -198,8 +197,7 @@ void RigidGroups::set_accelerations(Configuration& of) const {
 }
 
 /// The moment arm x f of a dependent node on the first one changes as the arm rotates: d(arm) = dw x arm.
-void RigidGroups::add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced,
-                                Blocks& blocks) const {
+void RigidGroups::add_curvature(const Pose& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const {
     if (!w_.structure.large()) return;
     for (const Body& body : bodies_) {
         Mat3 sum = Mat3::Zero();

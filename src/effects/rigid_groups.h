@@ -31,11 +31,11 @@ public:
     /// `call`: the script's, for messages.
     RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host);
 
-    void add_constraints(const ConfigurationView& at, std::vector<LinearConstraint>& list) const override;
-    void place(const ConfigurationView& from, const std::vector<Vec3>& rotation_step, Configuration& to) const override;
+    void add_constraints(const Pose& at, std::vector<LinearConstraint>& list) const override;
+    void place(const Pose& from, const std::vector<Vec3>& rotation_step, Configuration& to) const override;
     void set_velocities(Configuration& of) const override;
     void set_accelerations(Configuration& of) const override;
-    void add_curvature(const ConfigurationView& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const override;
+    void add_curvature(const Pose& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const override;
 
     void broke(const Break& b) override;
     bool restored(std::span<const State* const> states) override;
@@ -68,11 +68,11 @@ private:
     RigidGroup without_gone(RigidGroup group) const;
     Body weigh(RigidGroup group, const std::vector<double>& mass) const;
     void refuse(const RigidGroup& group) const;
-    Vec3 place_of(int node, const ConfigurationView& at) const;
+    Vec3 place_of(int node, const Pose& at) const;
     template <class Of>
     Vec3 mean(const Body& body, Of of) const;
     template <class Set>
-    void for_arms(const Body& body, const ConfigurationView& at, Set set) const;
+    void for_arms(const Body& body, const Pose& at, Set set) const;
 
     const char* call_;
     const std::vector<RigidGroup> declared_;

@@ -25,10 +25,10 @@ public:
     /// Statics begins.
     virtual void begin_statics() {}
     /// Statics: adds F at load factor 1, beside the steady loads, where the nodes are.
-    virtual void add_static_loads(const ConfigurationView& at, std::vector<Vec6>& external) const = 0;
+    virtual void add_static_loads(const Pose& at, std::vector<Vec6>& external) const = 0;
     /// Statics: adds what is held in full from the start on, in a run that continues another one. That is not in
     /// add_static_loads, except of weights, of which it is a part.
-    virtual void add_held_loads(const ConfigurationView& at, std::vector<Vec6>& external) const = 0;
+    virtual void add_held_loads(const Pose& at, std::vector<Vec6>& external) const = 0;
     /// Statics: whether add_static_loads depends on where the nodes are.
     virtual bool follows_nodes() const { return false; }
     /// Statics: whether the derivative of its forces by the displacements is unsymmetric.
@@ -54,7 +54,7 @@ public:
     /// Statics begins: velocities, and forces that follow from them, do not act.
     virtual void begin_statics() {}
     /// Adds the derivative of those forces, for the effective stiffness.
-    virtual void add_blocks(const ConfigurationView& at, Blocks& blocks) const { (void)at, (void)blocks; }
+    virtual void add_blocks(const Pose& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add now.
     virtual bool has_blocks() const { return false; }
     /// Whether the blocks depend on where the nodes are: they are renewed wherever stresses are recovered.
@@ -72,15 +72,15 @@ public:
     virtual bool has_fixed_ends() const = 0;
     /// Adds the part that yield and fracture take, of all elements. `factor`: the load factor, 1 in dynamics. The work
     /// of an element's own forces on its flow is less than the whole by work_on_flow; the load's account has that.
-    virtual void add_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const = 0;
+    virtual void add_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const = 0;
     /// Adds the loads that act at points between the ends of the pair of elements that begins with `first`, about the
     /// axis of a plane (0: x, 1: y).
-    virtual void add_points(int first, int plane, const ConfigurationView& at, double factor,
+    virtual void add_points(int first, int plane, const Pose& at, double factor,
                             std::vector<beam::BowPoint>& to) const {
         (void)first, (void)plane, (void)at, (void)factor, (void)to;
     }
     /// Sets it in the place of what `all` has.
-    virtual void set_fixed_ends(const ConfigurationView& at, double factor, std::vector<beam::FixedEnd>& all) const {
+    virtual void set_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const {
         std::fill(all.begin(), all.end(), beam::FixedEnd());
         add_fixed_ends(at, factor, all);
     }

@@ -80,39 +80,64 @@ class Constraints;
 /// Part of the half depth: what is no further from the ground carries when a static run begins.
 inline constexpr double just_touches = 1e-6;
 
-/// What the stages and effects of a run work on. Each array means one thing; six numbers a node are in space: force and
-/// moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
-struct Workspace {
+/// What a run works with: set where it begins.
+struct RunParts {
     const Structure& structure;
     State& state;  ///< where the last step that was kept ended
     ThreadPool& pool;
     ElementAssembly& assembly;
+    std::unordered_map<int, Vec6>& reaction;  ///< of nodes with a degree of freedom that is held
     RunKind kind;
-    Scheme scheme;
-    Configuration trial;                        ///< where the step is tried to end
-    double factor = 0;                          ///< the load factor that is tried; 1 in dynamics
-    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
-                                                ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
-    std::vector<Vec6> external;                 ///< F of eq 15; in statics for a load factor of 1
-    std::vector<Vec6> resisting;                ///< R of eq 15, with inertia where the trial accelerates
-    std::vector<Vec6> force;                    ///< p of each element at the trial pose
-    std::vector<PlasticIncrement> yielding;     ///< elements that flow on the way to the trial pose, rising
-    std::vector<int> supported;                 ///< nodes with a degree of freedom that is held
-    std::unordered_map<int, Vec6>& reaction;    ///< of nodes with a degree of freedom that is held
-    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
-                                                ///< last step and of this one
-    std::vector<int> resting;   ///< of each node: the body at rest that it belongs to, -1; empty when there is none
-    long impulses = 0;          ///< that contact and ground have given to trial velocities so far
-    bool points_moved = false;  ///< integration points have moved: the assembly takes them up when the step is kept
+    Scheme scheme = {};
     /// Steps with one solution need the current offset masses: an outdated mass loses velocity at every step, by as
     /// much in a short step as in a long one.
     bool solved_at_once = false;
-    std::vector<ElasticRate> elastic_rates = {};  ///< of elements that flow and are damped by them, rising
-    std::vector<Vec6> steady = {};                ///< the part of F that does not change with time: weights at nodes
-    std::vector<Vec6> held = {};  ///< statics: loads of an earlier run, in full at any load factor; or empty
+    Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
+};
+
+/// Loads: written by the effects that are loads, where a step begins, and by the load control of statics.
+struct AppliedLoads {
+    double factor = 0;           ///< the load factor that is tried; 1 in dynamics
+    std::vector<Vec6> external;  ///< F of eq 15; in statics for a load factor of 1
+    std::vector<Vec6> steady;    ///< the part of F that does not change with time: weights at nodes
+    std::vector<Vec6> held;      ///< statics: loads of an earlier run, in full at any load factor; or empty
+};
+
+/// Motion on trial: written by the integrator, in statics by Newton's method.
+struct TrialMotion {
+    Configuration trial;                        ///< where the step is tried to end
+    std::vector<Vec3> rotation_step;            ///< rotation vector of each node over the step, rad; in the
+                                                ///< energy-momentum method its Cayley vector, 2 tan(angle/2) long
+    std::vector<Vec6> weighted, next_weighted;  ///< where alpha is not 0: Bossak-weighted accelerations of the
+                                                ///< last step and of this one
     /// The acceleration is being found where the state is: forces are those with which its last step ended.
     bool at_state = false;
-    Constraints* constraints = nullptr;  ///< between degrees of freedom (run/constraints.h); null where there are none
+};
+
+/// Forces of the trial: written where stresses are recovered.
+struct TrialForces {
+    std::vector<Vec6> resisting;             ///< R of eq 15, with inertia where the trial accelerates
+    std::vector<Vec6> force;                 ///< p of each element at the trial pose
+    std::vector<PlasticIncrement> yielding;  ///< elements that flow on the way to the trial pose, rising
+    std::vector<ElasticRate> elastic_rates;  ///< of elements that flow and are damped by them, rising
+};
+
+/// Changes between steps: written by the effects that act where a step is kept.
+struct KeptChanges {
+    std::vector<int> supported;  ///< nodes with a degree of freedom that is held
+    std::vector<int> resting;    ///< of each node: the body at rest that it belongs to, -1; empty when there is none
+    long impulses = 0;           ///< that contact and ground have given to trial velocities so far
+    bool points_moved = false;   ///< integration points have moved: the assembly reads them when the step is kept
+};
+
+/// The data of a run that its stages and effects share, by what writes it. Each array means one thing; six numbers a
+/// node are in space: force and moment (N, N m), or linear and angular (m/s, rad/s; m/s^2, rad/s^2).
+struct Workspace : RunParts, AppliedLoads, TrialMotion, TrialForces, KeptChanges {
+    /// At the state, with its forces and without loads.
+    explicit Workspace(const RunParts& parts)
+        : RunParts(parts), AppliedLoads{kind.dynamic ? 1.0 : 0.0, {}, {}, {}}, TrialMotion{state, {}, {}, {}} {
+        force = state.force;
+    }
 
     /// Whether the node belongs to a body at rest.
     bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }

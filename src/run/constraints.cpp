@@ -12,7 +12,7 @@ Constraints::Constraints(Workspace& w, const EffectList& effects)
       reduction_(w.structure, w.state.held, list_at(w.state)),
       unbalanced_(w.state.displacement.size(), Vec6::Zero()) {}
 
-std::vector<LinearConstraint> Constraints::list_at(const ConfigurationView& at) const {
+std::vector<LinearConstraint> Constraints::list_at(const Pose& at) const {
     std::vector<LinearConstraint> list;
     for (const auto& c : constrainers_) c->add_constraints(at, list);
     return list;
@@ -35,7 +35,7 @@ void Constraints::begin() {
     w_.trial.velocity = wanted;
 }
 
-void Constraints::place(const ConfigurationView& from, const std::vector<Vec3>& rotation_step) {
+void Constraints::place(const Pose& from, const std::vector<Vec3>& rotation_step) {
     for (const auto& c : constrainers_) c->place(from, rotation_step, w_.trial);
 }
 
@@ -81,11 +81,11 @@ void Constraints::pass_on() {
     }
 }
 
-void Constraints::add_curvature(const ConfigurationView& at, Blocks& blocks) const {
+void Constraints::add_curvature(const Pose& at, Blocks& blocks) const {
     for (const auto& c : constrainers_) c->add_curvature(at, unbalanced_, blocks);
 }
 
-bool Constraints::add_curvature_of_state(const ConfigurationView& at, double factor, Blocks& blocks) const {
+bool Constraints::add_curvature_of_state(const Pose& at, double factor, Blocks& blocks) const {
     std::vector<Vec6> forces(unbalanced_.size(), Vec6::Zero());
     for (std::size_t n = 0; n < of_state_.size(); ++n) forces[n] = factor * of_state_[n];
     const std::size_t others = blocks.nodes.size();

@@ -21,7 +21,7 @@ public:
     /// Takes the factors of the trial configuration.
     void renew();
     /// Sets the displacements of the trial, which the nodes have reached from `from` by these rotation vectors.
-    void place(const ConfigurationView& from, const std::vector<Vec3>& rotation_step);
+    void place(const Pose& from, const std::vector<Vec3>& rotation_step);
     /// Sets the velocities of the trial.
     void set_velocities();
     /// Sets the accelerations of the trial. `of_step`: they are those of a step that is tried, Bossak's weighted ones.
@@ -37,16 +37,16 @@ public:
         pass_on();
     }
     /// Adds the constraints' own part of the tangent stiffness, by the forces of the last balance.
-    void add_curvature(const ConfigurationView& at, Blocks& blocks) const;
+    void add_curvature(const Pose& at, Blocks& blocks) const;
 
     /// The trial of the last balance becomes the state: keeps its forces.
     void commit() { of_state_ = unbalanced_, has_state_ = true; }
     /// The same part by `factor` times the forces of the state. False where no step has been done since the run was
     /// made or read, so that nobody knows them, and there would be such a part.
-    bool add_curvature_of_state(const ConfigurationView& at, double factor, Blocks& blocks) const;
+    bool add_curvature_of_state(const Pose& at, double factor, Blocks& blocks) const;
 
     /// All constraints, with their factors in a configuration.
-    std::vector<LinearConstraint> list_at(const ConfigurationView& at) const;
+    std::vector<LinearConstraint> list_at(const Pose& at) const;
 
 private:
     void add_inertia();

@@ -244,12 +244,7 @@ void Dynamics::commit() {
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
     for (const auto& e : effects_->all) e->before_commit(step_);
     integrator_->before_commit();
-    state_.displacement.swap(w_.trial.displacement);
-    state_.rotation.swap(w_.trial.rotation);
-    state_.small_rotation.swap(w_.trial.small_rotation);
-    state_.velocity.swap(w_.trial.velocity);
-    state_.acceleration.swap(w_.trial.acceleration);
-    state_.heat.swap(w_.trial.heat);
+    std::swap(static_cast<Configuration&>(state_), w_.trial);
     state_.force.swap(w_.force);
     for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
@@ -284,7 +279,7 @@ void Dynamics::break_elements() {
     }
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     if (constraints_) rebuild_constraints();
-    Mass& mass = mass_.renewed(configuration_of(state_));
+    Mass& mass = mass_.renewed(state_);
     const double before = work_of_supports(state_.velocity, state_.velocity);
     if (std::isnan(pass_on(state_, mass, impulse))) fail({{.cause = Cause::mass_not_solved, .after_breaks = true}});
     state_.accumulated["work"] += work_of_supports(state_.velocity, state_.velocity) - before;
@@ -315,7 +310,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
     for (const auto& load : effects_->loads) load->act_at(state_.time);
     for (Vec6& a : state_.acceleration) a.setZero();
     prescribe();
-    w_.trial = configuration_of(state_);
+    w_.trial = state_;
     if (constraints_) constraints_->renew(), constraints_->set_accelerations(false);
     const std::vector<Vec6> towards_centre = w_.trial.acceleration;
     step_.iteration = 0;
@@ -350,7 +345,7 @@ void Dynamics::find_acceleration(std::vector<Vec6>& out_of_balance) {
 void Dynamics::return_to_yield_surface() {
     if (!effects_->any(&EffectTraits::strains_at_start) || !structure_->can_yield()) return;
     for (const auto& load : effects_->loads) load->act_at(state_.time);
-    w_.trial = configuration_of(state_);
+    w_.trial = state_;
     if (constraints_) constraints_->renew();
     step_ = {state_.time, 0, false, 1, {}, {}};  // with 0 long steps take the hinges of their last step
     w_.at_state = true;
@@ -388,7 +383,7 @@ void Dynamics::add_inertia_to_reactions() {
     if (explicit_steps() || std::none_of(state_.acceleration.begin(), state_.acceleration.end(), moves)) return;
     ElementAssembly assembly(*structure_, pool_, true);
     assembly.update_active(state_);
-    Configuration pose = configuration_of(state_);
+    Configuration pose = state_;
     std::vector<Vec6> with(pose.displacement.size(), Vec6::Zero()), without = with, force = state_.force;
     std::vector<PlasticIncrement> yielding;
     assembly.run(state_, pose, with, force, yielding);
@@ -425,7 +420,7 @@ double Dynamics::work_of_supports(const std::vector<Vec6>& supports, const std::
     return work;
 }
 
-void Dynamics::blocks_changed(const ConfigurationView& at) {
+void Dynamics::blocks_changed(const Pose& at) {
     if (EffectiveStiffness* effective = integrator_->effective())
         effective->set_blocks(added_blocks(*effects_, at, w_.scheme.gamma / (w_.scheme.beta * size_.dt())));
 }
@@ -584,20 +579,15 @@ Failure Dynamics::crushed() const {
 Energy Dynamics::energy_of_trial() {
     const Accounts accumulated = state_.accumulated;
     std::vector<Vec6> plastic;
-    const auto exchange = [this] {
-        state_.displacement.swap(w_.trial.displacement), state_.rotation.swap(w_.trial.rotation),
-            state_.small_rotation.swap(w_.trial.small_rotation), state_.velocity.swap(w_.trial.velocity),
-            state_.heat.swap(w_.trial.heat);
-    };
     for (const auto& e : effects_->all) e->accumulate_energy(step_, state_.accumulated);
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
     for (const PlasticIncrement& y : w_.yielding) {
         plastic.push_back(state_.plastic[y.element]);
         state_.plastic[y.element] += y.flow.plastic;
     }
-    exchange();
+    std::swap(static_cast<Configuration&>(state_), w_.trial);
     Energy energy = energy_of(state_);
-    exchange();
+    std::swap(static_cast<Configuration&>(state_), w_.trial);
     for (std::size_t i = 0; i < w_.yielding.size(); ++i) state_.plastic[w_.yielding[i].element] = plastic[i];
     state_.accumulated = accumulated;
     return energy;

@@ -53,7 +53,7 @@ public:
 private:
     // Host
     void stiffness_changed(int element) override { integrator_->stiffness_changed(element); }
-    void blocks_changed(const ConfigurationView& at) override;
+    void blocks_changed(const Pose& at) override;
     void set_offset_mass(int node, const Mat6& mass) override;
     void leave_out(const std::vector<int>& resting) override;
     void accelerations_anew() override { anew_ = true; }

@@ -124,7 +124,7 @@ void Dynamics::read(std::string_view saved) {
     Reader reader(saved);
     fields(*this, reader);
     reader.must(makes_sense());
-    w_.trial = configuration_of(state_);
+    w_.trial = state_;
     std::vector<const State*> states{&state_};
     if (const State* good = energy_monitor_.good_state()) states.push_back(good);
     // a run that has failed may have gone back to a state from before what its effects keep, and takes no step any more

@@ -4,7 +4,7 @@
 
 namespace hinge {
 
-Blocks added_blocks(const EffectList& effects, const ConfigurationView& at, double of_damping) {
+Blocks added_blocks(const EffectList& effects, const Pose& at, double of_damping) {
     Blocks blocks(of_damping);
     for (const auto& force : effects.forces)
         if (force->has_blocks()) force->add_blocks(at, blocks);

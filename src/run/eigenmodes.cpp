@@ -38,7 +38,7 @@ void for_each_part(const Run& run, const State& state, double m, double k, Matri
     ThreadPool alone(1);
     const Structure& s = run.structure();
     const EffectiveStiffness matrix(s, alone, m, k, true, storage);
-    const Configuration pose = configuration_of(state);
+    const Configuration& pose = state;
     for (std::size_t i = 0; i < s.elements().size(); ++i) {
         if (state.broken[i]) continue;
         const Element& e = s.elements()[i];

@@ -89,7 +89,7 @@ void EnergyMomentum::start_from_forces() {
 
 // ---- elements ------------------------------------------------------------------------------------------------------
 
-EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const ConfigurationView& at) const {
+EnergyMomentum::AtEnd EnergyMomentum::at_end(int index, const Pose& at) const {
     const Element& e = w_.structure.elements()[index];
     AtEnd end;
     end.place = element_frame(w_.structure, index, at);

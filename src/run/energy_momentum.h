@@ -58,7 +58,7 @@ private:
     };
     template <class Self, class A>
     static void fields(Self& s, A& a);
-    AtEnd at_end(int element, const ConfigurationView& at) const;
+    AtEnd at_end(int element, const Pose& at) const;
     void find_node_inertia();
     void begin_elements();
     static Products on_products(const AtEnd& end, double L, const Vec6& p);

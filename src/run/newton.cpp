@@ -50,7 +50,7 @@ Newton::Newton(const StaticProblem& problem, StaticForces& forces, StaticTangent
 bool Newton::find(PathControl& control, double increment, double hinge_stiffness, const std::vector<Vec6>& start) {
     passed_unstable_ = false;
     const auto from_state = [&](bool yielding_goes_on) {
-        w_.trial = configuration_of(w_.state);
+        w_.trial = w_.state;
         w_.factor = w_.state.factor;
         return iterate(control, increment, hinge_stiffness, yielding_goes_on, start);
     };
@@ -165,7 +165,7 @@ void Newton::move_by_step(double factor) {
 }
 
 /// The step is a linear one: dependent nodes have left their places by what rotations are beyond that.
-void Newton::place_dependent_nodes(const ConfigurationView& from) {
+void Newton::place_dependent_nodes(const Pose& from) {
     std::vector<Vec3> rotations;
     for (const Vec6& v : step_) rotations.push_back(v.tail<3>());
     w_.constraints->place(from, rotations);

@@ -59,7 +59,7 @@ private:
     bool find_rate(bool with_heat, std::vector<Vec6>& rate);
     bool find_step(double factor_change, Iteration& at);
     void move_by_step(double factor);
-    void place_dependent_nodes(const ConfigurationView& from);
+    void place_dependent_nodes(const Pose& from);
     bool search_line(double factor_change, bool whole_steps, Iteration& at);
     bool has_converged(const Iteration& at) const;
     bool is_hopeless(const Iteration& at) const;

@@ -27,25 +27,7 @@ Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, 
       state_(with_lone_elements(*structure_, std::move(start))),
       pool_(structure_->laws_call_script() ? 1 : threads),
       assembly_(*structure_, pool_, inertia),
-      w_{*structure_,
-         state_,
-         pool_,
-         assembly_,
-         kind,
-         {},
-         configuration_of(state_),
-         kind.dynamic ? 1.0 : 0.0,
-         {},
-         {},
-         {},
-         state_.force,
-         {},
-         {},
-         reaction_,
-         {},
-         {},
-         {},
-         false},
+      w_({*structure_, state_, pool_, assembly_, reaction_, kind}),
       effects_(new EffectList(w_, *this)),
       accounts_(accounts_of(*effects_)),
       at_start_(state_.accumulated),
@@ -125,7 +107,7 @@ void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
     for (const auto& e : effects_->all) e->keep_from_rest(bodies, rests);
 }
 
-std::vector<beam::BowPoint> Run::points_on_pair(int first, int plane, const ConfigurationView& at, double factor) {
+std::vector<beam::BowPoint> Run::points_on_pair(int first, int plane, const Pose& at, double factor) {
     std::vector<beam::BowPoint> points;
     for (const auto& source : effects_->section_forces) source->add_points(first, plane, at, factor, points);
     return points;

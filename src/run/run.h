@@ -119,7 +119,7 @@ protected:
 
     // Host: what a static run has no use for does nothing.
     void stiffness_changed(int) override {}
-    void blocks_changed(const ConfigurationView&) override {}
+    void blocks_changed(const Pose&) override {}
     void set_offset_mass(int, const Mat6&) override {}
     void leave_out(const std::vector<int>&) override {}
     void accelerations_anew() override {}
@@ -130,8 +130,7 @@ protected:
     void reached(const std::vector<Reached>& elements) override;
     void note_activation(const std::string& effect, bool awake, const std::string& why) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
-    std::vector<beam::BowPoint> points_on_pair(int first, int plane, const ConfigurationView& at,
-                                               double factor) override;
+    std::vector<beam::BowPoint> points_on_pair(int first, int plane, const Pose& at, double factor) override;
     void count_break() override { ++breaks_; }
     bool has_effective_stiffness() const override { return true; }
 

@@ -216,10 +216,7 @@ void Statics::commit_state() {
     forces_.find_reactions(w_.factor);
     for (const auto& e : effects_->all) e->accumulate_energy(step, state_.accumulated);
     for (const auto& e : effects_->all) e->before_commit(step);
-    state_.displacement = w_.trial.displacement;
-    state_.rotation = w_.trial.rotation;
-    state_.small_rotation = w_.trial.small_rotation;
-    state_.heat = w_.trial.heat;
+    static_cast<Pose&>(state_) = w_.trial;  // the velocities stay
     state_.force = w_.force;
     assembly_.save_turns(state_, w_.trial);
     state_.factor = w_.factor;

@@ -167,7 +167,7 @@ Remark Statics::control_that_goes_on(bool unstable) {
 /// Displacement control: the loads do not move what is driven, or it would have to turn back.
 std::vector<Remark> Statics::remarks_when_driven() {
     const int n = settings().node, c = settings().component;
-    w_.trial = configuration_of(state_);
+    w_.trial = state_;
     forces_.recover();
     w_.yielding = newton_.hinges();
     if (tangent_.renew(1)) {

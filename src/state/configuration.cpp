@@ -12,7 +12,7 @@ namespace {
 
 Quadruple<double> quadruple(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
 
-Vec6 small_deformation(const Element& e, const ConfigurationView& at) {
+Vec6 small_deformation(const Element& e, const Pose& at) {
     const Mat3 axes = e.axes.toRotationMatrix().transpose();
     Vec12 u;
     u << axes * at.displacement[e.node[0]], axes * at.small_rotation[e.node[0]], axes * at.displacement[e.node[1]],
@@ -22,19 +22,16 @@ Vec6 small_deformation(const Element& e, const ConfigurationView& at) {
 
 }  // namespace
 
-Configuration configuration_of(const State& s) {
-    return {s.displacement, s.rotation, s.small_rotation, s.velocity, s.acceleration, s.twist, s.turned, s.heat};
-}
 Vec3 chord_of(const Element& e, const std::vector<Vec3>& displacement) {
     return e.chord + (displacement[e.node[1]] - displacement[e.node[0]]);
 }
 
-Quat end_rotation(const Element& e, int index, int end, const ConfigurationView& at) {
+Quat end_rotation(const Element& e, int index, int end, const Pose& at) {
     const Quat& node = at.rotation[e.node[end]];
     return at.turned.empty() ? node : node * at.turned[index].of(end);
 }
 
-beam::Winding winding_of(const Element& e, int index, const ConfigurationView& at) {
+beam::Winding winding_of(const Element& e, int index, const Pose& at) {
     beam::Winding w;
     const Vec3 chord = chord_of(e, at.displacement);
     w.chord = {chord.x(), chord.y(), chord.z()};
@@ -52,7 +49,7 @@ Mat3 axes_of(const beam::ElementFrame<double>& p) {
     return axes;
 }
 
-ElementFrame element_frame(const Structure& structure, int index, const ConfigurationView& at) {
+ElementFrame element_frame(const Structure& structure, int index, const Pose& at) {
     const Element& e = structure.elements()[index];
     if (!structure.large())
         return {
@@ -90,13 +87,12 @@ Mat12 element_tangent(const ElementFrame& placement, const Vec6& p, const Mat6& 
                            : beam::tangent(placement, p, k, geometric);
 }
 
-Vec6 element_deformation(const Structure& structure, int index, const ConfigurationView& at) {
+Vec6 element_deformation(const Structure& structure, int index, const Pose& at) {
     return element_deformation(structure, index, at,
                                structure.large() ? element_frame(structure, index, at) : ElementFrame{});
 }
 
-Vec6 element_deformation(const Structure& structure, int index, const ConfigurationView& at,
-                         const ElementFrame& placement) {
+Vec6 element_deformation(const Structure& structure, int index, const Pose& at, const ElementFrame& placement) {
     Vec6 d;
     const Element& e = structure.elements()[index];
     if (structure.large()) {

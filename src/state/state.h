@@ -10,8 +10,8 @@
 
 #include "core/archive.h"
 #include "model/structure.h"
-#include "state/element_heat.h"
 #include "state/energy.h"
+#include "state/pose.h"
 
 namespace hinge {
 
@@ -93,25 +93,10 @@ private:
     std::vector<std::pair<std::string, std::unique_ptr<EffectData>>> list_;
 };
 
-/// Turns of the ends of an element by its hinges (state/turned_ends.h).
-struct TurnedEnds {
-    double by[2][4] = {{1}, {1}};  ///< of each end's axes against its node's, at the start: quaternion w x y z
-    double flowed[6] = {};         ///< the plastic deformation that `by` replaces
-    Quat of(int end) const { return {by[end][0], by[end][1], by[end][2], by[end][3]}; }
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.by, s.flowed);
-    }
-};
-
-struct State {
+/// All that changes during a run. Its pose and its motion are those where the last step that was kept ended.
+struct State : Configuration {
     // nodes
-    std::vector<Vec3> displacement;    ///< m
-    std::vector<Quat> rotation;        ///< large displacement: since the start
-    std::vector<Vec3> small_rotation;  ///< small displacement alone: rotation vector, rad
-    std::vector<Vec6> velocity;        ///< m/s and rad/s, in space
-    std::vector<Vec6> acceleration;    ///< m/s^2 and rad/s^2, in space
-    std::vector<std::uint8_t> held;    ///< bits as in Structure::fixed; all six for a node that has lost its elements
+    std::vector<std::uint8_t> held;  ///< bits as in Structure::fixed; all six for a node that has lost its elements
     std::vector<OffsetMass> offset_mass;  ///< empty until something breaks, then one a node
     // elements
     std::vector<Vec6> plastic;          ///< plastic deformation, in d of timoshenko.h, but for `turned`
@@ -125,14 +110,10 @@ struct State {
     std::vector<Vec3> offset_arm;       ///< of broken elements: from the node that carries it to its free end, in that
                                         ///< node's frame, m; of lone elements (lone_elements.h): from the inner node to
                                         ///< the mass that it carries; empty until something breaks
-    std::vector<double> twist;          ///< of an element's ends against each other, turns counted, rad; 0 up to a
-                                        ///< third of a turn (beam/winding.h); empty until one has twisted that far
-    std::vector<TurnedEnds> turned;     ///< empty until a hinge has turned an end far
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
     std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
                                    ///< |curvature_x|, |curvature_y|, |axial strain| of each element
     std::vector<double> history;   ///< history variables of the laws of sections (history_of)
-    ElementHeats heat;             ///< where the state is; empty where nothing is heated
     std::vector<double>
         kept;  ///< values saved by fracture rules of the script, for both ends of each element; or empty
 

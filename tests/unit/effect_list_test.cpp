@@ -5,32 +5,12 @@
 
 #include "effects/all_effects.h"
 
-#include "helpers.h"
+#include "effect_bench.h"
 
 using namespace hinge;
 using namespace hinge::test;
 
 namespace {
-
-/// A run that nothing is asked of.
-class NoRun : public Host {
-public:
-    void stiffness_changed(int) override {}
-    void blocks_changed(const ConfigurationView&) override {}
-    void set_offset_mass(int, const Mat6&) override {}
-    void leave_out(const std::vector<int>&) override {}
-    void accelerations_anew() override {}
-    void constraints_changed() override {}
-    void mass_changed(int) override {}
-    ImpulseResponse respond(const std::vector<Vec6>&) override { return {}; }
-    void change_steady_load(int, const Vec3&) override {}
-    void reached(const std::vector<Reached>&) override {}
-    void note_activation(const std::string&, bool, const std::string&) override {}
-    void keep_from_rest(const Bodies&, std::vector<char>&) override {}
-    std::vector<beam::BowPoint> points_on_pair(int, int, const ConfigurationView&, double) override { return {}; }
-    void count_break() override {}
-    bool has_effective_stiffness() const override { return true; }
-};
 
 using Names = std::vector<std::string>;
 
@@ -53,17 +33,8 @@ void with_effects(bool dynamic, bool breaks, Check check) {
     load.node = top, load.force = {1, 0, 0};
     add_load(*frame.model, load);
     if (breaks) add_fracture(*frame.model, {}), add_contact(*frame.model, {});
-    const auto structure = frame.build();
-    State state = initial_state(*structure);
-    ThreadPool pool;
-    ElementAssembly assembly(*structure, pool, true);
-    std::unordered_map<int, Vec6> reaction;
-    RunKind kind;
-    kind.dynamic = dynamic, kind.dt = 1e-3;
-    Workspace w{*structure, state, pool,     assembly, kind, {}, configuration_of(state), 1, {}, {}, {}, state.force,
-                {},         {},    reaction, {},       {},   {}};
-    NoRun run;
-    check(EffectList(w, run));
+    Bench bench(frame.build(), {.dynamic = dynamic, .dt = 1e-3});
+    check(EffectList(bench.w, bench.run));
 }
 
 }  // namespace
