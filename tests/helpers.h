@@ -232,7 +232,7 @@ inline Eigen::MatrixXd dense(const Structure& structure, double mass_factor, dou
     Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(n, n);
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
-        const Mat12 part = op.part(int(i), state, configuration_of(state), {}).A;
+        const Mat12 part = op.part(int(i), state, state, {}).A;
         for (int a = 0; a < 2; ++a)
             for (int b = 0; b < 2; ++b)
                 whole.block<6, 6>(6 * e.node[a], 6 * e.node[b]) += part.block<6, 6>(6 * a, 6 * b);

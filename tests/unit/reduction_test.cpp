@@ -78,7 +78,7 @@ struct Case {
         A.set_held(state.held);
         std::vector<int> all(structure->elements().size());
         std::iota(all.begin(), all.end(), 0);
-        A.build(all, state, configuration_of(state), {});
+        A.build(all, state, state, {});
         A.assemble();
         SolverSettings settings;
         settings.direct = storage == MatrixStorage::direct;

@@ -170,7 +170,7 @@ struct Dense {
         for (int i : all_elements(structure))
             if (std::find(removed.begin(), removed.end(), i) == removed.end())
                 add(structure.elements()[i].node[0], structure.elements()[i].node[1],
-                    parts.part(i, state, configuration_of(state), {}).A);
+                    parts.part(i, state, state, {}).A);
         for (const Coupling& c : couplings) add(c.a, c.b, k * c.K);
         if (offset_node >= 0) A.block<6, 6>(6 * offset_node, 6 * offset_node) += offset;
         free = free_degrees_of_freedom(state.held);
@@ -217,7 +217,7 @@ struct Solving {
     int inner(int i) const { return 6 + i; }  // the declared nodes come first
     std::unique_ptr<EffectiveStiffness> fresh(MatrixStorage keeping, double k) {
         auto op = std::make_unique<EffectiveStiffness>(*structure, pool, 1, k, false, keeping);
-        op->build(all_elements(*structure), state, configuration_of(state), {});
+        op->build(all_elements(*structure), state, state, {});
         return op;
     }
 };
@@ -274,8 +274,7 @@ TEST_CASE(
             break_element(structure, state, element, where);
             end[element] = where;
             const int partner = structure.elements()[element].partner;
-            mass.renew(partner < 0 ? std::vector<int>{element} : std::vector<int>{element, partner}, state,
-                       configuration_of(state));
+            mass.renew(partner < 0 ? std::vector<int>{element} : std::vector<int>{element, partner}, state, state);
             const Eigen::MatrixXd M = dense_mass(structure, Q, end);
             CHECK_FIGURE(name + " M, element " + std::to_string(element) + " broken",
                          mass_error(structure, state, mass, M, 2), 1e-10);
@@ -290,11 +289,11 @@ TEST_CASE(
         turned.offset_arm = state.offset_arm;
         turned.held = state.held;
         if (kind == MassKind::lumped) {
-            mass.rotate_offset_masses(turned, configuration_of(turned));
+            mass.rotate_offset_masses(turned, turned);
             CHECK_FIGURE("lumped M, offset masses rotated alone",
                          mass_error(structure, turned, mass, dense_mass(structure, other, end), 4), 1e-10);
         }
-        mass.renew(all_elements(structure), turned, configuration_of(turned));
+        mass.renew(all_elements(structure), turned, turned);
         CHECK_FIGURE(name + " M, all rotated",
                      mass_error(structure, turned, mass, dense_mass(structure, other, end), 5), 1e-10);
     }
@@ -488,7 +487,7 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
         for (int threads : {1, 2, 3}) {
             ThreadPool pool(threads);
             EffectiveStiffness op(*structure, pool, 1, short_step, false, keeping);
-            op.build(all_elements(*structure), state, configuration_of(state), {});
+            op.build(all_elements(*structure), state, state, {});
             op.set_couplings(couplings);
             const Eigen::VectorXd x = flat(answer(op, b));
             if (threads == 1) first = x;
