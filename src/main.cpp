@@ -13,14 +13,14 @@
 #include "prompt.h"
 #include "record/folders.h"
 #include "script/lua/interrupts.h"
-#include "script/lua/lua_module.h"
-#include "script/lua/objects.h"
+#include "script/bind/lua_module.h"
+#include "script/lua/context.h"
 #include "version.h"
 
 namespace {
 
 namespace fs = std::filesystem;
-using hinge::Request, hinge::script::Context;
+using hinge::Request, hinge::script::ScriptContext;
 
 /// Calls require("hinge.<module>").<function>(table) and returns its status.
 int call_library(lua_State* L, const char* module, const char* function, Request& request) {
@@ -88,7 +88,7 @@ std::FILE* events_alone_on_stdout() {
 }
 
 /// --live: serves the page from now on; its address goes to standard error.
-std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, int port) {
+std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, ScriptContext& context, int port) {
     auto live = std::make_unique<hinge::live::Live>(port);
     lua_getglobal(L, "require");
     lua_pushstring(L, "hinge.report.page");
@@ -102,18 +102,18 @@ std::unique_ptr<hinge::live::Live> begin_live(lua_State* L, Context& context, in
     live->show(lua_tostring(L, -1));
     lua_settop(L, 0);
     std::cerr << "live until the program ends: " << live->address() << std::endl;
-    hinge::script::write_event(context, "live", {{"address", live->address()}});
+    hinge::write_event(context, "live", {{"address", live->address()}});
     context.messages.observer = live.get();
     return live;
 }
 
 /// The program ends with that status: who looks is told how, and of what it leaves.
-void end_live(hinge::live::Live& live, Context& context, int status) {
+void end_live(hinge::live::Live& live, ScriptContext& context, int status) {
     context.messages.observer = nullptr;
-    hinge::script::Json last = {{"status", status}, {"folder", context.output.folder}};
+    hinge::Json last = {{"status", status}, {"folder", context.output.folder}};
     const std::string summary = context.output.folder + "/summary.json";
     if (status <= 1 && context.runs.last && context.runs.last->number == live.shown() && fs::exists(summary)) {
-        auto whole = hinge::script::Json::parse(hinge::read_whole(summary), nullptr, false);
+        auto whole = hinge::Json::parse(hinge::read_whole(summary), nullptr, false);
         if (whole.is_object()) last["summary"] = std::move(whole);
     }
     live.end(last);
@@ -162,7 +162,7 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
     if (request.verb != "study" && (named || fs::exists(request.script)) && !are_settings(request.overrides)) return 2;
     if (!fs::exists(request.script) && !named && request.script.find_first_of("./") == std::string::npos)
         return std::cerr << "hinge: there is no verb and no script '" << request.script << "'"
-                         << hinge::script::did_you_mean(request.script, verbs) << "; hinge --help lists the verbs\n",
+                         << hinge::did_you_mean(request.script, verbs) << "; hinge --help lists the verbs\n",
                2;
     if (!fs::exists(request.script)) return std::cerr << "hinge: there is no script " << request.script << "\n", 2;
     const bool only_looks = request.verb == "plan" || request.verb == "check";
@@ -187,7 +187,7 @@ int program(int argc, char** argv) {
     hinge::CommandLine line = hinge::read_command_line({argv + 1, argv + argc});
     if (!line.unknown_verb.empty())
         return std::cerr << "hinge: there is no verb '" << line.unknown_verb << "'"
-                         << hinge::script::did_you_mean(line.unknown_verb, line.verbs)
+                         << hinge::did_you_mean(line.unknown_verb, line.verbs)
                          << "; hinge --help lists the verbs, hinge reference NAME tells about a call\n",
                2;
     if (line.status) return *line.status;
@@ -200,7 +200,7 @@ int program(int argc, char** argv) {
     if (verb == "new") return hinge::new_project(request.out);
     if (verb == "history") {
         if (request.folders.empty()) request.folders = {"out"};
-        if (hinge::script::print_history(request.folders)) return 0;
+        if (hinge::print_history(request.folders)) return 0;
         return std::cerr << "hinge: no run was written to " << request.folders[0] << "\n", 2;
     }
     if (verb == "completion") {

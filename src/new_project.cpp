@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "script/files/installed_files.h"
-#include "script/files/quoting.h"
+#include "script/lua/installed_files.h"
+#include "core/quoting.h"
 
 namespace hinge {
 namespace {
@@ -50,7 +50,7 @@ int new_project(const std::string& folder) {
     fs::create_directories(target, problem);
     if (problem) return std::cerr << "hinge: cannot make " << folder << ": " << problem.message() << "\n", 1;
 
-    const std::string name = script::plain_name(fs::canonical(target, problem).filename().string());
+    const std::string name = plain_name(fs::canonical(target, problem).filename().string());
     for (const auto& entry : fs::directory_iterator(library / "program/template", problem)) {
         std::ostringstream text;
         text << std::ifstream(entry.path(), std::ios::binary).rdbuf();
@@ -61,7 +61,7 @@ int new_project(const std::string& folder) {
     if (problem) return std::cerr << "hinge: no template in " << library.string() << "\n", 1;
     if (!write(target / ".gitignore", "/out/\n") || !write(target / ".luarc.json", editor_settings(library))) return 1;
     std::cout << "written to " << folder << ": main.lua, README.md, .luarc.json, .gitignore\nnext: cd "
-              << script::shell_text(folder) << " && hinge run main.lua\n";
+              << shell_text(folder) << " && hinge run main.lua\n";
     return 0;
 }
 

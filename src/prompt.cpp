@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "core/doing.h"
-#include "script/lua/objects.h"
+#include "script/lua/context.h"
 #include "terminal.h"
 
 namespace hinge {
@@ -42,7 +42,7 @@ int read_line(lua_State* L) {
 }
 
 lua_State* evaluating = nullptr;
-Context* its_context = nullptr;
+ScriptContext* its_context = nullptr;
 
 /// At the next step that Lua takes; between the steps of a run, `advance` looks for itself.
 void stop_script(lua_State* L, lua_Debug*) {

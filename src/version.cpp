@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "hinge_commit.h"
-#include "script/files/installed_files.h"
+#include "script/lua/installed_files.h"
 
 namespace hinge {
 namespace {

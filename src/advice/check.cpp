@@ -19,7 +19,7 @@
 #include "state/bodies.h"
 #include "algebra/modes.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr int periods_told = 3, bodies_told = 5;
@@ -148,8 +148,8 @@ Periods periods(const Structure& structure, const Piece& body, int rigid, const 
 LinearSolution linear_solution(const RunRecord& record, int most) {
     const Structure& declared = record.run->structure();
     if (int(declared.position().size()) > most) return {};
-    const auto* statics = dynamic_cast<const Statics*>(record.run.get());
-    return solve_linearly(declared.model(), statics ? statics->held() : std::vector<std::uint8_t>{});
+    const auto* held = record.run->held();
+    return solve_linearly(declared.model(), held ? *held : std::vector<std::uint8_t>{});
 }
 
 /// The longest natural period of a body that supports hold, s; 0 where nobody knows. Not looked for where few_steps
@@ -279,4 +279,4 @@ std::string checked_model(const RunRecord& record) {
     return text + (list.empty() ? "  no warnings\n" : "");
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

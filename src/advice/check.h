@@ -4,9 +4,10 @@
 #include <string>
 
 #include "model/warnings.h"
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Line with the run's counts and mass.
 std::string checked_run(const RunRecord& record);
@@ -41,4 +42,4 @@ void tell_findings(Context& c, const RunRecord& r);
 void look_over(Context& c, const Model& model);
 void look_over(Context& c, RunRecord& record);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -8,7 +8,7 @@
 #include "effects/all_effects.h"
 #include "effects/damping.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 /// Of what was asked for at two periods. Between them the ratio falls to 0.5 where one is 14 times the other.
@@ -65,4 +65,4 @@ std::optional<Warning> damped_otherwise(const Structure& structure, const std::v
         structure.model().asked_at(damping_effect)};
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -9,7 +9,7 @@
 #include "model/structure.h"
 #include "model/warnings.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Text such as "; damping ratios 5, 4.1, 5 %" of a body's modes; "" without damping.
 std::string damping_ratios(const std::vector<DampedMode>& modes);
@@ -18,4 +18,4 @@ std::string damping_ratios(const std::vector<DampedMode>& modes);
 std::optional<Warning> damped_otherwise(const Structure& structure, const std::vector<int>& nodes,
                                         const std::vector<DampedMode>& modes, const std::string& body);
 
-}  // namespace hinge::script
+}  // namespace hinge

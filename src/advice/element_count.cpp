@@ -10,7 +10,7 @@
 #include "effects/declared.h"
 #include "advice/linear_solution.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr int most_elements = 16;
@@ -180,4 +180,4 @@ std::vector<ElementGroup> element_groups(const Model& model) {
     return list;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

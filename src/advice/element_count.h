@@ -22,7 +22,7 @@
 
 #include "model/model.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Sets the number of elements of all undecided members; without any it does nothing. Bodies that supports do not hold
 /// have no static solution and keep two.
@@ -35,4 +35,4 @@ struct ElementGroup {
 };
 std::vector<ElementGroup> element_groups(const Model& model);  ///< the most elements first; empty where none is "auto"
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -15,7 +15,7 @@
 #include "effects/settlement.h"
 #include "model/structure.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr double degrees = 180 / 3.14159265358979323846;  ///< of a radian
@@ -180,4 +180,4 @@ std::vector<Warning> implausible_values(const Structure& structure) {
     return list;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -9,10 +9,10 @@ namespace hinge {
 class Structure;
 }
 
-namespace hinge::script {
+namespace hinge {
 
 /// Settlements, limits of fracture and velocities that are far too large, and gravity across a structure that stands
 /// along z.
 std::vector<Warning> implausible_values(const Structure& structure);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -8,7 +8,7 @@
 #include "effects/all_effects.h"
 #include "state/bodies.h"
 
-namespace hinge::script {
+namespace hinge {
 
 LinearSolution solve_linearly(const Model& model, std::vector<std::uint8_t> held) {
     auto linear = std::make_shared<Model>(model);
@@ -40,4 +40,4 @@ double euler_load(const beam::Rigidity& r, double length) {
     return std::pow(std::numbers::pi / length, 2) * std::min(r.EIx, r.EIy);
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -6,7 +6,7 @@
 
 #include "run/statics.h"
 
-namespace hinge::script {
+namespace hinge {
 
 struct LinearSolution {
     std::unique_ptr<Statics> run;  ///< null where there is none
@@ -18,4 +18,4 @@ LinearSolution solve_linearly(const Model& model, std::vector<std::uint8_t> held
 /// Euler's load of a pinned member about its weaker axis, pi^2 E I_min / L^2 between its nodes, N.
 double euler_load(const beam::Rigidity& r, double length);
 
-}  // namespace hinge::script
+}  // namespace hinge

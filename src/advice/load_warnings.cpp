@@ -11,7 +11,7 @@
 #include "run/statics.h"
 #include "state/breaking.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr int buckling_told = 10;      // lines
@@ -80,7 +80,7 @@ std::vector<char> free_ends(const Model& model, const std::vector<std::uint8_t>&
 std::vector<Compressed> compressed_members(const RunRecord& record, const LinearSolution& solution) {
     const Structure& structure = solution.run->structure();
     const Model& model = structure.model();
-    const std::vector<char> is_free = free_ends(record.run->structure().model(), solution.run->held());
+    const std::vector<char> is_free = free_ends(record.run->structure().model(), *solution.run->held());
     std::vector<Compressed> found;
     const auto& elements = structure.elements();
     for (int i = 0; i < int(elements.size()); ++i) {
@@ -367,14 +367,14 @@ std::vector<Warning> damped_free_bodies(const Structure& s, const State& start) 
     return list;
 }
 
-std::vector<Warning> empty_cases(const ScriptModel& m, const LoadChoice& choice, const std::string& line) {
+std::vector<Warning> empty_cases(const Model& m, int gravity_case, const LoadChoice& choice, const std::string& line) {
     std::vector<char> holds(m.cases().size(), 0);
     const auto note = [&](int load_case) {
         if (load_case >= 0) holds[load_case] = 1;
     };
     for (const DeclaredLoad& l : declared_loads(m)) note(l.load_case);
     for (const int load_case : declared_cases(m)) note(load_case);
-    note(m.gravity_case.value_or(-1));
+    note(gravity_case);
     std::vector<Warning> list;
     for (std::size_t i = 0; i < holds.size(); ++i)
         if (!holds[i] && choice.named[i] && choice.factor[i] != 0)
@@ -383,4 +383,4 @@ std::vector<Warning> empty_cases(const ScriptModel& m, const LoadChoice& choice,
     return list;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

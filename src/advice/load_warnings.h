@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "advice/linear_solution.h"
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Loads that would strain a section beyond any real structure, or bend it to many times its plastic moment.
 std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& solution);
@@ -54,6 +55,6 @@ std::vector<Warning> lone_velocities(const Structure& structure, const State& st
 std::vector<Warning> damped_free_bodies(const Structure& structure, const State& start);
 
 /// Load cases that a run uses and that are empty.
-std::vector<Warning> empty_cases(const ScriptModel& declared, const LoadChoice& choice, const std::string& line);
+std::vector<Warning> empty_cases(const Model& declared, int gravity_case, const LoadChoice& choice, const std::string& line);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -5,7 +5,7 @@
 #include "advice/check.h"
 #include "record/events.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr int most_lines = 10;               ///< of all the script's runs
@@ -66,4 +66,4 @@ void look_over(Context& c, RunRecord& record) {
     if (!record.of_units) record.of_units = of_units(list);
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -9,7 +9,7 @@
 #include "model/member_text.h"
 #include "advice/load_warnings.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr double rests =
@@ -69,4 +69,4 @@ std::vector<Warning> overlapping_bars(const Structure& s, const State& start) {
              model.asked_at("member " + std::to_string(worst[1] + 1)), int(members.size()) - 1, int(members.size())}};
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -5,7 +5,7 @@
 #include "core/text.h"
 #include "advice/element_count.h"
 
-namespace hinge::script {
+namespace hinge {
 
 std::vector<PlanLine> effects_of(const RunRecord& record) {
     std::vector<PlanLine> list = record.run->effects();
@@ -45,4 +45,4 @@ std::string plan_of(const RunRecord& record) {
     return text;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

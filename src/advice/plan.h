@@ -3,9 +3,10 @@
 
 #include <string>
 
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// The effects of a run, including recording by the script layer.
 std::vector<PlanLine> effects_of(const RunRecord& record);
@@ -16,4 +17,4 @@ std::string kinetic_at_start(const Run& run);
 /// The run and its effects as a table: name, on or off, why, the script's line.
 std::string plan_of(const RunRecord& record);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -13,7 +13,7 @@
 #include "record/events.h"
 #include "record/recording.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr std::size_t large = 20000;         ///< members
@@ -122,4 +122,4 @@ void weigh_dynamic(Context& c, const Structure& structure) {
                      " are left" + (bytes > left ? ": that is too little, and the system may end the program" : ""));
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

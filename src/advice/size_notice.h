@@ -2,9 +2,10 @@
 #pragma once
 
 #include "run/statics.h"
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Prints a line at 100,000 declared members, and at each doubling.
 void tell_members(const Context& c, std::size_t members);
@@ -17,4 +18,4 @@ void tell_size(Context& c, const Model& model);
 void weigh_static(Context& c, const Structure& structure, int steps);
 void weigh_dynamic(Context& c, const Structure& structure);
 
-}  // namespace hinge::script
+}  // namespace hinge

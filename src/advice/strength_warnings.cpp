@@ -11,7 +11,7 @@
 #include "model/member_text.h"
 #include "advice/load_warnings.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 /// By how much the moment that eq 14 gives may be above the exact one before it is told, and by how many parts of M0.
@@ -146,4 +146,4 @@ std::vector<Warning> loads_beside_hinges(const Structure& s) {
     return {w};
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -9,7 +9,7 @@
 #include "effects/point_mass.h"
 #include "advice/load_warnings.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 /// Loads along gravity over the weight of all mass, in dynamics: beyond it, floors are loads and not mass.
@@ -136,4 +136,4 @@ std::vector<Warning> late_gravity(const Structure& s, const RunRecord& before, c
              line}};
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

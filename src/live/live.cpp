@@ -4,7 +4,7 @@
 #include <cctype>
 #include <random>
 
-#include "advice/chain.h"
+#include "record/chain.h"
 #include "record/frame_pack.h"
 #include "record/element_events.h"
 #include "record/recording.h"
@@ -15,8 +15,6 @@ namespace hinge::live {
 namespace {
 
 using namespace std::chrono_literals;
-using script::Context;
-using script::RunRecord;
 
 constexpr std::size_t most_rows = 800, most_events = 20000, most_histories = 4, most_pages = 64;
 constexpr auto between_shots = 250ms,  ///< four frames a second
@@ -119,7 +117,7 @@ void Live::change_to(const RunRecord& run) {
     events_taken_ = 0;
     const std::scoped_lock lock(mutex_);
     events_.clear();
-    event_columns_ = script::event_columns(*run.run);
+    event_columns_ = event_columns(*run.run);
 }
 
 void Live::stepped(const Context& context, const RunRecord& run, bool over, Clock::time_point now) try {
@@ -139,14 +137,14 @@ void Live::stepped(const Context& context, const RunRecord& run, bool over, Cloc
 void Live::take_shot(const Context& c, const RunRecord& run) {
     State s;
     s.run = run.number;
-    s.snapshot = std::make_shared<const output::Snapshot>(script::make_snapshot(*run.run));
-    Json summary = {{"verdict", name(script::verdict_of(run))}};
-    if (const std::string reason = script::reason_of(run); !reason.empty()) summary["reason"] = reason;
+    s.snapshot = std::make_shared<const output::Snapshot>(make_snapshot(*run.run));
+    Json summary = {{"verdict", name(verdict_of(run))}};
+    if (const std::string reason = reason_of(run); !reason.empty()) summary["reason"] = reason;
     if (const Json owner = Json::parse(c.output.owner, nullptr, false); owner.is_object())
         for (const char* field : {"script", "case", "parameters"})
             if (owner.contains(field)) summary[field] = owner[field];
     summary["hinge"] = HINGE_VERSION;
-    script::describe_run(summary, run);
+    describe_run(summary, run);
     if (!c.messages.warned.empty()) summary["warnings"] = c.messages.warned;
     s.fields = {{"program", "running"},
                 {"run", run.number},
@@ -155,7 +153,7 @@ void Live::take_shot(const Context& c, const RunRecord& run) {
                 {"planned", run.run->planned_steps()},
                 {"summary", std::move(summary)}};
     if (Rows& rows = rows_[run.number]; true) {
-        const std::string row = script::history_row(run, run.run->energy());
+        const std::string row = history_row(run, run.run->energy());
         if (run.every == 0) rows.add(row);
         s.rows = rows;
         s.rows.end_with(row);
@@ -163,7 +161,7 @@ void Live::take_shot(const Context& c, const RunRecord& run) {
     std::vector<std::string> more;
     const std::size_t all = std::min(run.happenings.size(), most_events);
     for (std::size_t i = events_taken_; i < all; ++i)
-        more.push_back(text_of(Json(script::event_fields(*run.run, run.happenings[i]))));
+        more.push_back(text_of(Json(event_fields(*run.run, run.happenings[i]))));
     s.fields["events_left_out"] = run.happenings.size() - all;
     {
         const std::scoped_lock lock(mutex_);
@@ -227,7 +225,7 @@ Answer Live::state_for(const Request& request, const State& state) {
         Json j = state.fields;
         j["version"] = state.version;
         if (state.snapshot)
-            j["frame"] = script::packed_frames({state.snapshot.get()}, script::Packing::quick, !knows_run);
+            j["frame"] = packed_frames({state.snapshot.get()}, Packing::quick, !knows_run);
         packed_ = {state.version, !knows_run, text_of(j)};
         packed_.text.pop_back();
         if (state.snapshot)

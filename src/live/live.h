@@ -8,11 +8,9 @@
 #include "live/server.h"
 #include "output/picture.h"
 #include "record/events.h"
-#include "script/lua/run_observer.h"
+#include "record/run_observer.h"
 
 namespace hinge::live {
-
-using script::Json;
 
 /// Rows of a history, thinned out evenly to a limited number, and the last row.
 class Rows {
@@ -29,7 +27,7 @@ private:
     std::size_t seen_ = 0, every_ = 1;
 };
 
-class Live : public script::RunObserver {
+class Live : public RunObserver {
 public:
     explicit Live(int port);
     ~Live() override;
@@ -39,9 +37,9 @@ public:
     void show(std::string page);                   ///< the page that is served
     std::string address() const;
 
-    void begun(const script::RunRecord& run, const std::string& history) override;
-    void row(const script::RunRecord& run, const std::string& row) override;
-    void stepped(const script::Context& context, const script::RunRecord& run, bool over,
+    void begun(const RunRecord& run, const std::string& history) override;
+    void row(const RunRecord& run, const std::string& row) override;
+    void stepped(const Context& context, const RunRecord& run, bool over,
                  std::chrono::steady_clock::time_point now) override;
     void forked() override { server_->leave_to_parent(); }
 
@@ -66,8 +64,8 @@ private:
 
     std::optional<Answer> answer(const Request& request);
     Answer state_for(const Request& request, const State& state);
-    void take_shot(const script::Context& context, const script::RunRecord& run);
-    void change_to(const script::RunRecord& run);
+    void take_shot(const Context& context, const RunRecord& run);
+    void change_to(const RunRecord& run);
     bool anybody_left();  ///< true if an open page does not know of the end
 
     const std::string id_;

@@ -340,4 +340,11 @@ std::string Structure::element_name(int index) const {
     return name + ", nodes " + std::to_string(member.node[0] + 1) + "-" + std::to_string(member.node[1] + 1);
 }
 
+std::pair<int, int> elements_of(const Structure& structure, int member) {
+    const auto& all = structure.elements();
+    const auto first = std::ranges::lower_bound(all, member, {}, &Element::member),
+               end = std::ranges::upper_bound(first, all.end(), member, {}, &Element::member);
+    return {int(first - all.begin()), int(end - all.begin())};
+}
+
 }  // namespace hinge

@@ -137,4 +137,7 @@ private:
     bool can_yield_ = false, laws_call_script_ = false, wears_stiffness_ = false;
 };
 
+/// The elements of a member: the first, and one past the last.
+std::pair<int, int> elements_of(const Structure& structure, int member);
+
 }  // namespace hinge

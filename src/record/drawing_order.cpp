@@ -2,7 +2,7 @@
 
 #include "core/archive.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 using output::Bar, output::Load, output::Plane, output::Shape, output::Snapshot, output::View;
@@ -88,4 +88,4 @@ DrawingOrder order_from_bytes(std::string_view bytes) {
     return o;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -8,7 +8,7 @@
 
 #include "output/picture.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// A file to be drawn or written.
 struct DrawingOrder {
@@ -24,4 +24,4 @@ struct DrawingOrder {
 std::string to_bytes(const DrawingOrder& order);
 DrawingOrder order_from_bytes(std::string_view bytes);  ///< throws Damaged
 
-}  // namespace hinge::script
+}  // namespace hinge

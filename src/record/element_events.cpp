@@ -11,9 +11,9 @@
 #include "effects/removal.h"
 #include "record/joint_ratings.h"
 #include "record/recording.h"
-#include "script/files/quoting.h"
+#include "core/quoting.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr std::size_t most_happenings = 200'000;
@@ -175,7 +175,7 @@ const Removal* removed_by(const Structure& s, const ElementEvent& h) {
 }  // namespace
 
 std::vector<std::string> event_columns(const Run& run) {
-    return {std::string(run.kind()) == "static" ? "factor" : "time",
+    return {run.is_static() ? "factor" : "time",
             "event",
             "element",
             "member",
@@ -285,4 +285,4 @@ Json damage_by_group(const Run& run) {
     return list;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -2,8 +2,9 @@
 #pragma once
 
 #include "record/events.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Records elements that have been in contact, yielded or broken for the first time, after a step, joints that have
 /// yielded about an axis, reached a limit of their own in statics or broken, and connectors that have broken. Before
@@ -27,4 +28,4 @@ void leave_happenings(const Context& c, RunRecord& record);
 /// Damage of each group: members, elastic, yielded, broken, and touched (also if elastic or not).
 Json damage_by_group(const Run& run);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -3,17 +3,17 @@
 
 #include <nlohmann/json.hpp>
 
-#include "script/lua/objects.h"
+#include "record/context.h"
 
-namespace hinge::script {
+namespace hinge {
 
 using Json = nlohmann::ordered_json;
 
 /// Writes { "event": kind, ... } as a line, if --json is on.
 void write_event(const Context& c, const char* kind, const Json& fields);
 
-/// A Lua value as JSON: tables with items are lists, others objects with their keys in order; a number that is not
-/// finite is its text.
-Json to_json(lua_State* L, int index, int depth = 0);
+/// The text of a JSON value, as files have it: indented by two, or on one line; bytes that are no UTF-8 are replaced.
+std::string whole_text(const Json& value);
+std::string line_text(const Json& value);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -20,7 +20,7 @@
 
 #include "core/errors.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 using FileNumber = std::pair<dev_t, ino_t>;
@@ -174,4 +174,4 @@ void leave_lock(const std::string& folder) {
     locks().erase(at);
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace hinge::script {
+namespace hinge {
 
 /// Sharing of a folder with other processes: none, or with tasks of the same study, which write to cases of their own.
 enum class Share { alone, with_tasks };
@@ -24,4 +24,4 @@ void refuse_locked(const std::string& folder);
 /// Releases the lock of this process; a process forked since then still has it.
 void leave_lock(const std::string& folder);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -8,11 +8,12 @@
 #include <fstream>
 
 #include "core/files.h"
+#include "core/text.h"
 #include "run/checkpoint.h"
 #include "record/events.h"
 #include "record/folder_lock.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 namespace fs = std::filesystem;
@@ -33,7 +34,7 @@ Json owner_of(const std::string& folder) {
 
 std::string text_of(const Json& value) {
     if (value.is_string()) return value.get<std::string>();
-    if (value.is_number_float()) return show(value.get<double>());
+    if (value.is_number_float()) return number_text(value.get<double>(), 10);
     if (!value.is_array()) return value.dump();
     std::string list;
     for (const Json& item : value) list += (list.empty() ? "{ " : ", ") + text_of(item);
@@ -124,6 +125,31 @@ std::string free_folder(const std::string& wanted, const std::string& owner) {
     }
 }
 
+void prepare_folder(const Context& c, const std::string& file) {
+    // names go into other files and to other programs
+    if (const auto at =
+            std::find_if(file.begin(), file.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; });
+        at != file.end())
+        throw InputError("the file name '" + std::string(file.begin(), at) + "...' goes on with the character number " +
+                         std::to_string(int(*at)) + "; it must not have line breaks or other control characters");
+    const fs::path folder = fs::path(file).parent_path();
+    if (c.mode.sandbox) {
+        const fs::path own = fs::weakly_canonical(fs::absolute(c.output.folder)),
+                       there = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
+        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
+            fs::is_symlink(file))
+            throw InputError("'" + file + "' is outside the output folder " + c.output.folder +
+                             "; a script in the sandbox writes nowhere else");
+    }
+    refuse_removed(file);
+    if (folder.empty()) return;
+    make_folder(folder.string());
+    const fs::path within = fs::path(c.output.folder).lexically_normal(), here = folder.lexically_normal();
+    if (!c.output.folder.empty() &&
+        std::mismatch(within.begin(), within.end(), here.begin(), here.end()).first == within.end())
+        take_lock(c.output.folder);
+}
+
 void take_folder(Context& c) {
     if (c.output.folder.empty()) return;
     refuse_removed(c.output.folder);
@@ -140,7 +166,7 @@ void take_folder(Context& c) {
         write_event(c, "warning", {{"text", text}, {"advice", "give another --out"}});
     }
     mine["hinge"] = HINGE_VERSION;
-    write_whole(c.output.folder + "/run.json", mine.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_whole(c.output.folder + "/run.json", whole_text(mine));
 }
 
 bool print_history(const std::vector<std::string>& folders) {
@@ -160,4 +186,4 @@ bool print_history(const std::vector<std::string>& folders) {
     return any;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -9,7 +9,7 @@
 
 #include "core/bar_bending.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 using output::Bar;
@@ -284,4 +284,4 @@ Json packed_frames(const std::vector<const Snapshot*>& frames, Packing packing, 
     return Pack(frames, packing).json(with_model);
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

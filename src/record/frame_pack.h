@@ -6,7 +6,7 @@
 #include "output/picture.h"
 #include "record/events.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Compression level of zlib: 0, none, to 9.
 enum class Packing : int { quick = 0, small = 6 };
@@ -18,4 +18,4 @@ Json packed_frames(const std::vector<const output::Snapshot*>& frames, Packing p
 /// True if they can be frames of one model.
 bool same_model(const output::Snapshot& a, const output::Snapshot& b);
 
-}  // namespace hinge::script
+}  // namespace hinge

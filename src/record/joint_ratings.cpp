@@ -4,9 +4,8 @@
 
 #include "effects/connectors.h"
 #include "run/run.h"
-#include "script/lua/objects.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 /// At the first element of a node.
@@ -110,4 +109,4 @@ std::vector<JointRating> joint_ratings(const Run& run) {
     return list;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -13,7 +13,7 @@ class Run;
 class Structure;
 }  // namespace hinge
 
-namespace hinge::script {
+namespace hinge {
 
 /// A quantity of a joint that has a limit or a law: the moment about an axis that is a spring, or a force at which the
 /// joint or a connector breaks.
@@ -60,4 +60,4 @@ JointPlace connector_place(const Structure& structure, int connector);
 /// direction with a capacity has one. Pins and rigid axes have none.
 std::vector<JointRating> joint_ratings(const Run& run);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -5,14 +5,13 @@
 #include <unistd.h>
 
 #include "core/text.h"
-#include "advice/chain.h"
+#include "record/chain.h"
 #include "advice/check.h"
 #include "record/events.h"
 #include "record/recording.h"
 #include "record/summary.h"
-#include "run/statics.h"
 
-namespace hinge::script {
+namespace hinge {
 
 std::string duration_text(double s) {
     const long whole = std::lround(s);
@@ -44,9 +43,7 @@ void show_progress(const Context& c, RunRecord& r, bool last, bool trying = fals
     const double wall = seconds_of(Clock::now() - r.progress.start);
     if (last && wall < 2 && !c.messages.events) return;
     const long done = r.run->steps_done(), all = r.run->planned_steps(), now = done - r.resumed_at;
-    const auto* statics = dynamic_cast<const Statics*>(r.run.get());
-    const double share =
-        std::clamp(statics ? statics->part_done() : double(done) / double(std::max(1L, all)), 0.0, 1.0);
+    const double share = std::clamp(r.run->part_done(), 0.0, 1.0);
     if (!trying && r.every == 0) weigh_error(r, r.run->energy());  // no row has done it
     if (c.messages.events) {
         Json j = {{"run", r.number}, {"kind", r.run->kind()},       {"step", done},
@@ -67,7 +64,7 @@ void show_progress(const Context& c, RunRecord& r, bool last, bool trying = fals
     if (trying) {
         std::snprintf(part, sizeof part,
                       "; the next one is halved, %ld times so far: no equilibrium yet beyond factor ",
-                      statics->rejected());
+                      r.run->rejected());
         text += part + number_text(r.run->state().factor);
     } else if (last) {
         text += "  took " + duration_text(wall);
@@ -111,11 +108,11 @@ void tell_of_beginning(const std::shared_ptr<Context>& c, RunRecord& r) {
                      {"free_dofs", s.free_dofs()},
                      {"steps", r.run->planned_steps()}});
     }
-    if (auto* statics = dynamic_cast<Statics*>(r.run.get()); statics && (c->messages.progress || c->messages.events))
-        statics->on_try = [c = std::weak_ptr(c), &r, seen = 0L, statics]() mutable {
+    if (c->messages.progress || c->messages.events)
+        r.run->on_each_try([c = std::weak_ptr(c), &r, seen = 0L]() mutable {
             const auto context = c.lock();
-            if (context && statics->rejected() > seen) seen = statics->rejected(), show_if_due(*context, r, true);
-        };
+            if (context && r.run->rejected() > seen) seen = r.run->rejected(), show_if_due(*context, r, true);
+        });
 }
 
 namespace {
@@ -156,13 +153,12 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
 
 /// The first instability of a static run.
 void tell_instability(const Context& c, RunRecord& r) {
-    const auto* statics = dynamic_cast<const Statics*>(r.run.get());
-    if (!statics || !statics->instability() || r.progress.instability_shown || r.run->verdict() == Verdict::failed)
+    if (!r.run->instability() || r.progress.instability_shown || r.run->verdict() == Verdict::failed)
         return;
     r.progress.instability_shown = true;
-    if (c.messages.events) write_event(c, "instability", {{"run", r.number}, {"text", statics->instability_text()}});
+    if (c.messages.events) write_event(c, "instability", {{"run", r.number}, {"text", r.run->instability_text()}});
     else if (c.messages.progress)
-        std::fprintf(stderr, "%sstatic: %s\n", line_start(), statics->instability_text().c_str());
+        std::fprintf(stderr, "%sstatic: %s\n", line_start(), r.run->instability_text().c_str());
 }
 
 }  // namespace
@@ -177,4 +173,4 @@ void tell_step(Context& c, RunRecord& r, bool over) {
     else show_if_due(c, r, false);
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

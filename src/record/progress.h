@@ -3,9 +3,10 @@
 
 #include <chrono>
 
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 using Clock = std::chrono::steady_clock;
 inline double seconds_of(Clock::duration d) { return std::chrono::duration<double>(d).count(); }
@@ -16,4 +17,4 @@ void tell_of_beginning(const std::shared_ptr<Context>& context, RunRecord& recor
 /// Prints what is new since the last step: changes of state, warnings, findings, an instability, progress.
 void tell_step(Context& context, RunRecord& record, bool over);
 
-}  // namespace hinge::script
+}  // namespace hinge

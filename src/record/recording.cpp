@@ -1,63 +1,24 @@
 // Recording during a run: probes, rows of history.csv, and progress messages.
+
 #include "record/recording.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+#include <limits>
 
+#include "advice/check.h"
 #include "core/doing.h"
 #include "core/files.h"
-#include "core/rotation.h"
-#include "core/text.h"
-#include "advice/chain.h"
-#include "advice/check.h"
-#include "script/files/run_checkpoint.h"
-#include "record/events.h"
+#include "core/quoting.h"
+#include "record/chain.h"
+#include "record/element_events.h"
 #include "record/folder_lock.h"
 #include "record/folders.h"
 #include "record/progress.h"
-#include "record/element_events.h"
-#include "script/lua/interrupts.h"
-#include "script/lua/run_observer.h"
+#include "record/run_checkpoint.h"
+#include "record/run_observer.h"
 #include "record/summary.h"
-#include "script/files/quoting.h"
-#include "run/dynamics.h"
-#include "run/statics.h"
-
-namespace hinge::script {
-
-namespace {
-
-/// How a node has rotated against another, as a rotation vector in space.
-double relative_rotation(const Run& run, const Probe& p) {
-    const State& state = run.state();
-    if (!run.structure().large())
-        return (state.small_rotation[p.node] - state.small_rotation[p.relative_to])[p.component - 3];
-    return rotation_vector(state.rotation[p.node] * state.rotation[p.relative_to].conjugate())[p.component - 3];
-}
-
-}  // namespace
-
-double value_of(const Run& run, const Probe& p) {
-    if (p.relative_to >= 0) {
-        if (p.quantity == Probe::Quantity::displacement && p.component >= 3) return relative_rotation(run, p);
-        const auto of = [&](int node) { return value_of(run, Probe{node, p.quantity, p.component, {}, {}, {}}); };
-        const double difference = of(p.node) - of(p.relative_to);
-        return p.height > 0 ? difference / p.height : difference;
-    }
-    switch (p.quantity) {
-        case Probe::Quantity::velocity: return run.state().velocity[p.node][p.component];
-        case Probe::Quantity::acceleration: return run.state().acceleration[p.node][p.component];
-        case Probe::Quantity::reaction: return run.reaction(p.node)[p.component];
-        default:
-            return p.component < 3 ? run.state().displacement[p.node][p.component]
-                                   : run.displacement(p.node)[p.component];
-    }
-}
-
-double abscissa(const Run& run) {
-    return std::strcmp(run.kind(), "static") == 0 ? run.state().factor : run.state().time;
-}
+namespace hinge {
 
 std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* lost) {
     char text[64];
@@ -75,19 +36,13 @@ std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* 
     return row + '\n';
 }
 
-const LostBalance* lost_by(const RunRecord& r) {
-    const auto* d = dynamic_cast<const Dynamics*>(r.run.get());
-    return d && d->lost() ? &*d->lost() : nullptr;
-}
-
 void weigh_error(RunRecord& r, const Energy& e) {
     LargestEnergy largest(r.run->structure());
     largest.set_most(r.largest_energy);
-    if (const auto* d = dynamic_cast<const Dynamics*>(r.run.get()))  // it looks between the rows too
-        largest.set_most(std::max(largest.most(), d->largest_energy()));
+    largest.set_most(std::max(largest.most(), r.run->largest_energy()));  // it looks between the rows too
     r.last_energy_share = r.state_energy_share = largest.share(e, r.run->accounts());
     r.largest_energy = largest.most();
-    if (const LostBalance* lost = lost_by(r)) r.last_energy_share = lost->share;
+    if (const LostBalance* lost = r.run->lost()) r.last_energy_share = lost->share;
 }
 
 namespace {
@@ -103,7 +58,7 @@ void sample(RunRecord& r) {
 void write_probes(const Context& c, const RunRecord& r) {
     const std::string path = c.output.folder + "/probes.json";
     if (r.probes.empty()) std::remove(path.c_str());
-    else write_whole(path, probes_json(r).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    else write_whole(path, whole_text(probes_json(r)));
 }
 
 /// Its history is history.csv from now on; those of the runs before it are kept by number.
@@ -153,7 +108,7 @@ void begin_history(const std::shared_ptr<Context>& c, const std::shared_ptr<RunR
 
 void add_row(const Context& c, RunRecord& r) {
     const Energy e = r.run->energy();
-    const LostBalance* lost = lost_by(r);
+    const LostBalance* lost = r.run->lost();
     r.initial = e.initial;
     r.last_energy_error = lost ? lost->energy.error : e.error;
     weigh_error(r, e);
@@ -183,27 +138,15 @@ void note_what_went(RunRecord& r) {
         if (s.gone[n] && std::isnan(r.left_at[n]) && !r.run->structure().is_alone(int(n))) r.left_at[n] = now;
 }
 
-/// While it lasts the run's own functions may neither step it nor change its model.
+/// While it lasts the run's own functions may not step it.
 class InsideStep {
 public:
-    InsideStep(RunRecord& r, bool mid_step) : r_(r) { set(true), r_.mid_step = mid_step; }
-    ~InsideStep() { set(false), r_.mid_step = false; }
+    InsideStep(RunRecord& r, bool mid_step) : r_(r) { r_.stepping = true, r_.mid_step = mid_step; }
+    ~InsideStep() { r_.stepping = r_.mid_step = false; }
 
 private:
-    void set(bool inside) { r_.stepping = inside, r_.model->lock(inside); }
     RunRecord& r_;
 };
-
-void call_on_step(lua_State* L, const std::shared_ptr<RunRecord>& record) {
-    const InsideStep inside(*record, false);
-    for (const LuaFunction& f : std::vector<LuaFunction>(record->on_step)) {  // one may add another
-        f.push(L);
-        push<RunBox>(L, record);
-        hold_registry(L, *record->model);
-        call_hook(L, f, 1, 0,
-                  "run:on_step after step " + std::to_string(record->run->steps_done()) + ", which is done");
-    }
-}
 
 }  // namespace
 
@@ -245,9 +188,9 @@ void tell_end(Context& c, RunRecord& r) {
 }
 
 /// Before the first step: opens the files and records the start.
-void begin(lua_State* L, const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+void begin(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     RunRecord& r = *record;
-    begin_checkpoints(L, *c, r);
+    begin_checkpoints(*c, r);
     note_happenings(r);
     note_what_went(r);
     begin_history(c, record);
@@ -261,7 +204,7 @@ void begin(lua_State* L, const std::shared_ptr<Context>& c, const std::shared_pt
 bool step_once(RunRecord& r) {
     try {
         const InsideStep inside(r, true);
-        const Doing doing(r.run->kind()[0] == 's' ? "a step of the static run" : "a step of the dynamic run");
+        const Doing doing(r.run->is_static() ? "a step of the static run" : "a step of the dynamic run");
         return r.run->advance();
     } catch (const HookError&) {
         write_rows(r);
@@ -273,42 +216,44 @@ bool step_once(RunRecord& r) {
     }
 }
 
-/// Records the step: breaks, probes and a row; then the script's own functions.
-void record_step(lua_State* L, const Context& c, const std::shared_ptr<RunRecord>& record, bool more) {
-    RunRecord& r = *record;
+/// Records the step: breaks, probes and a row; then the program's own functions.
+void record_step(const Context& c, RunRecord& r, bool more, StepHooks& hooks) {
     note_happenings(r);
     note_what_went(r);
     if (!more) return;
     sample(r);
     if (r.every > 0 && r.run->steps_done() % r.every == 0) add_row(c, r);
-    if (!r.on_step.empty()) call_on_step(L, record);
+    const InsideStep inside(r, false);
+    hooks.after_step(r);
 }
 
 /// Closes a run that is over: its last row.
 void close_run(const Context& c, RunRecord& r) {
-    run_is_under_way(false);
-    if (r.every == 0 || r.run->steps_done() % r.every != 0 || lost_by(r)) add_row(c, r);
+    if (r.every == 0 || r.run->steps_done() % r.every != 0 || r.run->lost()) add_row(c, r);
 }
 
 }  // namespace
 
-bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
+void record_run(Context& c, const std::shared_ptr<RunRecord>& record) {
+    if (c.runs.last) tell_findings(c, *c.runs.last);
+    c.runs.last = record;
+    ++c.runs.made;
+}
+
+bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record, StepHooks& hooks) {
     RunRecord& r = *record;
-    const auto c = context(L);
-    c->running = L;
     refuse_step(r);
     if (c->mode.planning) return false;
     refuse_outdated(r);
-    if (!r.begun) begin(L, c, record);
-    run_is_under_way(true);
-    mind_interrupts(L, *c, r);
-    keep_if_due(L, *c, r);
+    if (!r.begun) begin(c, record);
+    hooks.before_step(r);
+    keep_if_due(*c, r);
     if (r.closed) return false;
     const auto before = Clock::now();
     const bool more = step_once(r);
     const auto now = Clock::now();
     r.wall += seconds_of(now - before);
-    record_step(L, *c, record, more);
+    record_step(*c, r, more, hooks);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
     if (over) close_run(*c, r);
@@ -319,8 +264,25 @@ bool advance(lua_State* L, const std::shared_ptr<RunRecord>& record) {
     if (over) tell_end(*c, r);
     else tell_step(*c, r, false);
     if (c->messages.observer) c->messages.observer->stepped(*c, r, over, now);
-    if (!more) keep_if_due(L, *c, r);  // it has failed, and nobody need ask for another step
+    if (!more) keep_if_due(*c, r);  // it has failed, and nobody need ask for another step
     return more;
 }
 
-}  // namespace hinge::script
+bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+    StepHooks none;
+    return advance(c, record, none);
+}
+
+std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member) {
+    if (!r.run || member >= int(r.run->structure().model().members().size())) return {};
+    const auto [first, end] = elements_of(r.run->structure(), member);
+    std::optional<std::pair<int, double>> earliest;
+    for (int e = first; e < end; ++e) {
+        if (!r.run->state().broken[e]) continue;
+        const double time = r.broken_at.empty() ? -std::numeric_limits<double>::infinity() : r.broken_at[e];
+        if (!earliest || time < earliest->second) earliest = {e - first + 1, time};
+    }
+    return earliest;
+}
+
+}  // namespace hinge

@@ -1,19 +1,7 @@
 // The energy balance over a run, kept for plots.
 #include "record/recording.h"
-#include "run/dynamics.h"
 
-namespace hinge::script {
-
-const char* unit_of(const Probe& p) {
-    const bool turns = p.component >= 3;
-    if (p.height > 0) return "";  // a drift
-    switch (p.quantity) {
-        case Probe::Quantity::velocity: return turns ? "rad/s" : "m/s";
-        case Probe::Quantity::acceleration: return turns ? "rad/s^2" : "m/s^2";
-        case Probe::Quantity::reaction: return turns ? "N m" : "N";
-        default: return turns ? "rad" : "m";
-    }
-}
+namespace hinge {
 
 namespace {
 
@@ -47,43 +35,17 @@ void keep_row(RunRecord& r, const Energy& energy, const LostBalance* lost) {
     kept.stride *= 2;
 }
 
-/// core.run_history(run, function): { columns = { names in order }, parts = { names of parts of accounts }, [name] = {
-/// values }
-/// }, the present state last; in the middle of a step the one before it. Of a run whose energy balance no longer closed
-/// the last row is that of this moment.
-int run_history(lua_State* L) {
-    const auto r =
-        run_argument(L, 1, (lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) + std::string(": ") : "") + "the run");
-    const std::vector<std::string> names = columns_of(*r->run);
-    std::vector<double> values = r->kept_rows.values;
-    const std::size_t n = names.size();
-    const bool is_new = values.size() < n || values[values.size() - n] != r->run->state().time ||
-                        values[values.size() - n + 1] != r->run->state().factor;
-    const auto* dynamics = dynamic_cast<const Dynamics*>(r->run.get());
-    const bool lost = dynamics && dynamics->lost();
-    if (is_new && r->every > 0 && !r->mid_step && r->started && !lost) append_row(values, *r->run, r->run->energy());
-    lua_newtable(L);
-    lua_newtable(L);
-    for (std::size_t i = 0; i < n; ++i) {
-        lua_pushstring(L, names[i].c_str());
-        lua_rawseti(L, -2, lua_Integer(i) + 1);
-    }
-    lua_setfield(L, -2, "columns");
-    lua_newtable(L);
-    lua_Integer parts = 0;
-    for (const AccountInfo& account : r->run->accounts())
-        if (!account.part_of.empty()) {
-            lua_pushstring(L, std::string(account.name).c_str());
-            lua_rawseti(L, -2, ++parts);
-        }
-    lua_setfield(L, -2, "parts");
-    for (std::size_t k = 0; k < n; ++k) {
-        std::vector<double> column;
-        for (std::size_t i = k; i < values.size(); i += n) column.push_back(values[i]);
-        push_array(L, column.data(), int(column.size()));
-        lua_setfield(L, -2, names[k].c_str());
-    }
-    return 1;
+RunHistory history_of(const RunRecord& r) {
+    RunHistory history{columns_of(*r.run), {}, r.kept_rows.values};
+    const std::size_t n = history.columns.size();
+    std::vector<double>& values = history.values;
+    const bool is_new = values.size() < n || values[values.size() - n] != r.run->state().time ||
+                        values[values.size() - n + 1] != r.run->state().factor;
+    if (is_new && r.every > 0 && !r.mid_step && r.started && !r.run->lost())
+        append_row(values, *r.run, r.run->energy());
+    for (const AccountInfo& account : r.run->accounts())
+        if (!account.part_of.empty()) history.parts.emplace_back(account.name);
+    return history;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

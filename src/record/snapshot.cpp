@@ -11,13 +11,13 @@
 #include "section/plastic_domain.h"
 #include "section/yield.h"
 #include "effects/declared.h"
-#include "run/statics.h"
+#include "run/run.h"
 #include "record/joint_ratings.h"
 #include "state/configuration.h"
 #include "state/hinges.h"
 #include "state/turned_ends.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr double drawn_compression = 0.02;  // below it moments change by a quarter of a per cent between the ends
@@ -128,7 +128,7 @@ output::Snapshot make_snapshot(const Run& run) {
     const State& state = run.state();
     output::Snapshot snapshot;
     snapshot.time = state.time;
-    if (dynamic_cast<const Statics*>(&run)) snapshot.factor = state.factor;
+    if (run.is_static()) snapshot.factor = state.factor;
     snapshot.groups = structure.model().groups();
     snapshot.declared = int(structure.model().nodes().size());
     for (std::size_t i = 0; i < structure.position().size(); ++i) {
@@ -188,4 +188,4 @@ output::Snapshot make_snapshot(const Run& run) {
     return snapshot;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

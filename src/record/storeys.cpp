@@ -7,7 +7,7 @@
 
 #include "effects/declared.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 constexpr double level = 0.02;            // rise over run: less is a level member
@@ -16,9 +16,9 @@ constexpr double above_floor = 0.05;      // m: a member so little above a floor
 constexpr std::size_t most_floors = 200;  // more is no building
 
 /// What hangs together: the root of each node, by members and connectors.
-class Bodies {
+class ConnectedNodes {
 public:
-    explicit Bodies(const Model& model) : root_(model.nodes().size()) {
+    explicit ConnectedNodes(const Model& model) : root_(model.nodes().size()) {
         std::iota(root_.begin(), root_.end(), 0);
         for (const MemberData& m : model.members()) root_[std::size_t(of(m.node[0]))] = of(m.node[1]);
         for (const NodeLink& link : node_links(model))
@@ -39,7 +39,7 @@ private:
 std::vector<int> storeys_of(const Structure& structure) {
     const Model& model = structure.model();
     std::vector<int> storey(model.members().size(), 0);
-    Bodies bodies(model);
+    ConnectedNodes bodies(model);
     std::vector<char> supported(model.nodes().size(), 0);
     double base = std::numeric_limits<double>::infinity();
     const auto height = [&](int node) { return model.nodes()[std::size_t(node)].position.z(); };
@@ -75,4 +75,4 @@ std::vector<int> storeys_of(const Structure& structure) {
     return storey;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -13,7 +13,7 @@
 #include "run/dynamics.h"
 #include "run/statics.h"
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 Json energy_json(const Run& run) {
@@ -71,6 +71,18 @@ double mass_of(const Structure& s) {
     return mass;
 }
 
+Json instability_json(const Structure& s, const Instability& i) {
+    Json j = {{"factor", i.factor}, {"beyond", i.beyond}, {"count", i.count}};
+    if (i.node >= 0) {
+        j["node"] = s.node_name(i.node);
+        j["component"] = component_name(i.component);
+    }
+    if (!i.members.empty()) j["by"] = i.by_compression ? "compression" : "bending";
+    j["members"] = Json::array();
+    for (int member : i.members) j["members"].push_back(member + 1);
+    return j;
+}
+
 }  // namespace
 
 Json probes_json(const RunRecord& r) {
@@ -121,27 +133,102 @@ void describe_run(Json& j, const RunRecord& r) {
     j["probes"] = probes_json(r);
     j["energy"] = energy_json(run);
     j["energy_error"] =
-        std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(show(r.last_energy_share));
+        std::isfinite(r.last_energy_share) ? Json(r.last_energy_share) : Json(number_text(r.last_energy_share, 10));
     if (r.state_energy_share != r.last_energy_share) j["energy_error_of_state"] = r.state_energy_share;
     j["worst_energy_error"] = r.worst_energy_error;
-    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && (d->settings().step_control > 0 || d->rejected() > 0))
-        j["step_control"] = {{"rejected_steps", d->rejected()}, {"shortest_dt", d->shortest_taken()}};
-    if (const auto* d = dynamic_cast<const Dynamics*>(&run); d && d->fastest().node >= 0)
+    if (const auto shortest = run.shortest_controlled())
+        j["step_control"] = {{"rejected_steps", run.rejected()}, {"shortest_dt", *shortest}};
+    if (const Fastest* fastest = run.fastest_node())
         j["fastest_node"] = {
-            {"speed", d->fastest().speed}, {"node", s.node_name(d->fastest().node)}, {"time", d->fastest().time}};
-    if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
-        j["limit"] = statics->limit();
-        if (const auto& i = statics->instability()) {
-            j["instability"] = {{"factor", i->factor}, {"beyond", i->beyond}, {"count", i->count}};
-            if (i->node >= 0) {
-                j["instability"]["node"] = s.node_name(i->node);
-                j["instability"]["component"] = component_name(i->component);
-            }
-            if (!i->members.empty()) j["instability"]["by"] = i->by_compression ? "compression" : "bending";
-            j["instability"]["members"] = Json::array();
-            for (int member : i->members) j["instability"]["members"].push_back(member + 1);
-        }
-    }
+            {"speed", fastest->speed}, {"node", s.node_name(fastest->node)}, {"time", fastest->time}};
+    if (!run.is_static()) return;
+    j["limit"] = run.limit();
+    if (const Instability* i = run.instability()) j["instability"] = instability_json(s, *i);
 }
 
-}  // namespace hinge::script
+namespace {
+
+constexpr int most_failed = 10;  ///< lines about runs that failed before the last one
+
+/// That of the last run, or of the one before it that failed without the script having asked for its verdict.
+Outcome outcome_of_runs(const Context& c) {
+    if (!c.runs.last) return {};
+    const RunRecord& r = *c.runs.last;
+    const bool running = r.run->verdict() == Verdict::running;
+    Outcome out{running ? "stopped" : name(verdict_of(r)),
+                running ? "the script stopped before the last step" : reason_of(r), cause_of(r)};
+    if (is_weak(r)) out = {"failed", reason_of(r), "from_failed_run"};
+    if (r.run->failure()) out.cause = cause_of(r);
+    if (const std::string other = unasked_failure(c); out.verdict != "failed" && !other.empty())
+        out = {"failed", other, unasked_cause(c)};
+    return out;
+}
+
+/// A script some of whose files could not be written has failed.
+void count_lost_files(const Context& c, Outcome& out) {
+    const auto& lost = c.output.lost;
+    if (lost.empty()) return;
+    const std::string missing =
+        lost.front() + (lost.size() > 1 ? "; and " + std::to_string(lost.size() - 1) + " more" : "");
+    out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing,
+           out.cause.empty() ? "not_written" : out.cause};
+}
+
+/// Lists the runs that failed before the last one, whose failure is the verdict and is told by itself.
+void list_failed_runs(const Context& c, Json& j) {
+    int told = 0;
+    for (const auto& [number, text, cause] : c.runs.failed) {
+        if (c.runs.last && number == c.runs.last->number) continue;
+        j["failed_runs"].push_back(text);
+        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
+    }
+    if (told > most_failed)
+        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
+}
+
+/// Warns of a script that made runs and never stepped one.
+void warn_of_idle_runs(const Context& c, Json& j) {
+    const int idle = c.runs.made - c.runs.begun;
+    if (idle <= 0 || c.runs.begun > 0) return;
+    const std::string text = count_text(idle, "run") + " made, and none has taken a step";
+    j["warnings"].push_back(text);
+    if (c.messages.warns)
+        std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
+                     text.c_str());
+}
+
+}  // namespace
+
+Outcome write_summary(Context& c, const OwnSummary& own) {
+    Json j;
+    if (c.runs.last) tell_findings(c, *c.runs.last);
+    Outcome out = outcome_of_runs(c);
+    if (!own.whole.is_null()) out = {own.whole.value("verdict", out.verdict), own.whole.value("reason", ""), ""};
+    count_lost_files(c, out);
+    if (!c.output.lost.empty()) j["lost"] = c.output.lost;
+    j["verdict"] = out.verdict;
+    if (!out.reason.empty()) j["reason"] = out.reason;
+    if (out.verdict == "failed" && !out.cause.empty()) j["cause"] = out.cause;
+    j.update(own.head);
+    j["hinge"] = HINGE_VERSION;
+    if (const auto& r = c.runs.last) {
+        describe_run(j, *r);
+        j["state_hash"] = hex_text(hash(r->run->state()));
+    }
+    j["results"] = own.results.is_null() ? Json::object() : own.results;
+    if (!own.notes.is_null() && !own.notes.empty()) j["notes"] = own.notes;
+    if (!c.messages.warned.empty()) j["warnings"] = c.messages.warned;
+    list_failed_runs(c, j);
+    warn_of_idle_runs(c, j);
+    if (!c.output.folder.empty()) {
+        take_folder(c);
+        if (c.runs.last) leave_happenings(c, *c.runs.last);
+        write_whole(c.output.folder + "/summary.json", whole_text(j));
+    }
+    write_event(c, "summary", {{"folder", c.output.folder}, {"summary", j}});
+    return out;
+}
+
+void write_summary(Context& c) { write_summary(c, OwnSummary()); }
+
+}  // namespace hinge

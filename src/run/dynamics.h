@@ -20,6 +20,7 @@ public:
     bool advance() override;
     long planned_steps() const override { return steps_done() + size_.left(); }
     const char* kind() const override { return "dynamic"; }
+    bool is_static() const override { return false; }
     std::span<const Break> broken_last() const override { return step_.breaks; }
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
@@ -37,15 +38,22 @@ public:
     /// settings, but for the duration, of which this run began with the state.
     void go_on_as(const Dynamics& before);
 
-    EffectiveStiffness::Counts solver_counts() const;
+    EffectiveStiffness::Counts solver_counts() const override;
+    long substeps() const override { return steps_done(); }
+    double part_done() const override;
+    std::string way_done() const override;
     double shortest() const { return size_.own(); }  ///< s: dt, with "auto" the shortest, before any is halved
     double shortest_taken() const { return size_.least_taken(); }  ///< s
-    long rejected() const { return size_.rejected(); }             ///< steps taken back by step control
+    long rejected() const override { return size_.rejected(); }
+    std::optional<double> shortest_controlled() const override;
     bool explicit_steps() const { return settings_.explicit_steps(); }
-    double largest_energy() const { return largest_energy_.most(); }  ///< J, that any account has had where it looked
+    double largest_energy() const override { return largest_energy_.most(); }
     /// Of a run whose energy balance no longer closed: the moment at which this was seen.
-    const std::optional<LostBalance>& lost() const { return energy_monitor_.lost(); }
+    const LostBalance* lost() const override { return energy_monitor_.lost() ? &*energy_monitor_.lost() : nullptr; }
     const Fastest& fastest() const { return integrator_->fastest; }
+    const Fastest* fastest_node() const override { return fastest().node < 0 ? nullptr : &fastest(); }
+    const Dynamics* dynamics() const override { return this; }
+    Dynamics* dynamics() override { return this; }
     /// Seconds that one product of this run's effective stiffness, block by block and uncondensed, with a vector takes:
     /// the yardstick of a step.
     double time_product(int repeats) const;

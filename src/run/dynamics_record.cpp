@@ -12,6 +12,18 @@
 
 namespace hinge {
 
+double Dynamics::part_done() const { return double(steps_done()) / double(std::max(1L, planned_steps())); }
+
+std::string Dynamics::way_done() const {
+    return "at t = " + number_text(state_.time, 4) + " s, after " + std::to_string(steps_done()) + " of " +
+           count_text(planned_steps(), "step");
+}
+
+std::optional<double> Dynamics::shortest_controlled() const {
+    if (!(settings_.step_control > 0) && rejected() == 0) return {};
+    return shortest_taken();
+}
+
 EffectiveStiffness::Counts Dynamics::solver_counts() const {
     const EffectiveStiffness* effective = integrator_->effective();
     return effective ? effective->counts() : EffectiveStiffness::Counts{};

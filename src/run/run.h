@@ -14,6 +14,7 @@
 #include "run/constraints.h"
 #include "run/failure_text.h"
 #include "run/pressed_pairs.h"
+#include "run/run_report.h"
 
 namespace hinge {
 
@@ -28,7 +29,7 @@ struct StageTime {
     double seconds = 0;
 };
 
-class Run : protected Host {
+class Run : public RunReport, protected Host {
 public:
     Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia);
     ~Run() override;
@@ -36,7 +37,6 @@ public:
     /// One step. False when there is none left (see verdict); the state is then that of the last good step.
     virtual bool advance() = 0;
     virtual long planned_steps() const = 0;
-    virtual const char* kind() const = 0;  ///< "static" or "dynamic"
     virtual std::vector<StageTime> stage_times() const = 0;
     virtual std::vector<PlanLine> effects() const = 0;
 

@@ -112,7 +112,7 @@ bool Statics::is_on_path(double increment) const {
 }
 
 Found Statics::try_step(PathControl& control, double increment, double hinge_stiffness) {
-    if (on_try) on_try();
+    if (on_try_) on_try_();
     stability_.begin_try();
     if (!newton_.find(control, increment, hinge_stiffness, start_of(control, increment))) return Found::nothing;
     const Found found = stability_.judge(control, increment, hinge_stiffness);

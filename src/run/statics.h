@@ -23,23 +23,27 @@ public:
     bool advance() override;
     long planned_steps() const override { return settings().steps; }
     const char* kind() const override { return "static"; }
+    bool is_static() const override { return true; }
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
-    EffectiveStiffness::Counts solver_counts() const { return tangent_.counts(); }
-    long substeps() const { return substeps_; }            ///< equilibria found: a step that was halved takes several
-    long rejected() const { return halving_.rejected(); }  ///< tries that found none and were halved
-    bool limit() const { return limit_; }                  ///< it has ended at a limit load
-    /// Control by arc length has ended before its load factor.
-    bool short_of_target() const { return verdict_ == Verdict::completed && path_->short_of_target(); }
+    EffectiveStiffness::Counts solver_counts() const override { return tangent_.counts(); }
+    long substeps() const override { return substeps_; }  ///< a step that was halved takes several
+    long rejected() const override { return halving_.rejected(); }
+    bool limit() const override { return limit_; }
+    bool short_of_target() const override { return verdict_ == Verdict::completed && path_->short_of_target(); }
     const StaticSettings& settings() const { return problem_.settings; }
     /// Degrees of freedom that supports and this run hold, six bits a node.
-    const std::vector<std::uint8_t>& held() const { return problem_.held; }
-    const std::optional<Instability>& instability() const { return stability_.instability(); }
+    const std::vector<std::uint8_t>* held() const override { return &problem_.held; }
+    const Instability* instability() const override {
+        return stability_.instability() ? &*stability_.instability() : nullptr;
+    }
     /// Of the instability: where, how many, by what motion and in which members; "" for none.
-    std::string instability_text() const { return instability() ? text_of(*instability(), *structure_) : ""; }
+    std::string instability_text() const override { return instability() ? text_of(*instability(), *structure_) : ""; }
     /// The part of the way to factor 1, to the target, or of the steps, that is done: 0 to 1.
-    double part_done() const { return path_->part_done(state_.factor, steps_done()); }
-    std::function<void()> on_try;  ///< called before each try of a step; a step that is halved has many
+    double part_done() const override { return path_->part_done(state_.factor, steps_done()); }
+    std::string way_done() const override;
+    /// A step that is halved has many tries.
+    void on_each_try(std::function<void()> call) override { on_try_ = std::move(call); }
 
 private:
     /// An equilibrium that has been tried: by which control, and how far beyond the state.
@@ -108,6 +112,7 @@ private:
     int branches_left_ = 0;              ///< in a row: parts of steps after which the step itself lay on another branch
     double factor_at_start_ = 0;         ///< StaticForces::factor_at_start
     bool limit_ = false;
+    std::function<void()> on_try_;
 };
 
 }  // namespace hinge

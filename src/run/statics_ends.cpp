@@ -187,4 +187,13 @@ std::vector<Remark> Statics::remarks_when_driven() {
             {Remark::Kind::drive_one_way}};
 }
 
+std::string Statics::way_done() const {
+    switch (settings().control) {
+        case Control::arc:
+            return "at load factor " + number_text(state_.factor, 3) + " of " + number_text(settings().target, 3);
+        case Control::displacement: return "at " + number_text(part_done(), 3) + " of its way";
+        default: return "at " + number_text(state_.factor, 3) + " of its load";
+    }
+}
+
 }  // namespace hinge

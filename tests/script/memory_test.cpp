@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "script/lua/lua_module.h"
-#include "script/lua/objects.h"
+#include "script/bind/lua_module.h"
+#include "script/lua/lua_support.h"
 
 namespace {
 

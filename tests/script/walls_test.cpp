@@ -1,4 +1,4 @@
-// The kernel's walls around a process (src/script/files/walls.h), tried from C++: what is refused behind them, and what
+// The kernel's walls around a process (src/core/walls.h), tried from C++: what is refused behind them, and what
 // still works. Ends with 77, a skipped test, where the kernel lacks one of the two.
 #include <fcntl.h>
 #include <netinet/in.h>
@@ -23,7 +23,7 @@
 #include <string>
 #include <thread>
 
-#include "script/files/walls.h"
+#include "core/walls.h"
 
 namespace fs = std::filesystem;
 using namespace hinge::script;

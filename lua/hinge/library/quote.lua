@@ -1,5 +1,5 @@
 -- Texts of others inside languages that hinge writes: one function for each language, and no other way. C++ has the
--- functions of CSV and shells (src/script/files/quoting.h), of XML and JSON. tests/README.md lists the places.
+-- functions of CSV and shells (src/core/quoting.h), of XML and JSON. tests/README.md lists the places.
 local check = require "hinge.library.check"
 local core = require "hinge.core"
 

@@ -4,7 +4,8 @@
 #include <algorithm>
 
 #include "core/bar_bending.h"
-#include "script/lua/objects.h"
+#include "run/run.h"
+#include "script/lua/lua_support.h"
 #include "state/configuration.h"
 
 namespace hinge::script {

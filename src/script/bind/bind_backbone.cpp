@@ -6,7 +6,11 @@
 #include "core/text.h"
 #include "section/laws/laws.h"
 #include "script/bind/material_laws.h"
-#include "script/lua/objects.h"
+#include "record/recording.h"
+#include "script/bind/modules.h"
+#include "script/bind/value_box.h"
+#include "script/lua/model_registry.h"
+#include "script/lua/options.h"
 
 namespace hinge::script {
 namespace {

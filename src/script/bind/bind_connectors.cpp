@@ -2,7 +2,8 @@
 // the results of a connector in a run.
 #include "effects/connectors.h"
 
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 
@@ -113,7 +114,7 @@ ConnectorLaw law_of(const LuaFunction& f, int k, int number) {
 
 /// The connector as it is in a run, null where the run was made before it was declared; and its declaration.
 struct AskedConnector {
-    std::shared_ptr<RunRecord> record;
+    std::shared_ptr<ScriptRun> record;
     const ConnectorNow* now;
 };
 AskedConnector asked(lua_State* L, const char* method) {

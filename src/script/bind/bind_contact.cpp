@@ -1,6 +1,6 @@
 // model:contact: members that may touch, contact rules, and callbacks of the script.
 #include "effects/contact.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 namespace {

@@ -1,6 +1,6 @@
 // model:damping: Rayleigh damping, by its coefficients or by ratios at two periods.
 #include "effects/damping.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 namespace {

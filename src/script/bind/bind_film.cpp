@@ -11,6 +11,7 @@
 #include "core/files.h"
 #include "output/film.h"
 #include "script/lua/picture_module.h"
+#include "script/bind/modules.h"
 
 namespace hinge::script {
 namespace {

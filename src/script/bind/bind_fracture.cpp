@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "effects/fracture.h"
-#include "script/lua/objects.h"
+#include "record/probe.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 namespace {

@@ -1,6 +1,8 @@
 // core.pack_frames: the frames of a run, packed for a page.
 #include "record/frame_pack.h"
 #include "script/lua/picture_module.h"
+#include "script/bind/modules.h"
+#include "script/bind/snapshot_box.h"
 
 namespace hinge::script {
 namespace {

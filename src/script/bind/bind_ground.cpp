@@ -1,7 +1,7 @@
 // model:ground: rigid half spaces that members fall on.
 #include "effects/ground.h"
 
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 

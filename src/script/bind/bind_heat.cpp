@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "effects/heat.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 

@@ -1,11 +1,11 @@
 // The plastic hinges and the joints of a run, for run:hinges (lua/hinge/results/hinges.lua).
-#include "script/bind/bind_hinges.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 
-#include "script/lua/objects.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
 #include "record/joint_ratings.h"
 #include "record/storeys.h"
 #include "state/hinge_records.h"
@@ -79,7 +79,7 @@ struct Fields {
 };
 
 /// Member, group, storey, node (the script's, -1: none) and place.
-void push_place(const Fields& to, const RunRecord& r, int element, int end, int node, int storey, const Place& place) {
+void push_place(const Fields& to, const ScriptRun& r, int element, int end, int node, int storey, const Place& place) {
     lua_State* L = to.L;
     const Structure& structure = r.run->structure();
     const int member = structure.elements()[std::size_t(element)].member;
@@ -100,7 +100,7 @@ void push_first_yield(const Fields& to, double first, bool statics, bool before)
 }
 
 /// Leaves a table on the stack: a hinge as run:hinges gives it, without what follows from limits.
-void push_hinge(lua_State* L, const RunRecord& r, const HingeRecords& all, const HingeRecord& h, int storey) {
+void push_hinge(lua_State* L, const ScriptRun& r, const HingeRecords& all, const HingeRecord& h, int storey) {
     const Run& run = *r.run;
     const Structure& structure = run.structure();
     const Element& e = structure.elements()[std::size_t(h.element)];
@@ -120,7 +120,7 @@ void push_hinge(lua_State* L, const RunRecord& r, const HingeRecords& all, const
 }
 
 /// The same of a joint, with the fields that it has beside those of a hinge.
-void push_joint_rating(lua_State* L, const RunRecord& r, const JointRating& j, int storey) {
+void push_joint_rating(lua_State* L, const ScriptRun& r, const JointRating& j, int storey) {
     const Structure& structure = r.run->structure();
     lua_createtable(L, 0, 36);
     const Fields to{L};
@@ -217,8 +217,8 @@ int pins_of(lua_State* L) {
 }
 
 /// core.last_run(): the run that the summary speaks of, nil where there is none.
-int last_run(lua_State* L) {
-    const auto record = context(L)->runs.last;
+int push_last_run(lua_State* L) {
+    const auto record = last_run(*context(L));
     if (!record || !record->run || !record->model->closed_at.empty()) return lua_pushnil(L), 1;
     push<RunBox>(L, record);
     hold_registry(L, *record->model);
@@ -241,7 +241,7 @@ int add_run_method(lua_State* L) {
 void open_hinges(lua_State* L, int module) {
     static const luaL_Reg functions[] = {{"hinges_of", guarded<hinges_of>},
                                          {"pins_of", guarded<pins_of>},
-                                         {"last_run", guarded<last_run>},
+                                         {"last_run", guarded<push_last_run>},
                                          {"add_run_method", guarded<add_run_method>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);

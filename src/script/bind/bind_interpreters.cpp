@@ -15,9 +15,9 @@
 #include <thread>
 
 #include "core/programs.h"
-#include "script/files/processes.h"
-#include "script/files/walls.h"
-#include "script/lua/objects.h"
+#include "script/bind/modules.h"
+#include "core/walls.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 namespace {
@@ -99,7 +99,7 @@ std::string whole(int file) {
 }
 
 /// Waits for the child: "exit", "signal", "time" or "interrupted"; the status or the signal in `number`.
-const char* wait_for(pid_t child, double seconds, const Context& c, int& number) {
+const char* wait_for(pid_t child, double seconds, const ScriptContext& c, int& number) {
     const auto until = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
     const char* ended = nullptr;
     for (int status = 0, pause = 1;; pause = std::min(2 * pause, 20)) {

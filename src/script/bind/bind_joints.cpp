@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/text.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 namespace {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "effects/joints.h"
-#include "script/lua/lua_support.h"
+#include "script/lua/options.h"
 
 namespace hinge {
 class Model;

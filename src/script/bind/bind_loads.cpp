@@ -3,7 +3,8 @@
 
 #include "effects/loads.h"
 #include "effects/moving_supports.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 /// A quantity over time in a field of the options: a function, or points between which it is linear. `each`: what a
@@ -68,7 +69,7 @@ History read_history(Options& o, const char* field, const std::string& each, con
 namespace {
 
 /// The run of this model that is inside a step.
-std::shared_ptr<RunRecord> stepping_run(const ScriptModel& model) {
+std::shared_ptr<ScriptRun> stepping_run(const ScriptModel& model) {
     for (const auto& run : model.runs)
         if (auto record = run.lock(); record && record->stepping) return record;
     return nullptr;

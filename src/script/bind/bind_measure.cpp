@@ -8,7 +8,8 @@
 #include "core/files.h"
 #include "effects/all_effects.h"
 #include "model/section_laws.h"
-#include "script/lua/objects.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 namespace {

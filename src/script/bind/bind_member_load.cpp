@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "effects/member_loads.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 namespace {

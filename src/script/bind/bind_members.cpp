@@ -7,7 +7,9 @@
 #include "script/bind/bind_joints.h"
 #include "script/bind/material_laws.h"
 #include "advice/size_notice.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/value_box.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 

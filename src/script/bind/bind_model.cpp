@@ -4,7 +4,8 @@
 #include "section/plastic_domain.h"
 #include "effects/gravity.h"
 #include "script/bind/bind_members.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/modules.h"
 
 namespace hinge::script {
 

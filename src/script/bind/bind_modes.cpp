@@ -9,6 +9,8 @@
 #include "script/bind/mode_box.h"
 #include "advice/check.h"
 #include "record/snapshot.h"
+#include "script/bind/modules.h"
+#include "script/bind/snapshot_box.h"
 
 namespace hinge::script {
 namespace {
@@ -49,12 +51,12 @@ int modes(lua_State* L) {
 
 /// The load factor that a static run has come to: its internal forces are those of this part of the declared loads. 1
 /// where they are not, since the run began with loads of the run before. Warns where a run has ended before its end.
-double part_of_loads(lua_State* L, const RunRecord& record) {
-    const auto* statics = dynamic_cast<const Statics*>(record.run.get());
-    if (!statics) return 1;
-    const double factor = statics->state().factor;
-    const bool held = statics->structure().model().holds_loads();
-    if (factor != 1 && (statics->verdict() == Verdict::failed || statics->limit()))
+double part_of_loads(lua_State* L, const ScriptRun& record) {
+    const Run& run = *record.run;
+    if (!run.is_static()) return 1;
+    const double factor = run.state().factor;
+    const bool held = run.structure().model().holds_loads();
+    if (factor != 1 && (run.verdict() == Verdict::failed || run.limit()))
         tell(*context(L),
              {"run:buckling: the run ended at load factor " + number_text(factor) +
                   (held ? ", and its factors are on the internal forces there, in which the loads of the run before are"

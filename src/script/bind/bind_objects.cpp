@@ -6,7 +6,11 @@
 #include "model/member_ends.h"
 #include "section/material_law.h"
 #include "script/bind/bind_joints.h"
-#include "script/lua/objects.h"
+#include "record/recording.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
+#include "script/bind/value_box.h"
 
 namespace hinge::script {
 

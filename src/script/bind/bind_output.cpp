@@ -4,44 +4,20 @@
 
 #include "core/files.h"
 #include "core/text.h"
-#include "advice/chain.h"
+#include "record/chain.h"
 #include "advice/check.h"
 #include "record/events.h"
 #include "record/folder_lock.h"
 #include "record/folders.h"
-#include "script/files/quoting.h"
+#include "core/quoting.h"
 #include "record/element_events.h"
 #include "record/summary.h"
 #include "run/dynamics.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
+#include "script/bind/lua_json.h"
 
 namespace hinge::script {
-
-/// Makes the folder of a file that is to be written. A script that is not trusted stays inside its output folder,
-/// whatever links are there. Names go into other files and to other programs: none has a line break in it.
-void prepare_folder(const Context& c, const std::string& file) {
-    namespace fs = std::filesystem;
-    if (const auto at =
-            std::find_if(file.begin(), file.end(), [](unsigned char letter) { return letter < ' ' || letter == 127; });
-        at != file.end())
-        throw InputError("the file name '" + std::string(file.begin(), at) + "...' goes on with the character number " +
-                         std::to_string(int(*at)) + "; it must not have line breaks or other control characters");
-    const fs::path folder = fs::path(file).parent_path();
-    if (c.mode.sandbox) {
-        const fs::path own = fs::weakly_canonical(fs::absolute(c.output.folder)),
-                       there = fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder));
-        if (std::mismatch(own.begin(), own.end(), there.begin(), there.end()).first != own.end() ||
-            fs::is_symlink(file))
-            throw InputError("'" + file + "' is outside the output folder " + c.output.folder +
-                             "; a script in the sandbox writes nowhere else");
-    }
-    refuse_removed(file);
-    if (folder.empty()) return;
-    make_folder(folder.string());
-    const fs::path within = fs::path(c.output.folder).lexically_normal(), here = folder.lexically_normal();
-    if (!c.output.folder.empty() &&
-        std::mismatch(within.begin(), within.end(), here.begin(), here.end()).first == within.end())
-        take_lock(c.output.folder);
-}
 
 namespace {
 
@@ -55,7 +31,7 @@ int plan(lua_State* L) {
 
 /// core.time_product(run, repeats): the shortest time of a product of its operator with a vector, s
 int time_product(lua_State* L) {
-    const auto* d = dynamic_cast<const Dynamics*>(run_argument(L, 1, "time_product: the run")->run.get());
+    const Dynamics* d = run_argument(L, 1, "time_product: the run")->run->dynamics();
     if (!d) throw InputError("time_product: the run is static; only a dynamic one has a yardstick");
     lua_pushnumber(L, d->time_product(int(luaL_checkinteger(L, 2))));
     return 1;
@@ -73,99 +49,20 @@ int planning(lua_State* L) {
     return 1;
 }
 
-constexpr int most_failed = 10;  ///< lines about runs that failed before the last one
-
-/// Verdict of the script, and why.
-struct Outcome {
-    std::string verdict = "completed", reason, cause;
-};
-
-/// That of the last run, or of the one before it that failed without the script having asked for its verdict.
-Outcome outcome_of_runs(const Context& c) {
-    if (!c.runs.last) return {};
-    const RunRecord& r = *c.runs.last;
-    const bool running = r.run->verdict() == Verdict::running;
-    Outcome out{running ? "stopped" : name(verdict_of(r)),
-                running ? "the script stopped before the last step" : reason_of(r), cause_of(r)};
-    if (is_weak(r)) out = {"failed", reason_of(r), "from_failed_run"};
-    if (r.run->failure()) out.cause = cause_of(r);
-    if (const std::string other = unasked_failure(c); out.verdict != "failed" && !other.empty())
-        out = {"failed", other, unasked_cause(c)};
-    return out;
-}
-
-/// A script some of whose files could not be written has failed.
-void count_lost_files(const Context& c, Outcome& out) {
-    const auto& lost = c.output.lost;
-    if (lost.empty()) return;
-    const std::string missing =
-        lost.front() + (lost.size() > 1 ? "; and " + std::to_string(lost.size() - 1) + " more" : "");
-    out = {"failed", (out.verdict == "failed" ? out.reason + "; " : "") + "not all was written: " + missing,
-           out.cause.empty() ? "not_written" : out.cause};
-}
-
-/// Lists the runs that failed before the last one, whose failure is the verdict and is told by itself.
-void list_failed_runs(const Context& c, Json& j) {
-    int told = 0;
-    for (const auto& [number, text, cause] : c.runs.failed) {
-        if (c.runs.last && number == c.runs.last->number) continue;
-        j["failed_runs"].push_back(text);
-        if (++told <= most_failed) std::fprintf(stderr, "hinge: %s\n", text.c_str());
-    }
-    if (told > most_failed)
-        std::fprintf(stderr, "hinge: %d more runs failed; summary.json names them all\n", told - most_failed);
-}
-
-/// Warns of a script that made runs and never stepped one.
-void warn_of_idle_runs(const Context& c, Json& j) {
-    const int idle = c.runs.made - c.runs.begun;
-    if (idle <= 0 || c.runs.begun > 0) return;
-    const std::string text = count_text(idle, "run") + " made, and none has taken a step";
-    j["warnings"].push_back(text);
-    if (c.messages.warns)
-        std::fprintf(stderr, "warning: %s; call run:finish(), or step: for step in run:steps() do ... end\n",
-                     text.c_str());
-}
-
 /// core.write_summary{ results =, parameters =, case =, script =, notes =, whole = }: summary.json of the last run,
 /// with the verdict and reason of `whole` where the script says how all its runs went. Returns verdict, reason.
 int write_summary(lua_State* L) {
-    const auto c = context(L);
     const auto field = [&](const char* name) {
         lua_getfield(L, 1, name);
         Json v = to_json(L, -1, 0);
         lua_pop(L, 1);
         return v;
     };
-    Json j;
-    if (c->runs.last) tell_findings(*c, *c->runs.last);
-    Outcome out = outcome_of_runs(*c);
-    if (const Json whole = field("whole"); !whole.is_null())
-        out = {whole.value("verdict", out.verdict), whole.value("reason", ""), ""};
-    count_lost_files(*c, out);
-    if (!c->output.lost.empty()) j["lost"] = c->output.lost;
-    j["verdict"] = out.verdict;
-    if (!out.reason.empty()) j["reason"] = out.reason;
-    if (out.verdict == "failed" && !out.cause.empty()) j["cause"] = out.cause;
+    OwnSummary own;
     for (const char* name : {"script", "case", "parameters"})
-        if (Json v = field(name); !v.is_null()) j[name] = v;
-    j["hinge"] = HINGE_VERSION;
-    if (const auto& r = c->runs.last) {
-        describe_run(j, *r);
-        j["state_hash"] = hex_text(hash(r->run->state()));
-    }
-    Json results = field("results");
-    j["results"] = results.is_null() ? Json::object() : results;
-    if (Json notes = field("notes"); !notes.is_null() && !notes.empty()) j["notes"] = notes;
-    if (!c->messages.warned.empty()) j["warnings"] = c->messages.warned;
-    list_failed_runs(*c, j);
-    warn_of_idle_runs(*c, j);
-    if (!c->output.folder.empty()) {
-        take_folder(*c);
-        if (c->runs.last) leave_happenings(*c, *c->runs.last);
-        write_whole(c->output.folder + "/summary.json", j.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
-    }
-    write_event(*c, "summary", {{"folder", c->output.folder}, {"summary", j}});
+        if (Json v = field(name); !v.is_null()) own.head[name] = v;
+    own.whole = field("whole"), own.results = field("results"), own.notes = field("notes");
+    const Outcome out = write_summary(*context(L), own);
     lua_pushstring(L, out.verdict.c_str());
     lua_pushstring(L, out.reason.c_str());
     return 2;
@@ -204,7 +101,7 @@ int leads_out(lua_State* L) {
 int write_json(lua_State* L) {
     const char* file = luaL_checkstring(L, 1);
     prepare_folder(*context(L), file);
-    write_whole(file, to_json(L, 2, 0).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    write_whole(file, whole_text(to_json(L, 2, 0)));
     return 0;
 }
 
@@ -229,7 +126,7 @@ int append_text(lua_State* L) {
 int own_output(lua_State* L) {
     const char* folder = luaL_checkstring(L, 1);  // this raises: nothing may be pending yet
     const auto c = context(L);
-    c->output.owner = to_json(L, 2).dump(-1, ' ', false, Json::error_handler_t::replace);
+    c->output.owner = line_text(to_json(L, 2));
     c->output.folder = lua_toboolean(L, 3) ? folder : free_folder(folder, c->output.owner);
     return lua_pushstring(L, c->output.folder.c_str()), 1;
 }

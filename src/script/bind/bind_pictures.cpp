@@ -4,10 +4,12 @@
 
 #include "output/film.h"
 #include "output/hinge_marks.h"
-#include "script/files/drawing.h"
+#include "script/bind/drawing.h"
 #include "record/folders.h"
 #include "script/lua/picture_module.h"
 #include "script/bind/view.h"
+#include "script/bind/modules.h"
+#include "script/bind/snapshot_box.h"
 
 namespace hinge::script {
 namespace {

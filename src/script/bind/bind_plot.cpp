@@ -14,8 +14,9 @@
 #include "core/files.h"
 #include "core/programs.h"
 #include "record/folders.h"
-#include "script/files/walls.h"
-#include "script/lua/objects.h"
+#include "core/walls.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
 #include "record/recording.h"
 
 namespace hinge::script {
@@ -140,6 +141,33 @@ int draw_plot(lua_State* L) {
 
 /// core.sandboxed(): whether the script is not trusted.
 int sandboxed(lua_State* L) { return lua_pushboolean(L, context(L)->mode.sandbox), 1; }
+
+/// core.run_history(run, function): { columns = { names in order }, parts = { names of parts of accounts }, [name] = {
+/// values } }, the present state last (history_of).
+int run_history(lua_State* L) {
+    const auto r =
+        run_argument(L, 1, (lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) + std::string(": ") : "") + "the run");
+    const RunHistory history = history_of(*r);
+    const auto put_names = [L](const std::vector<std::string>& names, const char* field) {
+        lua_newtable(L);
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            lua_pushstring(L, names[i].c_str());
+            lua_rawseti(L, -2, lua_Integer(i) + 1);
+        }
+        lua_setfield(L, -2, field);
+    };
+    lua_newtable(L);
+    put_names(history.columns, "columns");
+    put_names(history.parts, "parts");
+    const std::size_t n = history.columns.size();
+    for (std::size_t k = 0; k < n; ++k) {
+        std::vector<double> column;
+        for (std::size_t i = k; i < history.values.size(); i += n) column.push_back(history.values[i]);
+        push_array(L, column.data(), int(column.size()));
+        lua_setfield(L, -2, history.columns[k].c_str());
+    }
+    return 1;
+}
 
 }  // namespace
 

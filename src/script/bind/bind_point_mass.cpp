@@ -1,7 +1,7 @@
 // model:mass: point masses on nodes.
 #include "effects/point_mass.h"
 
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 

@@ -20,8 +20,10 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "record/events.h"
-#include "script/lua/run_observer.h"
-#include "script/files/processes.h"
+#include "record/run_observer.h"
+#include "script/bind/modules.h"
+#include "script/bind/lua_json.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 namespace {
@@ -63,7 +65,7 @@ void settle_in(pid_t parent, const char* output, double memory) {
 }
 
 /// What a new process starts with: nothing of the runs that were made before.
-void forget_runs(Context& c) {
+void forget_runs(ScriptContext& c) {
     c.runs.last = nullptr, c.runs.writer = nullptr;
     c.runs.made = c.runs.histories = c.runs.begun = c.messages.warnings_told = c.messages.looked_over = 0;
     c.runs.failed.clear(), c.output.frames.clear(), c.messages.warned.clear(), c.output.checkpoints.clear(),

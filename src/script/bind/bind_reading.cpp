@@ -4,12 +4,13 @@
 
 #include "script/bind/bind_along.h"
 #include "script/bind/bind_joints.h"
-#include "script/lua/objects.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
 #include "record/recording.h"
 
 namespace hinge::script {
 
-const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const std::string& what, const Model* model) {
+const std::shared_ptr<ScriptRun>& run_argument(lua_State* L, int index, const std::string& what, const Model* model) {
     auto* box = find<RunBox>(L, index);
     if (!box)
         throw InputError(what + " is " + show(L, index) +
@@ -20,7 +21,7 @@ const std::shared_ptr<RunRecord>& run_argument(lua_State* L, int index, const st
     return box->value;
 }
 
-std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model) {
+std::shared_ptr<ScriptRun> latest_run(lua_State* L, const ScriptModel& model) {
     push_registry(L, model);
     lua_getfield(L, -1, "latest");
     const auto* box = find<RunBox>(L, -1);
@@ -28,40 +29,14 @@ std::shared_ptr<RunRecord> latest_run(lua_State* L, const ScriptModel& model) {
     return box ? box->value : nullptr;
 }
 
-std::pair<int, int> elements_of(const Structure& structure, int member) {
-    const auto& all = structure.elements();
-    const auto first = std::ranges::lower_bound(all, member, {}, &Element::member),
-               end = std::ranges::upper_bound(first, all.end(), member, {}, &Element::member);
-    return {int(first - all.begin()), int(end - all.begin())};
-}
-
-std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member) {
-    if (!r.run || member >= int(r.run->structure().model().members().size())) return {};
-    const auto [first, end] = elements_of(r.run->structure(), member);
-    std::optional<std::pair<int, double>> earliest;
-    for (int e = first; e < end; ++e) {
-        if (!r.run->state().broken[e]) continue;
-        const double time = r.broken_at.empty() ? -std::numeric_limits<double>::infinity() : r.broken_at[e];
-        if (!earliest || time < earliest->second) earliest = {e - first + 1, time};
-    }
-    return earliest;
-}
-
-const std::vector<std::string>& node_quantities() {
-    static const std::vector<std::string> names = {"ux",  "uy",  "uz",  "rx",  "ry", "rz", "vx", "vy",
-                                                   "vz",  "vrx", "vry", "vrz", "ax", "ay", "az", "arx",
-                                                   "ary", "arz", "fx",  "fy",  "fz", "mx", "my", "mz"};
-    return names;
-}
-
-int node_of_run(lua_State* L, int index, const RunRecord& r, const std::string& what) {
+int node_of_run(lua_State* L, int index, const ScriptRun& r, const std::string& what) {
     const int n = node_argument(L, index, what, r.model.get()).index;
     if (n >= int(r.run->structure().model().nodes().size()))
         throw InputError(what + " is node " + std::to_string(n + 1) + ", declared after this run was made");
     return n;
 }
 
-void must_be_fixed_in(const RunRecord& r, int node, const std::string& what) {
+void must_be_fixed_in(const ScriptRun& r, int node, const std::string& what) {
     if (r.model->nodes()[node].fixed & ~r.run->structure().model().nodes()[node].fixed)
         throw InputError(what + " is node " + std::to_string(node + 1) + ", fixed after this run was made");
 }
@@ -69,7 +44,7 @@ void must_be_fixed_in(const RunRecord& r, int node, const std::string& what) {
 namespace {
 
 /// The run that a handle's method reads: the one given, or the latest of its model.
-std::shared_ptr<RunRecord> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model) {
+std::shared_ptr<ScriptRun> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model) {
     if (!lua_isnoneornil(L, 2)) return run_argument(L, 2, function + ": run", &model);
     if (auto latest = latest_run(L, model)) return latest;
     throw InputError(function +
@@ -77,7 +52,7 @@ std::shared_ptr<RunRecord> run_to_read(lua_State* L, const std::string& function
 }
 
 struct AskedPart {
-    std::shared_ptr<RunRecord> record;
+    std::shared_ptr<ScriptRun> record;
     int index;
 };
 
@@ -102,7 +77,7 @@ AskedPart asked_member(lua_State* L, const char* name) {
     const bool of_run = std::is_same_v<Self, RunBox>;
     const std::string function = (of_run ? "run:" : "member:") + std::string(name),
                       what = function + (of_run ? ": member" : ": this");
-    std::shared_ptr<RunRecord> record;
+    std::shared_ptr<ScriptRun> record;
     if constexpr (of_run) record = self<RunBox>(L, function).value;
     else record = run_to_read(L, function, *self<MemberBox>(L, function).model);
     const int member = member_argument(L, of_run ? 2 : 1, what, record->model.get()).index;
@@ -248,7 +223,7 @@ std::string quoted(const std::vector<std::string>& names) {
 }
 
 /// One number a joint of the group (-1: all), in the order they were declared.
-std::vector<double> read_nodes(const RunRecord& r, const std::string& what, int group) {
+std::vector<double> read_nodes(const ScriptRun& r, const std::string& what, int group) {
     const Model& model = r.run->structure().model();
     std::vector<int> nodes(group < 0 ? model.nodes().size() : 0);
     for (std::size_t i = 0; i < nodes.size(); ++i) nodes[i] = int(i);
@@ -269,7 +244,7 @@ std::vector<double> read_nodes(const RunRecord& r, const std::string& what, int 
 }
 
 /// One number a member of the group (-1: all), in the order they were declared.
-std::vector<double> read_members(const RunRecord& r, const std::string& what, int group) {
+std::vector<double> read_members(const ScriptRun& r, const std::string& what, int group) {
     const Run& run = *r.run;
     const auto& elements = run.structure().elements();
     const bool at_end = what.ends_with("_a") || what.ends_with("_b");

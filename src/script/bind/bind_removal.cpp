@@ -1,6 +1,6 @@
 #include "effects/removal.h"
 
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 

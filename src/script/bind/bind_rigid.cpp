@@ -3,7 +3,7 @@
 
 #include "effects/diaphragm.h"
 #include "effects/rigid_link.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 namespace {

@@ -4,38 +4,46 @@
 #include <cstring>
 
 #include "core/text.h"
-#include "advice/chain.h"
+#include "record/chain.h"
 #include "advice/check.h"
 #include "record/element_events.h"
 #include "script/bind/run_fields.h"
 #include "advice/plan.h"
-#include "script/bind/probe_list.h"
+#include "script/lua/probe_list.h"
 #include "record/recording.h"
 #include "record/snapshot.h"
 #include "run/dynamics.h"
 #include "state/group_momentum.h"
 #include "run/statics.h"
+#include "script/bind/modules.h"
+#include "script/bind/run_box.h"
+#include "script/bind/snapshot_box.h"
+#include "script/bind/bind_checkpoint.h"
+#include "script/lua/interrupts.h"
 
 namespace hinge::script {
+
+std::shared_ptr<ScriptRun> last_run(const ScriptContext& c) {
+    return std::static_pointer_cast<ScriptRun>(c.runs.last);  // a script makes no others
+}
 
 int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel> model, int every,
              std::vector<Warning> likely_mistakes) {
     if (!model->closed_at.empty())
         throw InputError("the model was closed at " + model->closed_at + " while a run of it was being made");
     model->take_elements(run->structure().model());
-    auto record = std::make_shared<RunRecord>();
+    auto record = std::make_shared<ScriptRun>();
     record->run = std::move(run);
     record->model = std::move(model);
     record->every = every;
     record->likely_mistakes = std::move(likely_mistakes);
     const auto c = context(L);
-    if (c->runs.last) tell_findings(*c, *c->runs.last);
-    if (c->runs.last && !c->runs.last->model->closed_at.empty()) {  // kept for the summary alone
-        if (c->runs.last->run) write_happenings(*c->runs.last);
-        c->runs.last->run.reset();
+    const auto last = last_run(*c);
+    record_run(*c, record);
+    if (last && !last->model->closed_at.empty()) {  // it was kept for the summary alone
+        if (last->run) write_happenings(*last);
+        last->run.reset();
     }
-    c->runs.last = record;
-    ++c->runs.made;
     record->asked_at = where(L);
     if (c->mode.planning)
         if (const std::string plan = c->mode.checking ? checked_run(*record) : plan_of(*record);
@@ -64,6 +72,55 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     tell_collector(L, 2000 * record->run->structure().elements().size());
     tell_of_run(L);
     return 1;
+}
+
+namespace {
+
+/// What a script does between the steps of its run.
+class ScriptHooks : public StepHooks {
+public:
+    ScriptHooks(lua_State* L, std::shared_ptr<ScriptRun> record) : L_(L), record_(std::move(record)) {}
+
+    void before_step(RunRecord& r) override {
+        run_is_under_way(true);
+        mind_interrupts(L_, *context(L_), r);
+    }
+    void after_step(RunRecord& r) override {
+        for (const LuaFunction& f : std::vector<LuaFunction>(record_->on_step)) {  // one may add another
+            f.push(L_);
+            push<RunBox>(L_, record_);
+            hold_registry(L_, *record_->model);
+            call_hook(L_, f, 1, 0,
+                      "run:on_step after step " + std::to_string(r.run->steps_done()) + ", which is done");
+        }
+    }
+
+private:
+    lua_State* L_;
+    std::shared_ptr<ScriptRun> record_;
+};
+
+/// While it lasts the run's own functions may not change its model.
+class LockedModel {
+public:
+    explicit LockedModel(ScriptModel& model) : model_(model) { model_.lock(true); }
+    ~LockedModel() { model_.lock(false); }
+
+private:
+    ScriptModel& model_;
+};
+
+}  // namespace
+
+bool advance(lua_State* L, const std::shared_ptr<ScriptRun>& record) {
+    const auto c = context(L);
+    c->running = L;
+    ScriptHooks hooks(L, record);
+    std::optional<LockedModel> lock;
+    if (!record->stepping) lock.emplace(*record->model);
+    const bool more = hinge::advance(c, record, hooks);
+    if (record->closed) run_is_under_way(false);
+    return more;
 }
 
 namespace {
@@ -125,7 +182,7 @@ int stop(lua_State* L) {
 }
 
 /// The quantity of a probe by its name, and where that is a drift its height.
-void read_quantity(Options& o, const RunRecord& r, Probe& p) {
+void read_quantity(Options& o, const ScriptRun& r, Probe& p) {
     lua_State* L = o.L();
     o.push_item(1);
     const std::string what = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";

@@ -1,6 +1,6 @@
 // model:settle: displacements of supports in statics.
 #include "effects/settlement.h"
-#include "script/lua/objects.h"
+#include "script/bind/model_methods.h"
 
 namespace hinge::script {
 

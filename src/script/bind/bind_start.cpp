@@ -7,9 +7,7 @@
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/bind/mode_box.h"
-#include "advice/chain.h"
 #include "advice/check.h"
-#include "script/files/run_checkpoint.h"
 #include "advice/load_warnings.h"
 #include "effects/all_effects.h"
 #include "effects/contact.h"
@@ -22,14 +20,18 @@
 #include "advice/size_notice.h"
 #include "core/text.h"
 #include "run/statics.h"
+#include "script/bind/model_methods.h"
+#include "script/bind/run_box.h"
+#include "script/bind/bind_checkpoint.h"
+#include "script/bind/chain.h"
 
 namespace hinge::script {
 namespace {
 
 /// The run in field 'from', null where there is none.
-const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& model) {
+const ScriptRun* run_before(Options& o, const std::shared_ptr<ScriptModel>& model) {
     lua_State* L = o.L();
-    const RunRecord* record = nullptr;
+    const ScriptRun* record = nullptr;
     if (o.push_field("from") != LUA_TNIL) {
         if (!find<RunBox>(L, -1)) o.complain("from", show(L, -1), "must be a run, whose state this one goes on from");
         record = run_argument(L, -1, o.function() + ": field 'from'").get();
@@ -37,7 +39,7 @@ const RunRecord* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
         if (record->stepping && record->mid_step)
             o.complain("from", "a run in the middle of a step", "make this run when the step is done");
         const Run& run = *record->run;
-        const bool is_static = std::string_view(run.kind()) == "static";
+        const bool is_static = run.is_static();
         if (run.verdict() == Verdict::running && !context(L)->mode.planning && (is_static || run.steps_done() == 0))
             o.complain("from",
                        "a " + std::string(run.kind()) + " run that has done " + std::to_string(run.steps_done()) +
@@ -108,7 +110,7 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
         for (int c = 0; c < 6 && anew[n]; ++c) state.velocity[n][c] = state.held[n] >> c & 1 ? 0 : velocity[n][c];
 }
 
-State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const RunRecord* before) {
+State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const ScriptRun* before) {
     State state = initial_state(*structure);
     if (!before) return state;
     const State& from = before->run->state();
@@ -187,7 +189,7 @@ int record_every(Options& o, int usual) {
 }
 
 /// What leads the way of a static run; `before`: the run that it goes on from, or null.
-void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, const RunRecord* before,
+void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, const ScriptRun* before,
                   StaticSettings& s) {
     const char* allowed = "must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", to = }";
     const int type = o.push_field("control");
@@ -257,7 +259,7 @@ int static_run(lua_State* L) {
     o.former_name("fixed_group", "hold");
     o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "fixed_group", "record", "from",
               "allow_failed", "loads", "branch"});
-    const RunRecord* before = run_before(o, m);
+    const ScriptRun* before = run_before(o, m);
     Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, true);
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice));
@@ -305,7 +307,7 @@ int static_run(lua_State* L) {
     context(L)->running = L;
     weigh_static(*context(L), *structure, s.steps);
     try {
-        std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
+        std::vector<Warning> likely_mistakes = empty_cases(*m, m->gravity_case.value_or(-1), choice, where(L));
         for (Warning& w : floors_twice(*structure)) likely_mistakes.push_back(std::move(w));
         for (Warning& w : loads_beside_hinges(*structure)) likely_mistakes.push_back(std::move(w));
         for (Warning& w : heated_without_curve(*structure)) likely_mistakes.push_back(std::move(w));
@@ -403,7 +405,7 @@ void expect_dynamic_fields(Options& o) {
 
 /// Likely mistakes in what the model has where a dynamic run begins. `before`: the run that it goes on from, or null.
 std::vector<Warning> mistakes_in_dynamics(lua_State* L, const Structure& structure, const State& start,
-                                          const RunRecord* before, const DynamicSettings& s) {
+                                          const ScriptRun* before, const DynamicSettings& s) {
     const Model* model_before = before ? &before->run->structure().model() : nullptr;
     std::vector<Warning> all;
     const auto add = [&](std::vector<Warning> more) {
@@ -428,7 +430,7 @@ int dynamic_run(lua_State* L) {
     Options o(L, 2, "model:dynamic");
     expect_dynamic_fields(o);
     const IntegratorKind integrator = read_integrator(o);
-    const RunRecord* before = run_before(o, m);
+    const ScriptRun* before = run_before(o, m);
     Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, false);
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice), mass_kind(integrator));
@@ -443,10 +445,10 @@ int dynamic_run(lua_State* L) {
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     refuse_idle_velocities(*structure, start);
     context(L)->running = L;
-    std::vector<Warning> likely_mistakes = empty_cases(*m, choice, where(L));
+    std::vector<Warning> likely_mistakes = empty_cases(*m, m->gravity_case.value_or(-1), choice, where(L));
     for (Warning& w : mistakes_in_dynamics(L, *structure, start, before, s)) likely_mistakes.push_back(std::move(w));
     weigh_dynamic(*context(L), *structure);
-    const auto* goes_on = before ? dynamic_cast<const Dynamics*>(before->run.get()) : nullptr;
+    const Dynamics* goes_on = before ? std::as_const(*before->run).dynamics() : nullptr;
     if (goes_on && start.velocity != goes_on->state().velocity) goes_on = nullptr;  // some were given since
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
     if (goes_on) go_on(*run, *goes_on);

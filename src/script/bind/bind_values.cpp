@@ -7,7 +7,9 @@
 #include "model/plastic_shape.h"
 #include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"
-#include "script/lua/objects.h"
+#include "script/bind/modules.h"
+#include "script/bind/value_box.h"
+#include "script/lua/options.h"
 
 namespace hinge::script {
 namespace {

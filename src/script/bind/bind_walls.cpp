@@ -3,18 +3,19 @@
 #include <filesystem>
 
 #include "core/files.h"
-#include "script/files/drawing.h"
+#include "script/bind/drawing.h"
 #include "record/folder_lock.h"
 #include "record/folders.h"
-#include "script/files/walls.h"
-#include "script/lua/objects.h"
+#include "core/walls.h"
+#include "script/bind/modules.h"
+#include "script/lua/context.h"
 #include "record/events.h"
 
 namespace hinge::script {
 namespace {
 
 /// What a script's process still reads: hinge's own library and the script, beside the system's files.
-std::vector<std::string> files_to_read(const Context& c, const std::string& script) {
+std::vector<std::string> files_to_read(const ScriptContext& c, const std::string& script) {
     std::vector<std::string> files = system_files();
     files.insert(files.begin(), {c.library, script});
     return files;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "run/settings.h"
-#include "script/lua/objects.h"
+#include "script/lua/options.h"
 
 namespace hinge::script {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/model.h"
-#include "script/lua/lua_support.h"
+#include "script/lua/options.h"
 #include "script/lua/model_registry.h"
 
 namespace hinge::script {

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "core/types.h"
-#include "script/lua/objects.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 
 /// A shape of a run.
 struct ModeBox {
     static constexpr const char* lua_name = "hinge.mode";
-    std::shared_ptr<RunRecord> record;
+    std::shared_ptr<ScriptRun> record;
     std::vector<Vec6> shape;
     std::optional<double> factor;  ///< of buckling; none: a natural mode
     double omega_squared = 0;

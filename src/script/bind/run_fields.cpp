@@ -8,9 +8,10 @@
 #include "effects/contact.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
-#include "advice/chain.h"
+#include "record/chain.h"
 #include "advice/check.h"
 #include "record/recording.h"
+#include "script/bind/run_box.h"
 
 namespace hinge::script {
 namespace {
@@ -35,11 +36,8 @@ void push_list(lua_State* L, const List& list, Fill fill) {
     }
 }
 
-const Dynamics* dynamics_of(const RunRecord& r) { return dynamic_cast<const Dynamics*>(r.run.get()); }
-const Statics* statics_of(const RunRecord& r) { return dynamic_cast<const Statics*>(r.run.get()); }
-
 /// J, by account. `remainder` is the name that the energy error had up to version 0.2.
-void push_energy(lua_State* L, const RunRecord& r) {
+void push_energy(lua_State* L, const ScriptRun& r) {
     const Energy e = r.run->energy();
     lua_createtable(L, 0, int(r.run->accounts().size()) + 3);
     put(L, "initial", e.initial);
@@ -49,20 +47,20 @@ void push_energy(lua_State* L, const RunRecord& r) {
 }
 
 /// { name = factor } of the load cases.
-void push_cases(lua_State* L, const RunRecord& r) {
+void push_cases(lua_State* L, const ScriptRun& r) {
     const Model& m = r.run->structure().model();
     lua_newtable(L);
     for (std::size_t i = 0; i < m.case_factors().size(); ++i) put(L, m.cases()[i].c_str(), m.case_factors()[i]);
 }
 
-void push_verdict(lua_State* L, const RunRecord& r) { lua_pushstring(L, name(verdict_of(r))); }
+void push_verdict(lua_State* L, const ScriptRun& r) { lua_pushstring(L, name(verdict_of(r))); }
 
-void push_reason(lua_State* L, const RunRecord& r) {
+void push_reason(lua_State* L, const ScriptRun& r) {
     lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
 }
 
 /// Sets what a failure is about, and its numbers, in the table on top of the stack.
-void put_particulars(lua_State* L, const RunRecord& r, const Failure& f) {
+void put_particulars(lua_State* L, const ScriptRun& r, const Failure& f) {
     const Structure& s = r.run->structure();
     if (f.step > 0) put(L, "step", f.step);
     if (f.time > 0) put(L, "time", f.time);
@@ -80,7 +78,7 @@ void put_particulars(lua_State* L, const RunRecord& r, const Failure& f) {
 
 /// { cause =, text =, step =, time =, node =, element =, member =, component =, value =, limit =, count =, before = };
 /// nil where the run has not failed.
-void push_failure(lua_State* L, const RunRecord& r) {
+void push_failure(lua_State* L, const ScriptRun& r) {
     if (verdict_of(r) != Verdict::failed) return lua_pushnil(L);
     const RunFailure* own = r.run->failure();
     lua_createtable(L, 0, 12);
@@ -98,9 +96,9 @@ void push_failure(lua_State* L, const RunRecord& r) {
     }
 }
 
-void push_hash(lua_State* L, const RunRecord& r) { lua_pushstring(L, hex_text(hash(r.run->state())).c_str()); }
+void push_hash(lua_State* L, const ScriptRun& r) { lua_pushstring(L, hex_text(hash(r.run->state())).c_str()); }
 
-void push_warnings(lua_State* L, const RunRecord& r) {
+void push_warnings(lua_State* L, const ScriptRun& r) {
     lua_newtable(L);
     int i = 0;
     const auto add = [&](const std::string& text) { lua_pushstring(L, text.c_str()), lua_rawseti(L, -2, ++i); };
@@ -109,34 +107,31 @@ void push_warnings(lua_State* L, const RunRecord& r) {
         for (const RunWarning& w : list) add(warning_text(warning_of(*r.run, w)));
 }
 
-void push_contacts(lua_State* L, const RunRecord& r) {
+void push_contacts(lua_State* L, const ScriptRun& r) {
     const auto* contact = contact_of(r.run->state());
     lua_createtable(L, 0, 2);
     put(L, "bound", long(contact ? contact->counts().bound : 0));
     put(L, "released", long(contact ? contact->counts().released : 0));
 }
 
-void push_counts(lua_State* L, const RunRecord& r) {
-    const Dynamics* d = dynamics_of(r);
-    const Statics* s = statics_of(r);
+void push_counts(lua_State* L, const ScriptRun& r) {
     const auto* contact = contact_of(r.run->state());
-    const EffectiveStiffness::Counts c = d ? d->solver_counts() : s ? s->solver_counts() : EffectiveStiffness::Counts{};
+    const EffectiveStiffness::Counts c = r.run->solver_counts();
     lua_createtable(L, 0, 9);
     put(L, "element_builds", long(c.built));
     put(L, "cg_iterations", long(c.iterations));
     put(L, "solves", long(c.solves));
     put(L, "factorisations", long(c.factorisations));
     put(L, "element_updates", r.run->element_updates());
-    put(L, "rejected_steps", long(d ? d->rejected() : s ? s->rejected() : 0));
-    put(L, "substeps", long(s ? s->substeps() : r.run->steps_done()));
+    put(L, "rejected_steps", r.run->rejected());
+    put(L, "substeps", r.run->substeps());
     put(L, "pair_tests", long(contact ? contact->counts().pair_tests : 0));
     put(L, "pair_lists", long(contact ? contact->counts().list_builds : 0));
 }
 
-void push_instability(lua_State* L, const RunRecord& r) {
-    const Statics* s = statics_of(r);
-    if (!s || !s->instability()) return lua_pushnil(L);
-    const Instability& i = *s->instability();
+void push_instability(lua_State* L, const ScriptRun& r) {
+    if (!r.run->instability()) return lua_pushnil(L);
+    const Instability& i = *r.run->instability();
     lua_createtable(L, 0, 8);
     put(L, "factor", i.factor);
     put(L, "beyond", i.beyond);
@@ -156,70 +151,70 @@ void push_instability(lua_State* L, const RunRecord& r) {
 }
 
 /// Effects that became active or inactive during the run.
-void push_state_changes(lua_State* L, const RunRecord& r) {
+void push_state_changes(lua_State* L, const ScriptRun& r) {
     push_list(L, r.run->activations(), [L](const Run::Activation& a) {
         put(L, "time", a.time), put(L, "effect", a.effect), put(L, "awake", a.awake), put(L, "why", a.why);
     });
 }
 
-void push_fastest(lua_State* L, const RunRecord& r) {
-    const Dynamics* d = dynamics_of(r);
-    if (!d || d->fastest().node < 0) return lua_pushnil(L);
+void push_fastest(lua_State* L, const ScriptRun& r) {
+    const Fastest* fastest = r.run->fastest_node();
+    if (!fastest) return lua_pushnil(L);
     lua_createtable(L, 0, 3);
-    put(L, "speed", d->fastest().speed);
-    put(L, "time", d->fastest().time);
-    put(L, "node", r.run->structure().node_name(d->fastest().node));
+    put(L, "speed", fastest->speed);
+    put(L, "time", fastest->time);
+    put(L, "node", r.run->structure().node_name(fastest->node));
 }
 
-void push_probes(lua_State* L, const RunRecord& r) {
+void push_probes(lua_State* L, const ScriptRun& r) {
     lua_createtable(L, int(r.probes.size()), 0);
     for (std::size_t i = 0; i < r.probes.size(); ++i)
         push<ProbeBox>(L, r.probes[i]), lua_rawseti(L, -2, lua_Integer(i) + 1);
 }
 
-void push_effects(lua_State* L, const RunRecord& r) {
+void push_effects(lua_State* L, const ScriptRun& r) {
     push_list(L, r.run->effects(), [L](const PlanLine& e) {
         put(L, "name", e.name), put(L, "active", e.active), put(L, "because", e.because);
         put(L, "seconds", e.seconds), put(L, "asked_at", e.asked_at);
     });
 }
 
-void push_stages(lua_State* L, const RunRecord& r) {
+void push_stages(lua_State* L, const ScriptRun& r) {
     push_list(L, r.run->stage_times(),
               [L](const StageTime& s) { put(L, "name", std::string(s.name)), put(L, "seconds", s.seconds); });
 }
 
 struct RunField {
     const char* name;
-    void (*push)(lua_State* L, const RunRecord& r);
+    void (*push)(lua_State* L, const ScriptRun& r);
 };
 
 /// The binding, the names in messages and completion, and lua/hinge/hinge.d.lua (tests/script/reference_test.lua) have
 /// the same fields.
 constexpr RunField run_field_list[] = {
-    {"kind", [](lua_State* L, const RunRecord& r) { lua_pushstring(L, r.run->kind()); }},
+    {"kind", [](lua_State* L, const ScriptRun& r) { lua_pushstring(L, r.run->kind()); }},
     {"model",
-     [](lua_State* L, const RunRecord& r) {
+     [](lua_State* L, const ScriptRun& r) {
          push<ModelBox>(L, r.model);
          hold_registry(L, *r.model);
      }},
-    {"time", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().time); }},
-    {"factor", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.run->state().factor); }},
-    {"index", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->steps_done()); }},
-    {"planned_steps", [](lua_State* L, const RunRecord& r) { lua_pushinteger(L, r.run->planned_steps()); }},
+    {"time", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.run->state().time); }},
+    {"factor", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.run->state().factor); }},
+    {"index", [](lua_State* L, const ScriptRun& r) { lua_pushinteger(L, r.run->steps_done()); }},
+    {"planned_steps", [](lua_State* L, const ScriptRun& r) { lua_pushinteger(L, r.run->planned_steps()); }},
     {"verdict", push_verdict},
     {"reason", push_reason},
     {"failure", push_failure},
     {"energy", push_energy},
-    {"worst_energy_error", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.worst_energy_error); }},
+    {"worst_energy_error", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.worst_energy_error); }},
     {"contacts", push_contacts},
     {"stages", push_stages},
     {"effects", push_effects},
-    {"wall_seconds", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.wall); }},
+    {"wall_seconds", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.wall); }},
     {"fastest", push_fastest},
     {"dt",
-     [](lua_State* L, const RunRecord& r) {
-         const Dynamics* d = dynamics_of(r);
+     [](lua_State* L, const ScriptRun& r) {
+         const Dynamics* d = r.run->dynamics();
          d ? lua_pushnumber(L, d->dt()) : lua_pushnil(L);
      }},
     {"hash", push_hash},
@@ -228,12 +223,11 @@ constexpr RunField run_field_list[] = {
     {"probes", push_probes},
     {"instability", push_instability},
     {"limit",
-     [](lua_State* L, const RunRecord& r) {
-         const Statics* s = statics_of(r);
-         s ? lua_pushboolean(L, s->limit()) : lua_pushnil(L);
+     [](lua_State* L, const ScriptRun& r) {
+         r.run->is_static() ? lua_pushboolean(L, r.run->limit()) : lua_pushnil(L);
      }},
-    {"energy_error", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.last_energy_share); }},
-    {"energy_error_of_state", [](lua_State* L, const RunRecord& r) { lua_pushnumber(L, r.state_energy_share); }},
+    {"energy_error", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.last_energy_share); }},
+    {"energy_error_of_state", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.state_energy_share); }},
     {"loads", push_cases},
     {"warnings", push_warnings},
 };

@@ -1,7 +1,7 @@
 // The fields of a run that a script reads: run.time, run.energy, run.verdict, ...
 #pragma once
 
-#include "script/lua/objects.h"
+#include "script/lua/lua_support.h"
 
 namespace hinge::script {
 

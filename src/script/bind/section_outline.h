@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "section/plastic_domain.h"
-#include "script/lua/lua_support.h"
+#include "script/lua/options.h"
 
 namespace hinge::script {
 

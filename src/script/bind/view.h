@@ -1,7 +1,7 @@
 // Reads the settings of a picture from a script.
 #pragma once
 
-#include "record/snapshot.h"
+#include "script/bind/snapshot_box.h"
 
 namespace hinge::script {
 

@@ -1,5 +1,5 @@
 // The context in which a script runs.
-#include "script/lua/objects.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 namespace {
@@ -9,7 +9,7 @@ const char context_key = 0;
 constexpr int most_told = 10;  ///< runs that failed
 
 /// Where nobody asked how a run went, it says so at the end.
-void tell_failures(const Context& c) {
+void tell_failures(const ScriptContext& c) {
     int told = 0;
     for (const auto& [number, text, cause] : c.runs.failed)
         if (c.runs.asked.count(number) == 0 && ++told <= most_told) std::fprintf(stderr, "hinge: %s\n", text.c_str());
@@ -18,7 +18,7 @@ void tell_failures(const Context& c) {
 
 struct ContextBox {
     static constexpr const char* lua_name = "hinge.context";
-    std::shared_ptr<Context> value;
+    std::shared_ptr<ScriptContext> value;
     ~ContextBox() {  // the last run's rules hold the context, which holds the run
         if (!value) return;
         if (value->messages.tells_failures) tell_failures(*value);
@@ -27,24 +27,24 @@ struct ContextBox {
 };
 
 /// Null before the module is opened, and in a finalizer that runs after the context's own.
-std::shared_ptr<Context> find_context(lua_State* L) {
+std::shared_ptr<ScriptContext> find_context(lua_State* L) {
     lua_rawgetp(L, LUA_REGISTRYINDEX, &context_key);
     auto* box = find<ContextBox>(L, -1);
-    std::shared_ptr<Context> found = box ? box->value : nullptr;
+    std::shared_ptr<ScriptContext> found = box ? box->value : nullptr;
     lua_pop(L, 1);
     return found;
 }
 
 }  // namespace
 
-std::shared_ptr<Context> context(lua_State* L) {
+std::shared_ptr<ScriptContext> context(lua_State* L) {
     if (auto c = find_context(L)) return c;
     throw InputError("hinge: called while Lua is closed");
 }
 
 bool has_context(lua_State* L) { return find_context(L) != nullptr; }
 
-void set_context(lua_State* L, std::shared_ptr<Context> c) {
+void set_context(lua_State* L, std::shared_ptr<ScriptContext> c) {
     luaL_newmetatable(L, ContextBox::lua_name);
     lua_pushcfunction(L, collect<ContextBox>);
     lua_setfield(L, -2, "__gc");

@@ -7,13 +7,14 @@
 #include <ctime>
 
 #include "core/doing.h"
+#include "record/run_record.h"
 
 namespace hinge::script {
 namespace {
 
 constexpr int patience = 10;  ///< s, that the script of a run that is under way has until its next step
 
-Context* its_context = nullptr;
+ScriptContext* its_context = nullptr;
 lua_State* its_lua = nullptr;
 volatile std::sig_atomic_t is_script = 0, is_stepping = 0;
 volatile std::sig_atomic_t seconds = 0;  ///< since the signal
@@ -87,7 +88,7 @@ int set_script_runs(lua_State* L) {
 }  // namespace
 
 std::string ended_halfway(lua_State* L) {
-    Context& c = *context(L);
+    ScriptContext& c = *context(L);
     if (!c.signals.ends_on_signals) {  // the prompt goes on
         asked_to_end = 0;
         c.signals.interrupted = 0;
@@ -104,7 +105,7 @@ std::string ended_halfway(lua_State* L) {
            " has the run up to its last checkpoint, and the same command with --resume goes on from there";
 }
 
-const char* interrupted_by(const Context& c) {
+const char* interrupted_by(const ScriptContext& c) {
     return c.signals.interrupted == SIGTERM ? "interrupted by SIGTERM" : "interrupted by Ctrl-C";
 }
 

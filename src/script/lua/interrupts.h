@@ -2,7 +2,7 @@
 // once.
 #pragma once
 
-#include "script/lua/objects.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 
@@ -21,7 +21,7 @@ void run_is_under_way(bool is);
 std::string ended_halfway(lua_State* L);
 
 /// "interrupted by Ctrl-C"
-const char* interrupted_by(const Context& c);
+const char* interrupted_by(const ScriptContext& c);
 
 void open_interrupts(lua_State* L, int module);
 

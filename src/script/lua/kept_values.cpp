@@ -1,7 +1,7 @@
 #include "script/lua/kept_values.h"
 
 #include "core/archive.h"
-#include "script/bind/probe_list.h"
+#include "script/lua/probe_list.h"
 
 namespace hinge::script {
 namespace {

@@ -49,9 +49,6 @@ struct FieldError : InputError {
 /// The folder of the Lua library; its chunks are skipped by `where`.
 void set_library_folder(lua_State* L, const std::string& folder);
 
-/// The nearest of `names` to a mistyped one, as " (did you mean 'x'?)", or "".
-std::string did_you_mean(const std::string& typed, const std::vector<std::string>& names);
-
 std::string show(lua_State* L, int index);  ///< a value as an error message shows it
 std::string show(double value);
 
@@ -83,7 +80,7 @@ int collect(lua_State* L) {
     return 0;
 }
 
-/// Raises an error if the object of a handle is gone; objects.h defines it for the handles.
+/// Raises an error if the object of a handle is gone; model_box.h defines it for the handles.
 inline void refuse_gone(const auto&, const std::string&) {}
 
 template <class T>
@@ -129,63 +126,6 @@ int takes(lua_State* L) {
     return taking(L, name.text, most, body);
 }
 
-/// The number of items of the list at `index`: a table with items 1 to n and nothing else, or it throws naming `what`.
-lua_Integer list_length(lua_State* L, int index, const std::string& what);
-/// The first `count` numbers of the list at place i of the list on top of the stack; not a number where there is none.
-std::vector<double> numbers_in(lua_State* L, lua_Integer i, int count);
-
-// ---- tables of options --------------------------------------------------------------------------------------------
-
-enum class Range { any, positive, not_negative };
-
-/// Reads a table of named options; every complaint names function, field, value, unit and what is allowed.
-class Options {
-public:
-    /// `index`: the table; absent is an empty table when `may_be_absent`.
-    Options(lua_State* L, int index, std::string function, bool may_be_absent = false);
-
-    double number(const char* field, const char* unit, Range range);  ///< must be there
-    double number(const char* field, const char* unit, Range range, double fallback);
-    std::optional<double> maybe_number(const char* field, const char* unit, Range range);
-    int integer(const char* field, int least, int fallback);
-    bool flag(const char* field, bool fallback);
-    std::optional<Vec3> triple(const char* field, const char* unit);
-    std::optional<std::string> text(const char* field);
-    /// One of the given words.
-    std::string word(const char* field, const std::vector<std::string>& allowed, const std::string& fallback);
-    /// { x = {x, y, z}, y = {x, y, z} }: unit vectors, x as given, y made square to it. Columns x y z; absent: global.
-    Mat3 axes(const char* field);
-    bool has(const char* field);
-    /// Pushes the field's raw value (nil if absent) and counts it as known.
-    int push_field(const char* field);
-    int push_item(int i);
-    /// Raises an error for a field that is none of these, before any missing field is reported.
-    void expect(std::vector<std::string> fields, int items_allowed = 0) {
-        known_ = std::move(fields), finish(items_allowed);
-    }
-    /// `before` is an older name of `field`: it is read in its place. Both at once are an error.
-    void former_name(const char* field, const char* before);
-    /// `before` is an older word for `word` in this field.
-    void former_word(const char* field, const char* word, const char* before);
-    /// Raises an error for a field that was never read.
-    void finish(int items_allowed = 0);
-
-    [[noreturn]] void complain(const std::string& field, const std::string& value, const std::string& allowed) const;
-    const std::string& function() const { return function_; }
-    lua_State* L() const { return L_; }
-
-private:
-    std::optional<double> read_number(const char* field, const char* unit, Range range);
-    lua_State* L_;
-    int index_;  // 0: absent
-    std::string function_;
-    std::vector<std::string> known_;
-    std::vector<std::pair<std::string, std::string>> former_;                  ///< field, its older name
-    std::map<std::string, std::pair<std::string, std::string>> former_words_;  ///< of a field: word, its older name
-};
-
-/// Reads {x, y, z} at `index`, or throws naming `what`.
-Vec3 read_triple(lua_State* L, int index, const std::string& what, const char* unit);
 void push_array(lua_State* L, const double* values, int n);
 
 }  // namespace hinge::script

@@ -1,6 +1,6 @@
 #include "script/lua/model_registry.h"
 
-#include "script/lua/objects.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 namespace {

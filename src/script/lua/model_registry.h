@@ -13,7 +13,7 @@ class Model;
 
 namespace hinge::script {
 
-struct Context;
+struct ScriptContext;
 
 /// Pushes the model's registry, a Lua table made when it is first asked for.
 void push_registry(lua_State* L, const Model& model);
@@ -44,7 +44,7 @@ public:
     const std::string& place() const { return place_; }  ///< "script.lua:12", where the function begins
 
 private:
-    std::shared_ptr<Context> context_;
+    std::shared_ptr<ScriptContext> context_;
     std::string place_;
 };
 

@@ -5,13 +5,13 @@
 
 #include "core/files.h"
 #include "output/picture.h"
-#include "script/lua/objects.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 
 /// The picture module's function `name`, loaded with the module at first use.
 template <class F>
-F picture_function(const Context& c, const char* name) {
+F picture_function(const ScriptContext& c, const char* name) {
     static void* module = nullptr;
     if (!module) module = dlopen(c.picture_module.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!module)

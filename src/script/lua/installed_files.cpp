@@ -1,4 +1,4 @@
-#include "script/files/installed_files.h"
+#include "script/lua/installed_files.h"
 
 #include <dlfcn.h>
 #include <filesystem>

@@ -1,13 +1,10 @@
 // The module any Lua 5.4 loads with `require "hinge"`: the engine as hinge.core, then the Lua library around it.
 #include <cstdlib>
 
-#include "script/bind/bind_hinges.h"
-#include "script/files/run_checkpoint.h"
 #include "script/lua/interrupts.h"
-#include "script/lua/lua_module.h"
-#include "script/files/installed_files.h"
-#include "script/files/drawing.h"
-#include "script/files/processes.h"
+#include "script/bind/lua_module.h"
+#include "script/bind/modules.h"
+#include "script/lua/installed_files.h"
 
 namespace hinge::script {
 namespace {
@@ -104,9 +101,9 @@ int open_module(lua_State* L) {
 
 }  // namespace
 
-std::shared_ptr<Context> prepare(lua_State* L) {
+std::shared_ptr<ScriptContext> prepare(lua_State* L) {
     if (has_context(L)) return context(L);
-    auto c = std::make_shared<Context>();
+    auto c = std::make_shared<ScriptContext>();
     c->running = L;
     c->library = library_folder();
     c->picture_module = picture_module();

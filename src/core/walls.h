@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace hinge::script {
+namespace hinge {
 
 /// What a process may still open. Folders count with all that is in them. What does not exist is left out.
 struct Reach {
@@ -52,4 +52,4 @@ bool refuse_calls(bool may_exec = false) noexcept;
 /// The loader of this program, which other programs of the system have too; "" for a static one.
 std::string program_loader();
 
-}  // namespace hinge::script
+}  // namespace hinge

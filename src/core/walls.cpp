@@ -1,4 +1,4 @@
-#include "script/files/walls.h"
+#include "core/walls.h"
 
 #include <fcntl.h>
 #include <link.h>
@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 // ---- Landlock -------------------------------------------------------------------------------------------------------
@@ -349,4 +349,4 @@ std::string program_loader() {
     return path;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

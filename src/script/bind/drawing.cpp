@@ -1,4 +1,4 @@
-#include "script/files/drawing.h"
+#include "script/bind/drawing.h"
 
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -11,8 +11,9 @@
 #include "core/archive.h"
 #include "core/files.h"
 #include "record/folders.h"
-#include "script/files/walls.h"
+#include "core/walls.h"
 #include "script/lua/picture_module.h"
+#include "script/lua/context.h"
 
 namespace hinge::script {
 namespace {
@@ -115,7 +116,7 @@ bool receive_text(int from, std::string& text) {
     return receive_all(from, text.data(), n);
 }
 
-constexpr char done = 'd', wrong_input = 'i', failed = 'f', unwritten = 'w';
+constexpr char done = 'd', wrong_input = 'i', failed = 'f', file_unwritten = 'w';
 
 /// What came of an order: one of these letters, and what went wrong; for a file that could not be written its path, a
 /// byte 0, and why.
@@ -125,7 +126,7 @@ std::string answer(lua_State* L, const std::string& bytes) {
         return {done};
     } catch (const InputError& e) { return wrong_input + std::string(e.what()); } catch (const std::bad_alloc&) {
         return failed + std::string("not enough memory to draw it");
-    } catch (const WriteError& e) { return unwritten + e.path + '\0' + e.why; } catch (const std::exception& e) {
+    } catch (const WriteError& e) { return file_unwritten + e.path + '\0' + e.why; } catch (const std::exception& e) {
         return failed + std::string(e.what());
     }
 }
@@ -156,7 +157,7 @@ void draw(lua_State* L, const DrawingOrder& order) {
     if (!send_text(drawer, to_bytes(order)) || !receive_text(drawer, reply) || reply.empty())
         throw OutsideError("the process that draws for the sandbox has ended; is there enough memory?");
     if (reply[0] == wrong_input) throw InputError(reply.substr(1));
-    if (const std::size_t end = reply.find('\0'); reply[0] == unwritten && end != std::string::npos)
+    if (const std::size_t end = reply.find('\0'); reply[0] == file_unwritten && end != std::string::npos)
         throw WriteError(reply.substr(1, end - 1), reply.substr(end + 1));
     if (reply[0] != done) throw OutsideError(reply.substr(1));
 }

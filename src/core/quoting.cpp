@@ -1,4 +1,4 @@
-#include "script/files/quoting.h"
+#include "core/quoting.h"
 
 #include <algorithm>
 #include <cctype>
@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-namespace hinge::script {
+namespace hinge {
 namespace {
 
 bool is_control(unsigned char c) { return c < ' ' || c == 127; }
@@ -50,4 +50,4 @@ std::string plain_name(const std::string& name) {
     return out;
 }
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -1,8 +1,8 @@
-#include "script/bind/probe_list.h"
+#include "script/lua/probe_list.h"
 
 #include <algorithm>
 
-#include "script/lua/objects.h"
+#include "script/lua/lua_support.h"
 
 // Lua calls these functions directly, and their errors jump: nothing in them has a destructor.
 namespace hinge::script {

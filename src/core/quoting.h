@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace hinge::script {
+namespace hinge {
 
 enum class CsvQuotes { always, where_needed };
 
@@ -18,4 +18,4 @@ std::string shell_text(const std::string& text);
 /// A name as it may stand in a comment or between double quotes of a script.
 std::string plain_name(const std::string& name);
 
-}  // namespace hinge::script
+}  // namespace hinge

@@ -6,10 +6,10 @@
 
 namespace hinge::script {
 
-struct Context;
+struct ScriptContext;
 
 /// Makes `require "hinge"` work in this state, and returns its context, for the host's settings. Once per state.
-std::shared_ptr<Context> prepare(lua_State* L);
+std::shared_ptr<ScriptContext> prepare(lua_State* L);
 
 }  // namespace hinge::script
 

@@ -1,9 +1,10 @@
 // Chains of runs that continue one another (from =): a failed run makes the later ones fail.
 #pragma once
 
-#include "script/lua/objects.h"
+#include "record/context.h"
+#include "record/run_record.h"
 
-namespace hinge::script {
+namespace hinge {
 
 /// Text on a run that did not reach its requested end, or that continues such a run: which run, how far it came, where
 /// it was made. "" for others, and if allow_failed = true accepts it.
@@ -24,17 +25,7 @@ std::string unasked_failure(const Context& c);
 /// Cause of that run; "" for none.
 std::string unasked_cause(const Context& c);
 
-/// Data that a new run inherits from the run that it continues, and the field allow_failed.
-class Chain {
-public:
-    /// Warns if the run before did not reach its end. `before`: null for none.
-    Chain(Options& o, const RunRecord* before);
-    /// Stores the data in the run on top of the stack; returns 1.
-    int keep(lua_State* L);
+/// Reason for the failure of a run or of the run that it continues, with a warning that may be the cause.
+std::string reason_of(const RunRecord& r);
 
-private:
-    std::string weak_;
-    bool allowed_ = false;
-};
-
-}  // namespace hinge::script
+}  // namespace hinge

@@ -18,6 +18,4 @@ bool drawn_elsewhere();
 /// must not have run anything of the script.
 void start_drawer(lua_State* L);
 
-void open_walls(lua_State* L, int module);  ///< adds core.raise_walls and the like to the table there
-
 }  // namespace hinge::script

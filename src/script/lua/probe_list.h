@@ -3,7 +3,16 @@
 
 #include <lua.hpp>
 
+#include <memory>
+
+#include "record/probe.h"
+
 namespace hinge::script {
+
+struct ProbeBox {
+    static constexpr const char* lua_name = "hinge.probe";
+    std::shared_ptr<Probe> value;
+};
 
 /// For `probe.time` and `probe.value`, the probe at index 1: pushes a new table that reads the first n numbers, those
 /// recorded so far, without a copy. It works like a list for #, ipairs, pairs and the functions of `table`, and becomes

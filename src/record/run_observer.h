@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-namespace hinge::script {
+namespace hinge {
 
 struct Context;
 struct RunRecord;
@@ -24,4 +24,4 @@ struct RunObserver {
     virtual void forked() = 0;
 };
 
-}  // namespace hinge::script
+}  // namespace hinge
