@@ -95,7 +95,8 @@ local function all_jobs()
     { name = "bench", look = "completed",
       command = ("%s run tests/bench/bench.lua build=%s --out @"):format(hinge, quote(build .. "/tests")) },
     page_job(hinge),
-    { name = "guide figures", command = ("lua5.4 tests/script/guide_figures_test.lua %s all"):format(quote(build)) },
+    { name = "guide figures",
+      command = ("lua5.4 tests/script/documents/guide_figures_test.lua %s all"):format(quote(build)) },
     { name = "address", command = "tests/sanitize.sh address" }, -- builds into build-address/
   }
   for _, script in ipairs(named_scripts "scripts/paper") do

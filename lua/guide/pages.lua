@@ -1,4 +1,5 @@
--- What make.lua and tests/script/guide_test.lua share: the pages of the guide as blocks, and their scripts run.
+-- What make.lua and tests/script/documents/guide_test.lua share: the pages of the guide as blocks, and their scripts
+-- run.
 --
 -- A page NAME.md belongs to a script NAME.lua beside it. Of its fenced blocks
 -- * the first one marked lua is the script, whole;

@@ -19,7 +19,7 @@ constexpr int most_elements = 16;
 constexpr int of_heavy_members = 4, of_loaded_members = 8;
 
 /// The critical load of a pinned member of 2, 4, 8, 16 elements over Euler's, where the axial force acts on the chord;
-/// measured by tests/script/element_count_test.lua.
+/// measured by tests/script/model/element_count_test.lua.
 constexpr double critical_load[] = {2.269, 1.102, 1.024, 1.006};
 
 struct Count {

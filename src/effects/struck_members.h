@@ -17,8 +17,8 @@ namespace hinge {
 ///   lambda = 2 pi sqrt(sqrt(EI / rho A) / omega) = 2 sqrt(pi tau sqrt(EI / rho A)).
 /// Elements longer than lambda / 4 answer with the lumps of their nodes in the place of the wave: of a mass that falls
 /// on a beam, against the modal series, the energy and the momentum passed are right to 2 % with elements up to lambda
-/// / 4, to 10 % up to 1.5 times that, and off by 14 % at 1.8, 40 % at 3 times (tests/script/contact_test.lua). Of EI
-/// the smaller one counts: the shorter wave.
+/// / 4, to 10 % up to 1.5 times that, and off by 14 % at 1.8, 40 % at 3 times (tests/script/effects/contact_test.lua).
+/// Of EI the smaller one counts: the shorter wave.
 ///
 /// A member that is struck between its joints and yields there forms its hinge at a node, beside the place of the blow:
 /// its plastic work may be far off with few elements.

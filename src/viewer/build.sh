@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Makes lua/hinge/report/viewer.js, the one file that a report holds, from src and three.js. Needed only after a change
 # of src: the file is part of the tree. built.sha256 lists the hashes of all that went into it;
-# tests/script/viewer_test.lua compares them, without npm.
+# tests/script/report/viewer_test.lua compares them, without npm.
 #
 # Run     src/viewer/build.sh          needs Node.js 18 or later, with npm
 #         src/viewer/build.sh --check  makes it elsewhere, and says whether the tree's is the same

@@ -4,6 +4,7 @@ local support = { case_argument = cases.argument } -- for a test that starts its
 
 --- The folder of the tests, with a slash at its end; scripts may be started from anywhere.
 support.folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
+support.folder = support.folder:gsub("(script/)[%w_/]+/[./]+$", "%1") -- script/run/../, where a test in run found it
 support.root = support.folder .. "../../"
 
 --- The largest of numbers; not a number if one of them is not, so that every limit it is held against is missed.

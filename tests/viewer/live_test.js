@@ -2,7 +2,7 @@
 // unless somebody looks at an earlier one, curves grow, and after the program's end the page says so and keeps what it has.
 //
 // Run: node tests/viewer/live_test.js CHROMIUM ADDRESS STOP [PICTURE]      ends with a line for each thing that is wrong
-// The script served there is that of tests/script/live_test.lua; it stops when there is a file STOP.
+// The script served there is that of tests/script/report/live_test.lua; it stops when there is a file STOP.
 "use strict";
 const fs = require("fs");
 const { Browser, checks, drawing } = require("./browser.js");

@@ -2,7 +2,7 @@
 // network, draws, scrubs, plays, picks, hides, is used by keyboard and on a narrow screen.
 //
 // Run: node tests/viewer/page_test.js CHROMIUM REPORT DAMAGED [PICTURE]   ends with a line for each thing that is wrong
-// The report is of the scene of tests/script/report_test.lua; DAMAGED of the same without two of its frames, and with one
+// The report is of the scene of tests/script/report/report_test.lua; DAMAGED of the same without two of its frames, and with one
 // row of its history.
 "use strict";
 const { Browser, checks, drawing } = require("./browser.js");

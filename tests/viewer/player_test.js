@@ -2,7 +2,7 @@
 // picture that is saved, the list of members, the directions of the axes on a narrow screen, edges of light colours.
 //
 // Run: node tests/viewer/player_test.js CHROMIUM REPORT DIAGRAMS      ends with a line for each thing that is wrong
-// REPORT and DIAGRAMS are of the first and of the third scene of tests/script/report_test.lua.
+// REPORT and DIAGRAMS are of the first and of the third scene of tests/script/report/report_test.lua.
 "use strict";
 const { Browser, checks } = require("./browser.js");
 

@@ -1,7 +1,7 @@
 // What the page of hinge report says is so: numbers at the cursor, damage by storey, warnings.
 //
 // Run: node tests/viewer/words_test.js CHROMIUM REPORT STOREYS CALM      ends with a line for each thing that is wrong
-// REPORT, STOREYS and CALM are of the first three scenes of tests/script/report_test.lua; CALM has no warning.
+// REPORT, STOREYS and CALM are of the first three scenes of tests/script/report/report_test.lua; CALM has no warning.
 "use strict";
 const { Browser, checks } = require("./browser.js");
 

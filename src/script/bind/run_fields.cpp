@@ -189,8 +189,8 @@ struct RunField {
     void (*push)(lua_State* L, const ScriptRun& r);
 };
 
-/// The binding, the names in messages and completion, and lua/hinge/hinge.d.lua (tests/script/reference_test.lua) have
-/// the same fields.
+/// The binding, the names in messages and completion, and lua/hinge/hinge.d.lua
+/// (tests/script/documents/reference_test.lua) have the same fields.
 constexpr RunField run_field_list[] = {
     {"kind", [](lua_State* L, const ScriptRun& r) { lua_pushstring(L, r.run->kind()); }},
     {"model",

@@ -1,7 +1,7 @@
 -- European rolled sections: IPE, HEA, HEB and HEM (EN 10365, once Euronorm 19 and 53), and channels UPN (DIN 1026-1).
 --
 -- A row: name, dimensions in mm, and behind the bar what tables publish, in cm^2, cm^4 and cm^3. Sections are computed
--- from the dimensions. The published values serve tests/script/named_sections_test.lua alone.
+-- from the dimensions. The published values serve tests/script/sections/named_sections_test.lua alone.
 -- Source: the tables of ArcelorMittal as the public programs XC (xcfem/xc) and themis (alezen9/themis) have them.
 return {
   {

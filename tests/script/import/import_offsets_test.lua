@@ -1,0 +1,336 @@
+-- hinge.import: insertion points, joint offsets and rigid ends of SAP2000 and ETABS, and loads along members, against
+-- formulas by hand.
+--
+-- Run: lua5.4 tests/script/import/import_offsets_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local import = require "hinge.import"
+local frame_module = require "hinge.import.frame"
+local checks = support.checks "offsets of import"
+local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+
+local write = support.writer()
+
+-- A column of 3 m in kN and m, 0.4 by 0.2 m, axis 2 along X. more: further tables; joint: a third joint on its axis.
+-- Both ends have a stub without load and weight, so that no joint is left with ends beside it alone.
+local E, G, A, I, As = 2e11, 8e10, 0.08, 1e-3, 0.05 -- I and As for bending in the plane of X and Z
+local density, g = 7850, 9.80665
+
+local function column(more, options)
+  options = options or {}
+  return import.s2k { file = write("frame.s2k", ([[
+TABLE:  "PROGRAM CONTROL"
+   ProgramName=SAP2000   Version=24.1.0   CurrUnits="KN, m, C"
+TABLE:  "JOINT COORDINATES"
+   Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
+   Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=3
+   Joint=8   XorR=0   Y=5   Z=0
+   Joint=9   XorR=0   Y=5   Z=3
+%sTABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
+   Material=S   UnitMass=7.85   E1=2E8   G12=8E7
+   Material=light   UnitMass=0   E1=2E8   G12=8E7
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   SectionName=P   Material=S   Shape=General   t3=0.4   t2=0.2   Area=0.08   TorsConst=1E-3   I33=1E-3   I22=3E-4 _
+        AS2=0.05   AS3=0.06
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=1   JointI=1   JointJ=2
+   Frame=8   JointI=1   JointJ=8
+   Frame=9   JointI=2   JointJ=9
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=1   AnalSect=P   MatProp=Default
+   Frame=8   AnalSect=P   MatProp=light
+   Frame=9   AnalSect=P   MatProp=light
+TABLE:  "LOAD PATTERN DEFINITIONS"
+   LoadPat=W   SelfWtMult=%s
+%sEND TABLE DATA
+]]):format(options.joint and ("   Joint=3   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=%g\n"):format(
+    options.joint) or "", options.weight or "0", more)) }
+end
+
+local at_head = 'TABLE:  "JOINT LOADS - FORCE"\n   Joint=2   LoadPat=W   CoordSys=GLOBAL   F1=%g   F2=0   F3=%g\n'
+local function rigid(i, j, factor, kind)
+  return ('TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n   Frame=1   Type=%s   LengthI=%g   LengthJ=%g   '
+    .. 'RigidFactor=%g\n'):format(kind or "User", i, j, factor)
+end
+local function point(fields) return 'TABLE:  "FRAME INSERTION POINT ASSIGNMENTS"\n   Frame=1   ' .. fields .. "\n" end
+
+local function spread(fields)
+  return 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   ' .. fields
+    .. "\n"
+end
+
+-- Displacements of the head and reactions of the foot.
+local function solved(frame, options)
+  local model, nodes = import.build(frame, { model = { displacement = "small" },
+    self_weight = options and options.self_weight })
+  local run = model:static { steps = 1, loads = { W = 1 } }:finish()
+  local ux, _, uz = nodes["2"]:displacement(run)
+  local fx, fy, fz, mx, my, mz = nodes["1"]:reaction(run)
+  return ux, uz, { fx, fy, fz, mx, my, mz }
+end
+
+-- Rigid ends ----------------------------------------------------------------------------------------------------------
+
+-- A cantilever with rigid parts below and above its length L, of which the upper one is e.
+local function by_hand(F, L, e)
+  local tip = F * L ^ 3 / (3 * E * I) + F * e * L ^ 2 / (2 * E * I) + F * L / (G * As)
+  return tip + e * (F * L ^ 2 / (2 * E * I) + F * e * L / (E * I))
+end
+
+case("rigid ends stiffen a cantilever as by hand, divided or not", function()
+  for _, joint in ipairs { false, 1.5 } do
+    for _, row in ipairs { { 0, 0, 1 }, { 0.5, 0.3, 1 }, { 0.5, 0.3, 0.8 }, { 0, 0.3, 0.5 } } do
+      local frame, notes = column(rigid(row[1], row[2], row[3]) .. at_head:format(10, 0), { joint = joint })
+      equal(#notes, 0, tostring(notes))
+      local i, j = row[1] * row[3], row[2] * row[3]
+      local wanted = by_hand(10e3, 3 - i - j, j)
+      near(solved(frame), wanted, 1e-8 * wanted, ("%g, %g times %g"):format(row[1], row[2], row[3]))
+    end
+  end
+end)
+
+-- The engine has no joint at which no member ends.
+case("a joint with ends beside it alone goes to the nearest one, with its forces and masses", function()
+  local text = rigid(0.5, 0.3, 1) .. 'TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n   Frame=8   Type=User   '
+    .. "LengthI=0.6   LengthJ=0   RigidFactor=1\n   Frame=9   Type=User   LengthI=0.1   LengthJ=0   RigidFactor=1\n"
+  local frame, notes = column(text .. at_head:format(10, 7), { weight = "1" })
+  equal(#notes, 0, tostring(notes))
+  expect(tostring(notes):find("2 joints at which all members end beside the joint", 1, true), "%s", tostring(notes))
+  local node, member = {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  for _, m in ipairs(frame.members) do member[m.name] = m end
+  near(node["1"].z, 0.5, 1e-12, "the foot is at the column's end")
+  near(node["2"].y, 0.1, 1e-12, "the head is at the stub's end")
+  local a, b = frame_module.ends(member["1"], node)
+  near(a.z, 0.5, 1e-12, "the column's foot")
+  near(b.z, 2.7, 1e-12, "the column's head")
+  near(b.y, 0, 1e-12, "the column's head")
+  -- the head moves by the column alone; about X it has the moment of 7 kN with no arm, for the load is on the joint
+  for _, way in ipairs { "gravity", "loads" } do
+    local ux, _, r = solved(frame, { self_weight = way })
+    near(ux, by_hand(10e3, 2.2, 0.3), 1e-9, "sway, " .. way)
+    near(r[3], density * g * A * 3 - 7e3, 1e-3, "weight, " .. way)
+    near(r[4], 0, 1e-3, "moment about X, " .. way)
+  end
+end)
+
+case("rigid ends longer than the member are noted, and left out", function()
+  for _, lengths in ipairs { { 2, 1.5 }, { 3, 0 } } do
+    local frame, notes = column(rigid(lengths[1], lengths[2], 1) .. at_head:format(10, 0))
+    equal(#notes, 1, tostring(notes))
+    expect(notes[1].reason:find "longer than the member", "%s", tostring(notes))
+    near(solved(frame), by_hand(10e3, 3, 0), 1e-9, "sway")
+  end
+end)
+
+case("the weight of rigid ends is not lost, whichever way it acts", function()
+  for _, way in ipairs { "gravity", "loads" } do
+    local frame, notes = column(rigid(0.5, 0.3, 1) .. at_head:format(0, 0), { weight = "1.2" })
+    local _, _, r = solved(frame, { self_weight = way })
+    near(r[3], 1.2 * density * g * A * 3, 1e-3, way)
+    local s = notes.summary
+    near(s.mass_of_members + s.mass_of_nodes, density * A * 3, 1e-9, "mass")
+    expect(tostring(notes):find(("mass of %.4g kg is on the joints"):format(density * A * 0.8), 1, true), "%s",
+      tostring(notes))
+  end
+end)
+
+-- Insertion points ----------------------------------------------------------------------------------------------------
+
+case("a column on its edge: a force on the joint bends it by half its depth", function()
+  for number, e in pairs { [8] = 0.2, [2] = -0.2, [10] = 0, [5] = 0, [7] = 0.2, [3] = -0.2 } do
+    local frame, notes = column(point(('CardinalPt="%d (of eleven)"   Mirror2=No   Transform=Yes'):format(number))
+      .. at_head:format(0, -100))
+    equal(#notes, 0, tostring(notes))
+    local ux, uz = solved(frame)
+    near(ux, 100e3 * e * 9 / (2 * E * I), 1e-9, ("sway of %d"):format(number))
+    local column_left = number == 7 and 0.1 or number == 3 and 0.1 or 0 -- about the other axis, with 3e-4 m^4
+    near(uz, -100e3 * (3 / (E * A) + e ^ 2 * 3 / (E * I) + column_left ^ 2 * 3 / (E * 3e-4)), 1e-9,
+      ("shortening of %d"):format(number))
+  end
+end)
+
+case("left is towards axis 3: points 4 and 6 of a beam along X are to the side of -Y and of Y", function()
+  local axis3 = { 0, -1, 0 } -- axis 1 is X, axis 2 is Z, axis 3 = 1 x 2
+  local x = frame_module.axes({ 1, 0, 0 })
+  for i = 1, 3 do near(x[i], -axis3[i], 1e-12, "axis 3 is -x") end
+  local frame = column(point "CardinalPt=4   Transform=Yes" .. at_head:format(1, 0))
+  local by = frame.members[1].offset.a -- of the column, whose axis 3 is Y: its left edge is at the joint
+  near(by[2], -0.1, 1e-12, "the column is on the side of -Y")
+  near(by[1], 0, 1e-12, "along X")
+end)
+
+case("a stiffness that is not transformed: the member goes from joint to joint, and the note says so", function()
+  for _, field in ipairs { "Transform", "StiffTrans" } do
+    local frame, notes = column(point(("CardinalPt=8   %s=No"):format(field)) .. at_head:format(0, -100))
+    equal(#notes, 0, tostring(notes))
+    expect(tostring(notes.assumed[1].reason):find "not transformed", "%s", tostring(notes))
+    near(solved(frame), 0, 1e-12, "sway")
+  end
+end)
+
+case("joint offsets in space and along the member's axes", function()
+  local function offset(fields) return column(point(fields) .. at_head:format(1, 0)).members[1].offset end
+  local both = offset "CardinalPt=10   JtOffXI=0.1   JtOffZI=-0.2   JtOff3J=0.3"
+  for i, wanted in ipairs { 0.1, 0, -0.2 } do near(both.a[i], wanted, 1e-12, "a") end
+  for i, wanted in ipairs { 0, 0.3, 0 } do near(both.b[i], wanted, 1e-12, "b") end -- axis 3 of the column is Y
+end)
+
+case("a point that is none is refused with its line", function()
+  local good, problem = pcall(column, point "CardinalPt=12" .. at_head:format(0, 0))
+  expect(not good and problem:find("frame.s2k:27: CardinalPt is '12'; must be a number from 1 to 11", 1, true), "%s",
+    problem)
+end)
+
+-- Loads ---------------------------------------------------------------------------------------------------------------
+
+-- Force along X, and moment about Y at the origin, of all loads of a frame: each by its own integral.
+local function together(frame)
+  local node, member, F, M = {}, {}, 0, 0
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  for _, m in ipairs(frame.members) do member[m.name] = m end
+  for _, l in ipairs(frame.cases[1].loads) do
+    if l.node then
+      local n = node[l.node]
+      local f = l.force or { 0, 0, 0 }
+      F, M = F + f[1], M + n.z * f[1] - n.x * f[3] + (l.moment and l.moment[2] or 0)
+    elseif l.force then
+      local a, b = frame_module.ends(member[l.member], node)
+      F, M = F + l.force[1], M + (a.z + l.at * (b.z - a.z)) * l.force[1]
+    elseif l.moment then
+      M = M + l.moment[2]
+    else
+      local a, b = frame_module.ends(member[l.member], node)
+      local from, to = l.from or 0, l.to or 1
+      local qa, qb = (l.q.a or l.q)[1], (l.q.b or l.q)[1]
+      for k = 0, 1 do -- Gauss points: exact for a linear load
+        local t = 0.5 + (k - 0.5) / math.sqrt(3)
+        local s, w = from + t * (to - from), (to - from) * (b.z - a.z) / 2
+        local q = qa + t * (qb - qa)
+        F, M = F + w * q, M + w * q * (a.z + s * (b.z - a.z))
+      end
+    end
+  end
+  return F, M
+end
+
+case("trapezoids over a part: force and moment as in the file, with rigid ends and joints on the member", function()
+  for _, row in ipairs { { 0, 3, 1, 1 }, { 0, 3, 0, 4 }, { 0.4, 2.2, 2, 5 }, { 0.1, 0.3, 1, 1 }, { 0.2, 2.9, -1, 3 },
+    { 2.75, 3, 2, 1 } } do
+    for _, more in ipairs { "", rigid(0.5, 0.3, 1), point "CardinalPt=8" .. rigid(0.5, 0.3, 0.7) } do
+      for _, joint in ipairs { false, 1.5 } do
+        local a, b, p, q = table.unpack(row)
+        local frame, notes = column(more .. spread(("Dir=X   DistType=RelDist   RelDistA=%.15g   RelDistB=%.15g   "
+          .. "AbsDistA=7   AbsDistB=7   FOverLA=%g   FOverLB=%g"):format(a / 3, b / 3, p, q)), { joint = joint })
+        equal(#notes, 0, tostring(notes))
+        local F, M = together(frame)
+        local mean = (p + q) / 2 * (b - a) * 1e3
+        near(F, mean, 1e-9 * 1e4, "force")
+        -- the first moment of a trapezoid: uniform p, and a triangle to q - p
+        near(M, 1e3 * (p * (b ^ 2 - a ^ 2) / 2 + (q - p) * (b - a) * (a + 2 * (b - a) / 3) / 2), 1e-5, "moment")
+      end
+    end
+  end
+end)
+
+case("a distance in units of the file, and loads beside the member", function()
+  local frame = column(spread "Dir=X   DistType=AbsDist   AbsDistA=1   AbsDistB=2   FOverLA=3   FOverLB=3")
+  local load = frame.cases[1].loads[1]
+  near(load.from, 1 / 3, 1e-12, "from")
+  near(load.to, 2 / 3, 1e-12, "to")
+  equal(load.q[1], 3e3, "q")
+  local good, problem = pcall(column, spread "Dir=X   RelDistA=0   RelDistB=1.5   FOverLA=3   FOverLB=3")
+  expect(not good and problem:find("RelDistB is 1.5; the load is beside the member", 1, true), "%s", problem)
+end)
+
+case("forces and moments at a point of a member", function()
+  for _, joint in ipairs { false, 1.5 } do
+    for _, at in ipairs { 0, 0.1, 0.5, 0.7, 0.95, 1 } do
+      local fields = ('TABLE:  "FRAME LOADS - POINT"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   Dir=X   '
+        .. 'DistType=RelDist   RelDist=%g   Force=8\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Moment   Dir=Y   '
+        .. 'DistType=RelDist   RelDist=%g   Moment=5\n'):format(at, at)
+      local frame, notes = column(rigid(0.5, 0.3, 1) .. fields, { joint = joint })
+      equal(#notes, 0, tostring(notes))
+      local F, M = together(frame)
+      near(F, 8e3, 1e-6, "force")
+      near(M, 8e3 * 3 * at + 5e3, 1e-6, ("moment at %g"):format(at))
+    end
+  end
+end)
+
+-- ETABS ---------------------------------------------------------------------------------------------------------------
+
+-- A portal of one bay: columns 0.4 (along X) by 0.3, a beam 0.5 by 0.2. beam, columns: further keys.
+local function portal(beam, columns)
+  return import.e2k { file = write("frame.e2k", ([[
+$ CONTROLS
+  UNITS  "KN"  "M"  "C"
+$ STORIES - IN SEQUENCE FROM TOP
+  STORY "Top"  HEIGHT 3
+  STORY "Base"  ELEV 0
+$ MATERIAL PROPERTIES
+  MATERIAL  "S"    TYPE "Steel"    WEIGHTPERVOLUME 77
+  MATERIAL  "S"    SYMTYPE "Isotropic"  E 2E8  U 0.25  A 1.17E-05
+$ FRAME SECTIONS
+  FRAMESECTION  "C"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.4 B 0.3
+  FRAMESECTION  "B"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.5 B 0.2
+$ POINT COORDINATES
+  POINT "1"  0 0
+  POINT "2"  6 0
+$ LINE CONNECTIVITIES
+  LINE  "C1"  COLUMN  "1"  "1"  1
+  LINE  "C2"  COLUMN  "2"  "2"  1
+  LINE  "B1"  BEAM  "1"  "2"  0
+$ POINT ASSIGNS
+  POINTASSIGN  "1"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+  POINTASSIGN  "2"  "Base"  RESTRAINT "UX UY UZ RX RY RZ"
+$ LINE ASSIGNS
+  LINEASSIGN  "C1"  "Top"  SECTION "C"  %s
+  LINEASSIGN  "C2"  "Top"  SECTION "C"  ANG 90 %s
+  LINEASSIGN  "B1"  "Top"  SECTION "B"  %s
+]]):format(columns or "", columns or "", beam or "")) }
+end
+
+-- How far the ends of all members are from the points of the file.
+local function offsets(frame)
+  local list, node = {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  local function shown(place, name)
+    local x, z = name:find "^2" and 6 or 0, name:find "Top" and 3 or 0
+    local parts = {}
+    for k, v in ipairs { place.x - x, place.y, place.z - z } do
+      parts[k] = ("%.4g"):format(math.abs(v) < 1e-12 and 0 or v)
+    end
+    local text = table.concat(parts, " ")
+    return text == "0 0 0" and "-" or text
+  end
+  for i, m in ipairs(frame.members) do
+    local a, b = frame_module.ends(m, node)
+    list[i] = ("%s; %s"):format(shown(a, m.a), shown(b, m.b))
+  end
+  return table.concat(list, " | ")
+end
+
+case("ETABS: insertion points and rigid zones of lines, in their lengths or automatic", function()
+  for _, row in ipairs {
+    { "", "", "-; - | -; - | -; -" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "", "-; - | -; - | 0 0 -0.25; 0 0 -0.25" },
+    { 'CARDINALPT 8 TRANSSTIFF "YES" RIGIDZONE 1', "", "-; - | -; - | 0.2 0 -0.25; -0.15 0 -0.25" },
+    { "CARDINALPT 8", "", "-; - | -; - | -; -" },
+    { "RIGIDZONE 0.5", "RIGIDZONE 0.5", "-; 0 0 -0.125 | -; 0 0 -0.125 | 0.1 0 0; -0.075 0 0" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "RIGIDZONE 0.5",
+      "-; 0 0 -0.25 | -; 0 0 -0.25 | 0 0 -0.25; 0 0 -0.25" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0 RIGIDZONE 0.5", "", "-; - | -; - | 0.15 0 0; -" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0.4", "", "-; - | -; - | -; -" },
+    { 'TRANSFORMSTIFF "Yes" OFFSETXI 0.05 OFFSETYJ -0.2', "", "-; - | -; - | 0.05 0 0; 0 -0.2 0" },
+  } do
+    local frame, notes = portal(row[1], row[2])
+    equal(#notes, 0, tostring(notes))
+    equal(offsets(frame), row[3], row[1] .. ", columns " .. row[2])
+  end
+end)
+
+checks.done()

@@ -1,0 +1,238 @@
+-- The Lua library: sections against formulas found another way, checks and their messages,
+-- scenarios, and the models' counts.
+--
+-- Run: LUA_CPATH="build/?.so" lua5.4 tests/script/library/library_test.lua
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local hinge = require "hinge"
+local support = require "support"
+local core = require "hinge.core"
+local shapes = require "hinge.sections.shapes"
+local values = require "hinge.library.values"
+local building = require "hinge.models.ten_storey"
+local aircraft = require "hinge.models.aircraft"
+
+local checks = support.checks "library"
+local case, expect = checks.case, checks.expect
+local function near(value, wanted, tolerance, what)
+  expect(math.abs(value - wanted) <= tolerance * math.abs(wanted), "%s: %.9g, wanted %.9g", what, value, wanted)
+end
+local function complains(f, ...)
+  local ok, message = pcall(f)
+  expect(not ok, "no complaint; wanted " .. ...)
+  for _, part in ipairs { ... } do
+    expect(tostring(message):find(part, 1, true), ("'%s' does not say '%s'"):format(tostring(message), part))
+  end
+end
+
+case("fully plastic resultants of solid squares are those of the paper", function()
+  -- Benchmarks: fully plastic resultants of solid squares at 245 MPa.
+  for _, row in ipairs { { 0.05, 612.5e3, 7656.25, 5893.78 }, { 0.02, 98e3, 490, 377.2 } } do
+    local p = shapes.solid { width = row[1], depth = row[1] }.plastic
+    near(p.A * 245e6, row[2], 1e-12, "N0")
+    near(p.Zx * 245e6, row[3], 1e-12, "Mp about x")
+    near(p.Zy * 245e6, row[3], 1e-12, "Mp about y")
+    near(p.Zz * 245e6 / math.sqrt(3), row[4], 1e-5, "T0")
+  end
+  near(shapes.solid { width = 0.05, depth = 0.05 }.J, 0.140577 * 0.05 ^ 4, 1e-6, "J of a square")
+  near(shapes.solid { width = 1, depth = 1000 }.J, 1000 / 3 * (1 - 0.63e-3), 1e-6, "J of a strip")
+end)
+
+-- Bending properties again, by adding up strips. `breadth(v)`: material at distance v from the axis.
+local function strips(half, breadth)
+  local n, I, Z = 200000, 0, 0
+  local h = half / n
+  for i = 1, n do
+    local v = (i - 0.5) * h
+    I, Z = I + 2 * breadth(v) * v ^ 2 * h, Z + 2 * breadth(v) * v * h
+  end
+  return I, Z
+end
+local function bends(shape, axis, half, breadth, what)
+  local I, Z = strips(half, breadth)
+  near(shape["I" .. axis], I, 1e-4, what .. " I" .. axis)
+  near(shape.plastic["Z" .. axis], Z, 1e-4, what .. " Z" .. axis)
+end
+local box = shapes.box { width = 0.3, depth = 0.5, web = 0.01, flange = 0.02 }
+case("bending properties of a box are those of strips added up", function()
+  bends(box, "x", 0.25, function(v) return v > 0.23 and 0.3 or 0.02 end, "box")
+  bends(box, "y", 0.15, function(v) return v > 0.14 and 0.5 or 0.04 end, "box")
+end)
+
+local h = shapes.h { depth = 0.4, width = 0.2, web = 0.008, flange = 0.013 }
+case("bending properties of an H section are those of strips added up", function()
+  bends(h, "x", 0.2, function(v) return v > 0.187 and 0.2 or 0.008 end, "h")
+  bends(h, "y", 0.1, function(v) return v > 0.004 and 0.026 or 0.4 end, "h")
+end)
+
+local pipe = shapes.pipe { diameter = 0.2, thickness = 0.03 }
+case("properties of pipes and rounds, areas and plastic torques are those of theory", function()
+  local function chord(r, v) return v < r and 2 * math.sqrt(r * r - v * v) or 0 end
+  bends(pipe, "x", 0.1, function(v) return chord(0.1, v) - chord(0.07, v) end, "pipe")
+  bends(shapes.round { diameter = 0.2 }, "y", 0.1, function(v) return chord(0.1, v) end, "round")
+  near(h.area, 0.008192, 1e-12, "area of the H")
+  near(pipe.plastic.Zz, math.pi * (0.2 ^ 3 - 0.14 ^ 3) / 12, 1e-12, "plastic torque of the pipe")
+  near(box.plastic.Zz, 2 * 0.29 * 0.48 * 0.01, 1e-12, "plastic torque of the box")
+end)
+
+-- Shear areas again, from the shear strain energy of the wall flows: I^2 / integral of Q^2 / t.
+local function energy_area(b, height, web, flange, flange_length)
+  local I = web * height ^ 3 / 12 + 2 * b * flange * height ^ 2 / 4
+  local flow = 4 * flange_length ^ 3 / 3 * flange * height ^ 2 / 4 -- four outstands, Q = t h s / 2
+  local n = 20000
+  for i = 1, n do
+    local y = height / 2 * (i - 0.5) / n
+    local Q = b * flange * height / 2 + web / 2 * (height ^ 2 / 4 - y ^ 2)
+    flow = flow + 2 * Q ^ 2 / web * height / 2 / n
+  end
+  return I ^ 2 / flow
+end
+case("shear areas are those of the strain energy of the wall flows", function()
+  local thin_h = shapes.h { depth = 0.4004, width = 0.2, web = 0.0005, flange = 0.0004 }
+  near(thin_h.shear_area_y, energy_area(0.2, 0.4, 0.0005, 0.0004, 0.1), 3e-3, "shear area of a thin H")
+  local thin_box = shapes.box { width = 0.3005, depth = 0.4004, web = 0.0005, flange = 0.0004 }
+  near(thin_box.shear_area_y, energy_area(0.3, 0.4, 0.001, 0.0004, 0.15), 3e-3, "shear area of a thin box")
+  -- A box has two of each: along y its webs carry and its flanges hang on them, along x the other way round.
+  for _, b in ipairs {
+    { width = 0.2, depth = 0.5, web = 0.0002, flange = 0.0012 },
+    { width = 0.2, depth = 0.5, web = 0.0012, flange = 0.0002 },
+    { width = 0.6, depth = 0.25, web = 0.0005, flange = 0.0003 },
+  } do
+    local wide, high = b.width - b.web, b.depth - b.flange -- between the middles of the walls
+    local what = ("shear area of a box %g x %g m, web %g m, flange %g m, along "):format(b.width, b.depth, b.web,
+      b.flange)
+    local s = shapes.box(b)
+    near(s.shear_area_y, energy_area(wide, high, 2 * b.web, b.flange, wide / 2), 1e-3, what .. "y")
+    near(s.shear_area_x, energy_area(high, wide, 2 * b.flange, b.web, high / 2), 1e-3, what .. "x")
+    -- turned by a quarter it is the box with the names exchanged
+    local turned = shapes.box { width = b.depth, depth = b.width, web = b.flange, flange = b.web }
+    near(turned.shear_area_x, s.shear_area_y, 1e-12, what .. "y, turned")
+    near(turned.shear_area_y, s.shear_area_x, 1e-12, what .. "x, turned")
+  end
+  near(shapes.box { width = 1, depth = 1, thickness = 1e-4 }.shear_area_x / 4e-4, 5 / 12, 1e-3,
+    "shear area of a thin square tube")
+  near(shapes.pipe { diameter = 1, thickness = 1e-4 }.shear_area_x / (math.pi * 1e-4), 0.5, 1e-3,
+    "shear area of a thin pipe")
+end)
+
+case("wrong input names function, field, value, unit and what is allowed", function()
+  -- Wrong input names function, field, value, unit and what is allowed.
+  complains(function() hinge.section.box { width = -0.4, depth = 0.4, thickness = 0.02 } end,
+    "hinge.section.box", "'width'", "-0.4 m", "above 0")
+  complains(function() hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.2 } end,
+    "'thickness'", "0.2 m", "half the width")
+  complains(function() hinge.section.box { width = 0.4, depth = 0.4, web = 0.02 } end, "'flange' is missing")
+  complains(function()
+    hinge.section.solid { widht = 0.4, depth = 0.4 }
+  end, "unknown field 'widht'", "did you mean 'width'?")
+  complains(function() hinge.section.pipe { diameter = 0.1 } end, "'thickness' is missing", "above 0 m")
+  complains(function() hinge.section.pipe { diameter = 0 / 0, thickness = 0.01 } end, "'diameter'", "above 0 m")
+  complains(function() hinge.section.h { 0.4 } end, "has no name")
+  complains(function() return hinge.section.bx end, "did you mean 'box'?")
+  complains(function() return hinge.modell end, "did you mean 'model'?")
+  complains(function() building.add() end, "the model is missing")
+  for word, meant in pairs { ["elements per member"] = "elements_per_member", sizte = "size", szie = "size",
+    SIZE = "size", asi_gauss = "asi-gauss", vx = "vz" } do
+    local said = core.did_you_mean(word, { "dt", "elements_per_member", "size", "asi-gauss", "vz" })
+    expect(said == (" (did you mean '%s'?)"):format(meant), word .. said)
+  end
+  for _, word in ipairs { "zzz", "", "t", "speed" } do
+    expect(core.did_you_mean(word, { "size", "d", "asi-gauss" }) == "", "nothing is near '" .. word .. "'")
+  end
+end)
+
+case("values from the command line are sums, lists and texts", function()
+  -- Values from the command line.
+  for text, wanted in pairs { ["440/3.6"] = 440 / 3.6, ["2e-5"] = 2e-5, ["-2^2"] = -4, ["2*(3+4)-1"] = 13, ["8/2/2"] =
+    2,
+    [" 1 - 2 - 3 "] = -4, [".5"] = 0.5, ["2^3^2"] = 512, ["2*pi"] = 2 * math.pi, ["2^-1"] = 0.5 } do
+    expect(values.number(text) == wanted, text .. " is " .. tostring(values.number(text)))
+  end
+  for _, text in ipairs { "", "1+", "os.exit()", "1/0", "0x", "1 2", "(1", "pin", "3,4", "nan" } do
+    expect(values.number(text) == nil, "'" .. text .. "' is not a number")
+  end
+  expect(math.type(values.like("20/2", 10)) == "integer", "whole stays whole")
+  expect(values.like("{4, 2*3}", { 1, 1 })[2] == 6 and values.like("true", false) == true
+    and values.like("x", "y") == "x", "types")
+end)
+
+case("a scenario's parameters are its own, then the case's, then those given", function()
+  -- Scenarios: parameters <- case <- overrides.
+  local function make(change)
+    local options = { parameters = { speed = 100, model = "a" }, cases = { II = { speed = 80 } },
+      accuracy = { dt = { 1e-5, 2e-5 } }, run = function() end }
+    for k, v in pairs(change or {}) do options[k] = v end
+    return hinge.scenario(options)
+  end
+  local p = make():values("II", { { "dt", "4e-5" }, { "model", "b" } })
+  expect(p.speed == 80 and p.dt == 4e-5 and p.model == "b" and make():values().dt == 1e-5, "merged parameters")
+  complains(function() make():values(nil, { { "sped", "1" } }) end, "unknown parameter 'sped'", "did you mean 'speed'?")
+  complains(function() make():values(nil, { { "speed", "fast" } }) end, "speed=fast", "440/3.6")
+  complains(function() make():values("IV") end, "unknown case 'IV'", "II")
+  complains(function() return p.sped end, "did you mean 'speed'?")
+  complains(function() make { cases = { II = { size = 1 } } } end, "case II", "unknown parameter 'size'")
+  complains(function() make { cases = { II = { speed = "x" } } } end, "speed is 'x'", "must be a number")
+  complains(function() make { accuracy = { dt = {} } } end, "accuracy.dt")
+  complains(function() make { run = false } end, "'run'", "a function")
+end)
+
+case("building and aircraft have the members, masses and degrees of freedom of the paper", function()
+  -- Models: the paper's 1698 elements and 7308 degrees of freedom.
+  local model = hinge.model { elements_per_member = 2 }
+  local frame = building.add(model, { design = "heavy" })
+  local counts = model:counts()
+  expect(counts.members == 650 and counts.free_dofs == 6 * (250 + 650), "building: 650 members, 250 free joints")
+  near(frame.mass, 9805e3, 1e-4, "mass of the building")
+  near(frame.floor_load, 912, 1e-3, "floor load")
+  local light = building.add(hinge.model {}) -- by hand: (875 x 4176 + 2320 x 2612) mm^2 m x 7850 kg/m^3, 21 times
+  near(light.mass, 21 * 7850 * (875 * 4176e-6 + 2320 * 2612e-6), 1e-9, "mass of the light building")
+  near(light.floor_load, 20 / 21 * light.mass / (10 * 16 * 5.8 ^ 2), 1e-9, "its floor load")
+  local _, parts = aircraft.add(model)
+  counts = model:counts()
+  expect(counts.members == 849 and counts.elements == 1698 and counts.free_dofs == 7308, "the paper's counts")
+  expect(parts.members == 199 and parts.joints == 119, "aircraft: 199 members, 119 joints")
+end)
+
+case("the aircraft is in one piece, has its mass, and flies where it heads", function()
+  -- What they hand to a model, seen by one that only listens.
+  local function listen(add, options)
+    local heard = { points = {}, members = {}, fixed = 0, group = function(_, name) return name end }
+    function heard:node(point) self.points[#self.points + 1] = point return #self.points end
+    function heard:fix() self.fixed = self.fixed + 1 end
+    function heard:member(m) self.members[#self.members + 1] = m end
+    function heard:velocity(_, v) self.speed = v end
+    local _, facts = add(heard, options)
+    local parent, total = {}, 0
+    local function root(i) while parent[i] do i = parent[i] end return i end
+    for _, m in ipairs(heard.members) do
+      local a, b, cross, l, u = heard.points[m[1]], heard.points[m[2]], 0, 0, 0
+      local d = { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
+      for k = 1, 3 do
+        local i, j = k % 3 + 1, (k + 1) % 3 + 1
+        cross, l, u = cross + (d[i] * m.up[j] - d[j] * m.up[i]) ^ 2, l + d[k] ^ 2, u + m.up[k] ^ 2
+      end
+      expect(cross > 0.1 * l * u, "up is too near the member's direction")
+      total = total + math.sqrt(l)
+      if root(m[1]) ~= root(m[2]) then parent[root(m[1])] = root(m[2]) end
+    end
+    local pieces = 0
+    for i = 1, #heard.points do pieces = pieces + (parent[i] and 0 or 1) end
+    return heard, pieces, total, facts
+  end
+  local heard, pieces, total, facts = listen(aircraft.add, { heading = { 0, -2, 0 }, speed = 50, position = { 1, 2,
+    3 } })
+  expect(pieces == 1, "the aircraft is in one piece")
+  near(total, 229.5, 1e-3, "length of the aircraft's members")
+  near(facts.length * facts.density * aircraft.designs.stiff.section.area, 15000, 1e-12, "its mass")
+  near(select(2, aircraft.add(hinge.model {}, { design = "slender" })).density
+    * shapes.box { width = 0.12, depth = 0.12, thickness = 0.006 }.area * total, 15000, 1e-12,
+    "mass of the slender one")
+  complains(function() building.add(hinge.model {}, { design = "lihgt" }) end, "unknown design 'lihgt'", "'light'")
+  expect(heard.speed[1] == 0 and heard.speed[2] == -50, "it flies where it heads")
+  expect(heard.points[1][1] == 1 and heard.points[1][2] == 2, "its nose is where it was put")
+  expect(select(2, listen(aircraft.add, { heading = { 1, 1, 0.5 } })) == 1, "any heading will do")
+  near(select(3, listen(aircraft.add, { size = 12 })), 229.5 * 12 / 15, 1e-3, "a smaller one")
+  heard, pieces = listen(building.add, { bays = { 1, 2 }, storeys = 3 })
+  expect(pieces == 1 and heard.fixed == 6 and #heard.points == 24 and #heard.members == 18 + 21, "a smaller building")
+end)
+
+checks.done()

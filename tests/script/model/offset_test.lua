@@ -1,0 +1,240 @@
+-- Ends of members at an offset from their nodes: rigid ends and insertion points.
+--
+-- Run: lua5.4 tests/script/model/offset_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local checks = support.checks "offsets of members"
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
+
+local E, G = 200e9, 77e9
+local steel = hinge.material { E = E, G = G, density = 7850 }
+local column, beam = hinge.section.named "W14X145", hinge.section.named "W18X50"
+local W, H = 7.32, 3.66
+
+-- A portal whose beam stands off its nodes by a and b: by `offset`, or by rigid links ("links").
+local function portal(options, a, b, by, more)
+  more = more or {}
+  local m = hinge.model(options)
+  local heads = {}
+  for i = 0, 1 do
+    local foot = m:node { W * i, 0, 0 }
+    heads[i] = m:node { W * i, 0.1 * i, H }
+    m:fix(foot)
+    m:member { foot, heads[i], section = column, material = steel, up = { 1, 0, 0 } }
+  end
+  local girder
+  if by == "links" then
+    local one = m:node { a[1], a[2], H + a[3] }
+    local two = m:node { W + b[1], 0.1 + b[2], H + b[3] }
+    girder = m:member { one, two, section = beam, material = steel, group = "girder" }
+    m:rigid_link { from = heads[0], to = one, dofs = more.released and "xyz" or nil }
+    m:rigid_link { from = heads[1], to = two }
+  else
+    girder = m:member { heads[0], heads[1], section = beam, material = steel, group = "girder",
+      offset = { a = a, b = b },
+      ends = more.released and { a = hinge.joint { Mx = "free", My = "free", Mz = "free" } } or nil }
+  end
+  m:load { node = heads[0], force = { 1e5, 2e4, 0 } }
+  m:load { member = girder, q = { 0, 0, -2e4 } }
+  if more.floor then m:diaphragm { nodes = { heads[0], heads[1] } } end
+  return m, heads, girder
+end
+
+local offsets = {
+  ["rigid ends"] = { { 0.19, 0, 0 }, { -0.19, 0, 0 } },
+  hung = { { 0, 0, -0.23 }, { 0, 0, -0.23 } },
+  ["to all sides"] = { { 0.19, 0.1, -0.23 }, { -0.3, 0.2, 0.1 } },
+}
+
+for _, displacement in ipairs { "small", "large" } do
+  for name, by in pairs(offsets) do
+    case(("statics as by rigid links: %s, displacement %s"):format(name, displacement), function()
+      for _, more in ipairs { {}, { released = true } } do
+        local u, f = {}, {}
+        for i, how in ipairs { "offset", "links" } do
+          local m, heads, girder = portal({ displacement = displacement }, by[1], by[2], how, more)
+          local run = m:static { steps = 2 }:finish()
+          equal(run.verdict, "completed", run.reason)
+          u[i], f[i] = { heads[0]:displacement(run) }, (girder:forces(run))
+        end
+        for c = 1, 6 do near(u[1][c], u[2][c], 1e-7 * math.abs(u[2][1]), "displacement " .. c) end
+        for _, q in ipairs { "N", "Mx", "My", "Qx", "Qy" } do
+          near(f[1][q], f[2][q], 1e-6 * (math.abs(f[2].N) + math.abs(f[2].Mx)), q)
+        end
+      end
+    end)
+    case(("vibration as by rigid links: %s, displacement %s"):format(name, displacement), function()
+      for _, integrator in ipairs { "newmark", "explicit" } do
+        local u = {}
+        for i, how in ipairs { "offset", "links" } do
+          local m, heads = portal({ displacement = displacement }, by[1], by[2], how)
+          local run = m:dynamic { dt = 1e-5, duration = 0.01, integrator = integrator }:finish()
+          equal(run.verdict, "completed", run.reason)
+          expect(math.abs(run.energy.remainder) < 1e-3 * run.energy.work, "%s: energy error %g of %g J", integrator,
+            run.energy.remainder, run.energy.work)
+          u[i] = { heads[0]:displacement(run) }
+        end
+        -- a link's group turns about its centre of mass, an offset end about its node: second order in the step
+        for c = 1, 3 do near(u[1][c], u[2][c], 1e-5 * math.abs(u[2][1]), integrator .. ": displacement " .. c) end
+      end
+    end)
+  end
+end
+
+case("modes as by rigid links", function()
+  local f = {}
+  for i, how in ipairs { "offset", "links" } do
+    local by = offsets["to all sides"]
+    local m = portal({}, by[1], by[2], how)
+    f[i] = m:static { steps = 1 }:finish():modes { n = 5 }
+  end
+  for i = 1, 5 do near(f[1][i].frequency / f[2][i].frequency, 1, 1e-7, "mode " .. i) end
+end)
+
+case("a cantilever whose wall is at an offset: moments by hand, and the length between the ends", function()
+  local m = hinge.model { displacement = "small" }
+  local wall, tip = m:node { 0, 0, 0 }, m:node { 3, 0, 0 }
+  m:fix(wall)
+  local arm = m:member { wall, tip, section = beam, material = steel, offset = { a = { 0.5, 0, 0.2 } } }
+  near(arm.length, math.sqrt(2.5 ^ 2 + 0.2 ^ 2), 1e-12, "length")
+  near(arm.offset.a[1], 0.5, 0, "field offset")
+  equal(arm.offset.b, nil, "field offset of the other end")
+  m:load { node = tip, force = { 0, 0, -100 } }
+  local run = m:static { steps = 1 }:finish()
+  near(math.abs(arm:forces(run).Mx), 100 * 2.5, 1e-6, "moment at the member's end")
+  local _, _, z, _, moment = run:reaction(wall)
+  near(z, 100, 1e-7, "reaction")
+  near(math.abs(moment), 300, 1e-6, "moment of the support")
+  near(run:read("x")[1], 1.75, 1e-3, "middle of the member, x")
+  near(run:read("z")[1], 0.1, 1e-3, "middle of the member, z")
+end)
+
+-- The section's default direction goes by the line between the ends, not by that between the nodes.
+case("a raker between nodes above each other, and a post between nodes that are not, need no `up`", function()
+  for _, by in ipairs { { node = { 0, 0, 3 }, a = { 0.5, 0, 0 } }, { node = { 0.5, 0, 3 }, a = { 0.5, 0, 0 } } } do
+    local u = {}
+    for i, how in ipairs { "offset", "nodes" } do
+      local m = hinge.model { displacement = "small" }
+      local foot, head = m:node(how == "offset" and { 0, 0, 0 } or by.a), m:node(by.node)
+      m:fix(foot)
+      m:member { foot, head, section = beam, material = steel, offset = how == "offset" and { a = by.a } or nil }
+      m:load { node = head, force = { 1e3, 2e3, 0 } }
+      u[i] = { head:displacement(m:static { steps = 1 }:finish()) }
+    end
+    for k = 1, 6 do near(u[1][k], u[2][k], 1e-7 * math.abs(u[2][2]), "displacement " .. k) end
+  end
+end)
+
+case("a node with offset ends alone carries loads, masses and a floor", function()
+  local function frame(how)
+    local m = hinge.model {}
+    local nodes = {}
+    for i = 0, 2 do nodes[i] = m:node { 3 * i, 0, 0 } end
+    m:fix { nodes[0], nodes[2] }
+    local up = { 0, 0, 0.2 }
+    if how == "offset" then
+      m:member { nodes[0], nodes[1], section = beam, material = steel, offset = { a = up, b = up } }
+      m:member { nodes[1], nodes[2], section = beam, material = steel, offset = { a = up, b = up } }
+    else
+      local at = {}
+      for i = 0, 2 do at[i] = m:node { 3 * i, 0, 0.2 } end
+      m:fix { at[0], at[2] }
+      m:member { at[0], at[1], section = beam, material = steel }
+      m:member { at[1], at[2], section = beam, material = steel }
+      nodes[1] = at[1]
+    end
+    return m, nodes[1]
+  end
+  local u = {}
+  for i, how in ipairs { "offset", "direct" } do
+    local m, node = frame(how)
+    -- a force at the node has an arm to the members
+    m:load { node = node, force = { 0, 0, -1e4 } }
+    m:mass { node = node, mass = 200 }
+    local run = m:dynamic { dt = 1e-4, duration = 0.02 }:finish()
+    equal(run.verdict, "completed", run.reason)
+    u[i] = { node:displacement(run) }
+  end
+  near(u[1][3], u[2][3], 1e-6 * math.abs(u[2][3]), "deflection")
+end)
+
+case("members at an offset hang on a rigid floor", function()
+  local u = {}
+  for i, how in ipairs { "offset", "stiff" } do
+    local m, heads
+    if how == "offset" then
+      m, heads = portal({ displacement = "small" }, { 0.19, 0, -0.1 }, { -0.19, 0, -0.1 }, how, { floor = true })
+    else -- the rigid ends as stiff members
+      m = hinge.model { displacement = "small" }
+      heads = {}
+      local ends = {}
+      local rigid = hinge.section.general { area = 1, Ix = 10, Iy = 10, J = 10, shear_area_x = 100, shear_area_y = 100 }
+      for k = 0, 1 do
+        local foot = m:node { W * k, 0, 0 }
+        heads[k] = m:node { W * k, 0.1 * k, H }
+        ends[k] = m:node { k == 0 and 0.19 or W - 0.19, 0.1 * k, H - 0.1 }
+        m:fix(foot)
+        m:member { foot, heads[k], section = column, material = steel, up = { 1, 0, 0 } }
+        m:member { heads[k], ends[k], section = rigid, material = hinge.material { E = E, G = G } }
+      end
+      local girder = m:member { ends[0], ends[1], section = beam, material = steel }
+      m:load { node = heads[0], force = { 1e5, 2e4, 0 } }
+      m:load { member = girder, q = { 0, 0, -2e4 } }
+      m:diaphragm { nodes = { heads[0], heads[1] } }
+    end
+    local run = m:static { steps = 1 }:finish()
+    u[i] = { heads[0]:displacement(run) }
+  end
+  for c = 1, 3 do near(u[1][c], u[2][c], 1e-4 * math.abs(u[2][1]), "displacement " .. c) end
+end)
+
+case("it turns with its node: a free body in flight spins on, and keeps its momentum", function()
+  local m = hinge.model {}
+  local a, b, c = m:node { 0, 0, 0 }, m:node { 2, 0, 0 }, m:node { 4, 0, 0 }
+  m:member { a, b, section = beam, material = steel, offset = { b = { 0, 0, 0.5 } } }
+  m:member { b, c, section = beam, material = steel, offset = { a = { 0, 0, 0.5 } } }
+  local omega = 3
+  for _, n in ipairs { a, b, c } do m:velocity(n, { 0, 0, -omega * (n.x - 2) }, { 0, omega, 0 }) end
+  local run = m:dynamic { dt = 1e-3, duration = 0.5 }
+  local before = run:momentum()
+  run:finish()
+  equal(run.verdict, "completed", run.reason)
+  local after = run:momentum()
+  for k = 1, 3 do
+    near(after.linear[k], before.linear[k], 2e-3 * before.mass * omega, "linear momentum " .. k)
+    near(after.angular[k], before.angular[k], 2e-3 * math.abs(before.angular[2]), "angular momentum " .. k)
+  end
+end)
+
+case("a member at offsets is removed, and one that breaks leaves its node", function()
+  for _, how in ipairs { "remove", "break" } do
+    local by = offsets["to all sides"]
+    local m, heads, girder = portal({}, by[1], by[2], "offset")
+    if how == "remove" then m:remove { member = girder, at = 2e-3, over = 0 }
+    else m:fracture { group = "girder", curvature_x = 1e-6, axial_strain = 1e-6 } end
+    local run = m:dynamic { dt = 1e-5, duration = 6e-3 }:finish()
+    equal(run.verdict, "completed", how .. ": " .. run.reason)
+    expect(run:count { state = "broken" } > 0, "%s: nothing broke", how)
+    expect(heads[0]:displacement(run) == heads[0]:displacement(run), "%s: not a number", how)
+  end
+end)
+
+case("wrong offsets are refused at their line", function()
+  local m = hinge.model()
+  local a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 }
+  m:fix(a)
+  local function refused(offset, words, more)
+    local given = { a, b, section = beam, material = steel, offset = offset }
+    for k, v in pairs(more or {}) do given[k] = v end
+    local ok, message = pcall(m.member, m, given)
+    expect(not ok and support.has(tostring(message), words), "'%s' for: %s", message, words)
+  end
+  refused({ 0, 0, 1 }, "offset")
+  refused({ c = { 0, 0, 1 } }, "unknown field 'c'")
+  refused({ a = { 0, 0 } }, "offset")
+  refused({ a = { 1, 0, 0 } }, "one place")
+  refused({ a = { 1, 0, -1 } }, "must point across", { up = { 0, 0, 1 } })
+end)
+
+checks.done()

@@ -1,0 +1,436 @@
+-- What hinge run says of a run as it goes, in words and as JSON: how far it is, its energy error, what changed, what
+-- looks like a mistake.
+--
+-- Run: lua5.4 tests/script/program/telling_test.lua BUILD_FOLDER
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "telling"
+local case = checks.case
+local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+
+local hinge = quote(arg[1] .. "/hinge")
+local hinge_on, folder = support.scenes(arg[1])
+local function hinge_run(...) return hinge_on("run", ...) end
+local function summary() return support.json(support.read(folder .. "/out/scene/summary.json")) end
+
+-- The lines of --json; each must be an object with an event. How many there are depends on how fast the machine is.
+local function events(printed)
+  local list, odd = {}, nil
+  for line in printed:gmatch "[^\n]+" do
+    local good, object = pcall(support.json, line)
+    if good and type(object) == "table" and object.event then
+      list[#list + 1] = object
+      list[object.event] = list[object.event] or {}
+      table.insert(list[object.event], object)
+    else
+      odd = odd or line
+    end
+  end
+  expect(#list > 0 and not odd, "no event: %s", odd or "nothing is printed")
+  return list
+end
+
+-- Changes of state: the first of each kind is told, the others are counted --------------------------------------------
+
+local bouncing = [[
+local hinge = require "hinge"
+local model = hinge.model()
+local steel = hinge.material { E = 206e9, density = 7850 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local a, b, c, d = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 0.5, -0.5, 0.06 },
+  model:node { 0.5, 0.5, 0.06 }
+model:fix({ a, b }, "all")
+model:member { a, b, section = bar, material = steel, group = "rail" }
+model:member { c, d, section = bar, material = steel, group = "bar" }
+model:gravity { 0, 0, -9.80665 }
+model:contact { rule = "surface" }
+local run = model:dynamic { dt = 1e-5, duration = 0.4 }
+run:finish()
+print "the script's own words"
+]]
+case("changes of state are printed once each and counted, as events with --json, not with --quiet", function()
+  local status, printed, complaint = hinge_run(bouncing)
+  equal(status, 0, "status; " .. complaint)
+  local awake, asleep = 0, 0
+  for _, w in ipairs(summary().state_changes) do
+    if w.effect == "contact" then awake, asleep = awake + (w.awake and 1 or 0), asleep + (w.awake and 0 or 1) end
+  end
+  expect(awake > 5 and asleep > 5, "contact wakes %d times, falls asleep %d times", awake, asleep)
+  for _, what in ipairs { "awake", "asleep" } do
+    equal(select(2, complaint:gsub("t = %S+ s: contact " .. what, "")), 1, "told: " .. what)
+  end
+  expect(complaint:find(("contact: awake %d times, asleep %d times in all, the last at t = "):format(awake, asleep), 1,
+    true), "counted: %s", complaint)
+
+  local quiet
+  status, quiet, complaint = hinge_run(bouncing, "--quiet")
+  expect(status == 0 and quiet == "the script's own words\n" and complaint == "", "--quiet: %s%s", quiet, complaint)
+  expect(printed:find "written to out/scene\n$", "not quiet: %s", printed)
+
+  status, printed, complaint = hinge_run(bouncing, "--json")
+  local said = events(printed)
+  equal(status, 0, "--json: status")
+  equal(complaint, "the script's own words\n", "--json: stderr")
+  equal(said[1] and said[1].event, "run_begun", "--json: the first line")
+  equal(said[#said] and said[#said].event, "summary", "--json: the last line")
+  expect(said.run_begun and #said.run_begun == 1 and said.run_begun[1].members == 2
+    and said.run_begun[1].line == "scene.lua:12" and said.run_begun[1].steps == 40000, "--json: run_begun")
+  expect(said.run_ended and said.run_ended[1].verdict == "completed" and said.run_ended[1].step == 40000
+    and said.run_ended[1].part == 1, "--json: run_ended")
+  for _, state in ipairs { true, false } do
+    local told = 0
+    for _, e in ipairs(said.state or {}) do
+      if e.effect == "contact" and e.awake == state then told = told + 1 end
+    end
+    equal(told, 1, "--json: contact, awake " .. tostring(state))
+  end
+  local counted
+  for _, e in ipairs(said.changes or {}) do if e.effect == "contact" then counted = e end end
+  expect(counted and counted.awake == awake and counted.asleep == asleep, "--json: changes")
+  local last = said.summary and said.summary[1] or { summary = {} }
+  expect(last.folder == "out/scene" and last.summary.verdict == "completed" and last.summary.state_hash
+    == summary().state_hash, "--json: the summary")
+
+  status, printed = hinge_run("local t = nil\nreturn t.x\n", "--json")
+  said = events(printed)
+  expect(status == 2 and #said == 1 and said[1].event == "error" and said[1].status == 2
+    and said[1].message:find "scene.lua:2: attempt to index a nil value", "--json: an error: %s", printed)
+  equal(run(hinge .. " run scene.lua --json --quiet"), 2, "--json and --quiet")
+end)
+
+-- The energy error is held against the largest energy, whenever that was, not against what is left at the end ---------
+
+case("the energy error is given as a part of the largest energy", function()
+  local status
+  local swinging = [[
+local hinge = require "hinge"
+local model = hinge.model()
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall)
+model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9, density = 7850 } }
+model:load { node = tip, force = { 0, 0, -1000 } }
+local run = model:dynamic { dt = 1e-4, duration = 0.025, record = RECORD, beta = 0.3 }
+local most = 0
+while run:step() do
+  most = run.energy.work > most and run.energy.work or most
+end
+return { most = most, of_work = run.energy.remainder / run.energy.work, error = run.energy_error,
+  of_most = run.energy.remainder / most }
+]]
+  for _, record in ipairs { "1", "100000", "false" } do
+    status = hinge_run((swinging:gsub("RECORD", record)))
+    local r = summary().results
+    expect(status == 0 and math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work,
+      r.of_most)
+    expect(r.error / r.of_most > 0.5 and r.error / r.of_most < 1.01, "record = %s: energy error %s, of the largest %s",
+      record, r.error, r.of_most)
+    expect(math.abs(summary().energy_error - r.error) < 1e-12, "record = %s: summary.json %s", record,
+      summary().energy_error)
+  end
+end)
+
+-- A static run that finds no equilibrium says so while it looks for one -----------------------------------------------
+
+case("a static run that looks long for an equilibrium tells its progress", function()
+  local status, printed, complaint = hinge_run([[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 245e6 }
+local bar = hinge.section.solid { width = 0.2, depth = 0.2 }
+local model, at = hinge.model { elements_per_member = 4 }, {}
+for k = 0, 5 do
+  for j = 0, 2 do
+    for i = 0, 4 do
+      local node = model:node { 5 * i, 5 * j, 3.5 * k }
+      at[100 * k + 10 * j + i] = node
+      if k == 0 then model:fix(node) else
+        model:member { at[100 * k - 100 + 10 * j + i], node, section = bar, material = steel, up = { 1, 0, 0 } }
+        if i > 0 then model:member { at[100 * k + 10 * j + i - 1], node, section = bar, material = steel } end
+        if j > 0 then model:member { at[100 * k + 10 * j + i - 10], node, section = bar, material = steel } end
+        model:load { node = node, force = { 6e4, 0, -2e5 } }
+      end
+    end
+  end
+end
+local run = model:static { steps = 3 }
+local clock = os.clock()
+run:finish()
+io.stderr:write(os.clock() - clock, "\n")
+]], "--json")
+  local said = events(printed)
+  local taken = tonumber(complaint:match "^[%d.]+")
+  local odd -- on a fast machine there is no progress to tell
+  for _, e in ipairs(said.progress or {}) do
+    if not (e.part < 1 and e.step <= e.steps) then odd = e end
+  end
+  expect(not odd, "while it is halved: part %s, step %s of %s", odd and odd.part, odd and odd.step, odd and odd.steps)
+  expect(taken and (taken < 2.5 or said.progress), "nothing was said for %s s", taken)
+  expect(status == 1 and said.run_ended and said.run_ended[1].reason:find "a limit load, where .* gives way",
+    "an overloaded frame: %s", printed)
+end)
+
+-- Likely mistakes are told before the run that they spoil, each once, in ten lines at most ----------------------------
+
+local slips = [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206, density = 7850, yield_stress = 245e6 }
+local bar = hinge.section.solid { width = 0.2, depth = 0.2 }
+local model = hinge.model()
+local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3000 }
+local c, d = model:node { 0, 0, 3000 }, model:node { 4000, 0, 3000 }
+model:fix(a, "all")
+model:member { a, b, section = bar, material = steel }
+model:member { c, d, section = bar, material = steel }
+model:gravity { 0, 0, -9.80665 }
+model:static {}
+]]
+local slip_lines = { "E is 206 Pa (the material of member 1) (scene.lua:2); in GPa? 206 GPa is 206e9",
+  "member 1 is 3000 m long, 51962 times its section's radius of gyration (and 1 more like it); nodes in mm? "
+    .. "positions are in m",
+  "nodes 2 and 3 are both at {0, 0, 3000} m, but not joined; use one node for both where their members meet" }
+case("likely mistakes of units and supports are warned of before the run", function()
+  local _
+  local status, printed, complaint = hinge_run(slips)
+  expect(status == 2 and printed == "" and support.says(complaint, "warning: " .. table.concat(slip_lines,
+    "\nwarning: ")
+    .. "\nhinge: scene.lua:11: model:static: ... can ... without resistance: ..."), "slips: %s", complaint)
+  _, _, complaint = hinge_run(slips, "--quiet")
+  expect(not complaint:find "warning", "slips, quiet: %s", complaint)
+  _, printed = hinge_run(slips, "--json")
+  local said = events(printed)
+  equal(said.warning and #said.warning, 3, "slips, --json")
+  expect(said.warning and said.warning[1].text:find "^E is 206 Pa" and said.warning[1].line == "scene.lua:2"
+    and said.warning[1].advice == "in GPa? 206 GPa is 206e9", "slips, --json: the first")
+end)
+
+-- A hundred models with a slip each: ten lines; all of the first fifty in summary.json. The same slip again: one.
+local many = [[
+local hinge = require "hinge"
+for i = 1, 100 do
+  local model = hinge.model()
+  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+  model:fix(a, "all")
+  model:member { a, b, section = hinge.section.solid { width = 0.2, depth = 0.2 },
+    material = hinge.material { E = WHICH, density = 7850 } }
+  model:load { node = b, force = { 1e-9, 0, 0 } }
+  model:static { steps = 1 }:finish()
+end
+]]
+case("a hundred models with a slip each give ten lines", function()
+  local status, _, complaint = hinge_run((many:gsub("WHICH", "100 + i")))
+  local count = select(2, complaint:gsub("warning: ", ""))
+  expect(status == 0 and count == 10
+    and complaint:find "\nwarning: and more than these 9; hinge check tells all\n$", "many: %d lines: %s", count,
+    complaint)
+  equal(#(summary().warnings or {}), 50, "many: summary.json")
+  _, _, complaint = hinge_run((many:gsub("WHICH", "100")))
+  equal(select(2, complaint:gsub("warning: ", "")), 1, "the same one")
+  _, _, complaint = hinge_run((many:gsub("WHICH", "206e9")))
+  equal(complaint, "", "none")
+end)
+
+case("loads that strain beyond reason, and a foot that spins, are warned of by name", function()
+  local status
+  -- A thousand times the load, with its size; a foot that spins, by its name.
+  local post = many:gsub("100 do", "1 do"):gsub("WHICH", "206e9, yield_stress = 245e6")
+  local _, _, complaint = hinge_run((post:gsub("model:static", "model:load { node = b, force = { 1e8, 0, 0 } } "
+    .. "model:static")))
+  expect(complaint:find("^warning: the loads would strain member 1 by 109 %% in a linear solution of them; the largest "
+    .. "of them is 1e%+08 N, on node 2 %(scene.lua:8%); are the loads in N and N m, "), "loads too large: %s",
+    complaint)
+  status, _, complaint = hinge_run((post:gsub('"all"%)', '"xyz") model:fix(b, "xy")')))
+  expect(status == 2 and complaint:find("model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 "
+    .. "more node can rotate about z through that node without resistance; fix what", 1, true), "a foot that spins: %s",
+    complaint)
+end)
+
+-- Words ---------------------------------------------------------------------------------------------------------------
+
+local beam = [[
+local hinge = require "hinge"
+local model = hinge.model { displacement = "large", elements_per_member = 2 }
+local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+model:fix(wall)
+model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
+  material = hinge.material { E = 206e9, density = 7850 } }
+model:load { node = tip, force = { 0, 0, -1000 } }
+]]
+case("hinge plan and hinge check use numbers with fitting units", function()
+  local _, printed = hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = "
+    .. "4e-3 }")
+  expect(printed:find("static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n", 1, true)
+    and support.has(printed, "Newmark's method, steps of 2 ms\n"), "plan: %s", printed)
+  _, printed = hinge_on("plan", beam .. "model:dynamic { dt = 1.5e-8, duration = 3e-8, integrator = 'explicit' }\n"
+    .. "model:dynamic { dt = 1.25e-5, duration = 1 }\nmodel:dynamic { dt = 2, duration = 4 }")
+  expect(not printed:find "model", "plan: what it does not say: %s", printed)
+  for _, part in ipairs { "explicit steps of 15 ns, lumped masses\n", "steps of 12.5 us\n", "steps of 2 s\n",
+    " 2 steps\n" } do
+    expect(support.has(printed, part), "plan, %s: %s", part, printed)
+  end
+  _, printed = hinge_on("check", beam .. "model:static { steps = 1 }\nmodel:static { steps = 2 }")
+  expect(printed:find("\n  the same model as that of the run made at scene.lua:8, with the same warnings\n", 1, true),
+    "check: %s", printed)
+end)
+
+case("a run that fails names the remedy that holds in a trial", function()
+  local status, _
+  -- Runs that fail name one remedy: the first that holds in a trial.
+  for options, wanted in pairs {
+    ["dt = 1e-3, solver_iterations = 1"] = "conjugate gradients did not converge in 1 iteration; solver = 'direct' "
+      .. "holds: tried from t = ... s to ... s",
+    ["dt = 1e-3, solver_iterations = 1, energy_tolerance = 0"] = "conjugate gradients did not converge in 1 iteration; "
+      .. "solver = 'direct' holds: ...",
+    ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction "
+      .. "... of "
+      .. "the first); iterations = 30 holds: ...",
+    ["dt = 5e-3, iterations = 2, integrator = 'energy-momentum', step_control = 0"] = "Newton did not converge in 2 "
+      .. "iterations (last correction ... of the first); iterations = 30 holds: ...",
+  } do
+    local failed
+    local loaded = beam:gsub("%-1000", "-4e4"):gsub("r = 2", "r = 16")
+    status, _, failed = hinge_on("run", loaded .. "model:dynamic { duration = 0.1, " .. options .. " }:finish()")
+    expect(status == 1 and support.says(failed, "...hinge: the run failed: step ..., t = ... s: " .. wanted .. "..."),
+      "%s:\n    says   %s\n    wanted %s", options, failed, wanted)
+    expect(select(2, failed:gsub("holds", "")) == 1, "%s: one remedy: %s", options, failed)
+  end
+end)
+
+case("a failed run that another goes on from is told of", function()
+  -- A run that fails before the last one is told of, and so is one that goes on from it.
+  local two = beam:gsub("%-1000", "-1e9") .. [[
+local first = model:static { steps = 2 }:finish()
+model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
+]]
+  local _, _, told = hinge_run(two)
+  expect(told:find("hinge: static run 1, made at scene.lua:%d+, failed: "), "a failed run before the last: %s", told)
+  expect(support.has(told, "warning: this run goes on from static run 1, which failed at "), "from a failed run: %s",
+    told)
+  local failed = summary().failed_runs
+  expect(failed and #failed == 1 and failed[1]:find("^static run 1"), "summary.json: failed_runs")
+end)
+
+case("a failed run points back at the units that were doubted", function()
+  -- A failure points back at the units that were doubted.
+  local _, _, complaint = hinge_run((beam:gsub("206e9", "206e3")) .. "model:static { steps = 1 }:finish()\n")
+  expect(support.says(complaint, "...hinge: the run failed: ...; the cause may be what the warning at scene.lua:6 "
+    .. "says: "
+    .. "E is 206000 Pa (the material of member 1)\n"), "units: %s", complaint)
+  _, _, complaint = hinge_run((beam:gsub("%-1000", "-1e9")) .. "model:static { to_limit = true }:finish()\n")
+  expect(not complaint:find "the cause may be what the warning at scene.lua:6", "no units: %s", complaint)
+end)
+
+case("a load history that is over before the run begins is warned of", function()
+  -- A history that is over where the run begins, for this one goes on in the time of the one before.
+  local two = beam .. [[
+local rest = model:dynamic { dt = 1e-4, duration = 1e-2 }:finish()
+model:load { node = tip, force = { 0, 0, -10 }, history = { { 0, 1 }, { 5e-3, 0 } } }
+model:dynamic { from = rest, dt = 1e-4, duration = 1e-2 }:finish()
+]]
+  local wanted = "warning: the history of the load on node 2 changes from 0 to 0.005 s, and this run begins at 0.01 s, "
+    .. "where the run that it goes on from ended: all along it is 0 (scene.lua:9); times go on through runs; add 0.01 s"
+  local _, _, complaint = hinge_run(two)
+  expect(support.has(complaint, wanted) and select(2, complaint:gsub("warning: ", "")) == 1, "over: %s", complaint)
+  for what, history in pairs { ["in time"] = "{ { 0.01, 1 }, { 0.015, 0 } }",
+    ["half of it"] = "{ { 0, 1 }, { 0.02, 0 } }" } do
+    _, _, complaint = hinge_run((two:gsub("{ { 0, 1.-} }", history)))
+    equal(complaint, "", "a history " .. what)
+  end
+  -- what acted in the run before may be over
+  _, _, complaint = hinge_run((two:gsub("(local rest[^\n]*\n)(model:load[^\n]*\n)", "%2%1")))
+  equal(complaint, "", "a history that acted before")
+end)
+
+case("plain Lua prints the same warnings and failures on stderr", function()
+  local _
+  local status, printed, complaint
+  -- Plain Lua: the same warnings and failures on stderr, nothing else there, and nothing of it where it is to be quiet.
+  local function plain(text, before)
+    support.write(folder .. "/scene.lua", text)
+    return run(("cd %s && %s LUA_CPATH=%s/?.so lua5.4 scene.lua"):format(quote(folder), before or "env -u HINGE_QUIET",
+      quote(arg[1])))
+  end
+  local soft = beam:gsub("206e9", "1e9"):gsub("7850", "78.5e2") .. "model:static { steps = 1 }:finish()\n"
+  local doubted = soft:gsub("1e9", "0.9e9")
+  for text, wanted in pairs { [soft] = "", [doubted] = "warning: E is 9e+08 Pa (the material of member 1) "
+    .. "(scene.lua:6); in kN/m^2? in Pa that would be 9e+11\n" } do
+    status, printed, complaint = plain(text .. "print 'done'\n")
+    expect(status == 0 and printed == "done\n" and complaint == wanted, "plain Lua: %s %s %s", status, printed,
+      complaint)
+    _, _, complaint = plain(text, "HINGE_QUIET=1")
+    equal(complaint, "", "plain Lua, quiet")
+  end
+  local fails = beam:gsub("%-1000", "-1e9") .. "local run = model:static { steps = 2 }:finish()\n"
+  for after, told in pairs { [""] = true, ["print(run.factor)"] = true, ["print(run.verdict)"] = false,
+    ["if run.reason then end"] = false } do
+    status, _, complaint = plain(fails .. after)
+    expect(status == 0 and (complaint:find "hinge: static run 1, made at scene.lua:8, failed: " ~= nil) == told,
+      "plain Lua, a failed run, %s: %s", after, complaint)
+  end
+  _, _, complaint = plain(fails, "HINGE_QUIET=1")
+  equal(complaint, "", "plain Lua, a failed run, quiet")
+end)
+
+case("hinge render draws the frames of a scenario", function()
+  -- A picture's title has no digits that nobody reads.
+  local status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
+    .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
+  equal(status, 0, "frames")
+  local _, printed = run(("cd %s && %s render out/scene"):format(quote(folder), hinge))
+  expect(printed == "3 pictures in out/scene\n", "render: %s", printed)
+end)
+
+-- Pictures, plots, frames and notes of a script that gets no job, in the program and in plain Lua ---------------------
+
+case("pictures, plots, frames and notes go without a job, in the program and in plain Lua", function()
+  local _
+  local drawing = beam .. [[
+local run = model:static { steps = 2 }
+for _ in run:steps() do hinge.frame(run) end
+hinge.picture(run, { title = "beam", width = 200, height = 150 }, "beam.png")
+hinge.strip({ { run }, { run:snapshot() } }, 2, "strip.png")
+hinge.plot({ series = { { x = { 0, 1 }, y = { 0, 1 } } } }, "curve.png")
+hinge.note "looked at"
+]]
+  local drawn = { "beam.png", "strip.png", "curve.png", "frames.pvd", "frames/frame_00002.vtp" }
+  local status, printed, complaint = hinge_run(drawing)
+  equal(status, 0, "without a job: " .. complaint)
+  for _, name in ipairs(drawn) do
+    expect(support.is_there(folder .. "/out/scene/" .. name), "without a job, in the program: no %s", name)
+  end
+  expect((summary().notes or {})[1] == "looked at" and printed:find "note: looked at\n", "without a job: the note")
+  status, _, complaint = run(("mkdir %s/plain && cd %s/plain && LUA_CPATH=%s/?.so lua5.4 ../scene.lua"):format(folder,
+    folder, quote(arg[1])))
+  equal(status, 0, "without a job, plain Lua: " .. complaint)
+  for _, name in ipairs(drawn) do
+    expect(support.is_there(folder .. "/plain/" .. name), "without a job, plain Lua: no %s", name)
+  end
+  status, _, complaint = hinge_run(beam .. "hinge.picture(5, {}, 'a.png')")
+  expect(status == 2 and complaint:find("hinge.picture: the run is 5; give what model:static or model:dynamic returned",
+    1, true), "no run: %s", complaint)
+  expect(hinge_on("plan", drawing) == 0 and hinge_on("check", drawing) == 0, "plan and check of it")
+end)
+
+case("a scenario under plain Lua says how to run it", function()
+  local printed
+  -- A scenario under plain Lua says how to run it.
+  support.write(folder .. "/returned.lua", "return require 'hinge'.scenario { run = function() end }\n")
+  local status, _, complaint = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 returned.lua"):format(folder, quote(arg[1])))
+  expect(status == 1 and complaint:find("hinge run returned.lua [key=value ...]", 1, true),
+    "a scenario, plain Lua: %s %s", status, complaint)
+  support.write(folder .. "/used.lua",
+    "local s = dofile 'returned.lua'\nprint(require 'hinge.program.scenario'.is(s))\n")
+  status, printed = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 used.lua"):format(folder, quote(arg[1])))
+  expect(status == 0 and printed == "true\n", "a scenario that another script loads: %s %s", status, printed)
+end)
+
+case("a run that takes no step is warned of", function()
+  -- A run that nobody steps has no results: it is told.
+  local status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1 }")
+  expect(status == 0 and complaint:find("warning: 1 run made, and none has taken a step; call run:finish()", 1, true),
+    "a run without a step: %s %s", status, complaint)
+  status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1e-3 } run:finish()")
+  expect(status == 0 and not complaint:find("taken a step", 1, true), "a run that was stepped: %s %s", status,
+    complaint)
+end)
+
+checks.done()

@@ -1,0 +1,318 @@
+-- hinge report: the page of a run, of several, of one without frames; what it holds, that names from a model are text
+-- in it, and, in a headless Chromium where one and Node.js are installed, how it works (tests/viewer/page_test.js).
+--
+-- Run: lua5.4 tests/script/report/report_test.lua BUILD [PICTURE]      PICTURE: where a picture of the page goes
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+local checks = support.checks "report"
+local case = checks.case
+local quote, expect, equal, near = support.quote, checks.expect, checks.equal, checks.near
+local hinge_on, folder = support.scenes(arg[1])
+local hinge = quote(arg[1] .. "/hinge")
+
+-- A frame of two storeys; a bar flies into a column and breaks. Its groups are named so that they would hurt as markup.
+local scene = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
+local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
+local evil = "<script>window.hurt = 1</script>"
+local how = ...
+
+local model = hinge.model { interaction = "paper" }
+local node = {}
+for i = 0, 1 do
+  node[i] = {}
+  for k = 0, 2 do node[i][k] = model:node { 4 * i, 0, 3 * k } end
+  model:fix(node[i][0])
+  for k = 1, 2 do
+    model:member { node[i][k - 1], node[i][k], section = tube, material = steel, group = "columns" }
+    if i > 0 then model:member { node[0][k], node[1][k], section = tube, material = steel, group = evil } end
+  end
+end
+local projectile = model:member { model:node { -0.2, -0.3, 1.5 }, model:node { -0.2, 0.3, 1.5 }, section = solid,
+  material = steel, group = "<img src=x onerror=window.hurt=1>, \"quoted\"" }
+model:velocity(projectile, { 90, 0, 0 })
+model:contact {}
+if how.rule == "own" then
+  model:fracture(function(s) return math.abs(s.curvature_y) > 0.3 end)
+else
+  model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
+end
+model:gravity { 0, 0, -9.81 }
+local run = model:dynamic { dt = 2e-5, duration = 0.04 }
+run:probe { node = node[1][2], "ux", name = "sway" }
+if how.goes_on == "yes" then run:resume "./half.checkpoint" end
+for step in run:steps() do
+  if step.index % 100 == 0 and how.frames ~= "none" then hinge.frame(run) end
+  if step.index == 60 then run:checkpoint "./half.checkpoint" end
+end
+return { note = "</script><script>window.hurt = 1</script>" }
+]=]
+
+local function page(path) return support.read(folder .. "/" .. path) or "" end
+local function data_of(text)
+  local data = text:match '<script type="application/json" id="data">(.-)</script>'
+  return support.json((data:gsub("\\u003c", "<")))
+end
+
+assert(hinge_on("run -q", scene, "--out one") == 0, "the scene")
+local report_status, report_printed, report_complaint = support.run(("cd %s && %s report one"):format(quote(folder),
+  hinge))
+case("hinge report writes one page and says how large it is", function()
+  equal(report_status, 0, "hinge report: " .. report_complaint)
+  expect(report_printed:find "^one/report.html: 1 run, 20 frames, %d+%.%d MB\n$", "it says %s", report_printed)
+end)
+
+local text = page "one/report.html"
+case("the page asks for no other file and nothing from a model ends its data", function()
+  expect(#text > 100000 and #text < 1.5e6, "the page has %d bytes", #text)
+
+  -- Nothing from a model ends the element that holds the data, and nothing comes from elsewhere.
+  local _, scripts = text:gsub("<script", "")
+  local _, ends = text:gsub("</script", "")
+  equal(scripts, 2, "script elements")
+  equal(ends, 2, "ends of script elements")
+  local head = text:match "^(.-)<script type=\"application/json\"" or ""
+  expect(not head:find "src=" and not head:find "href=", "the page asks for other files")
+  expect(head:find("default-src 'none'", 1, true), "the page does not forbid the network")
+  expect(text:find("three.js authors", 1, true), "the licence of three.js is not in the page")
+end)
+
+-- The data: what the folder has.
+local run = data_of(text).runs[1]
+case("the page holds summary, frames, groups and history of the run", function()
+  equal(run.name, "one", "name of the run")
+  equal(run.summary.verdict, "completed", "verdict in the page")
+  equal(run.frames.frames, 20, "frames in the page")
+  equal(run.frames.bars, 14, "elements in the page")
+  equal(run.frames.groups[2], "<script>window.hurt = 1</script>", "a group")
+  equal(run.history.columns[1], "time", "first column of the history")
+  equal(run.history.columns[#run.history.columns], "sway", "last column of the history")
+  near(run.history.values[1][#run.history.values[1]], 0.04, 1e-9, "end of the history")
+end)
+
+case("units of probes stand beside the history, in the summary and in a plot", function()
+  -- Units of probes, beside the history and in the summary.
+  for what, list in pairs { ["in the page"] = run.probes, ["in summary.json"] = run.summary.probes,
+    ["in probes.json"] = support.json(page "one/probes.json") } do
+    equal(#list, 1, "probes " .. what)
+    local p = list[1] or {}
+    equal(("%s %s %s %s"):format(p.name, p.node, p.quantity, p.unit), "sway 6 ux m", "a probe " .. what)
+  end
+  local status, _, complaint = support.run(("cd %s && %s -e 'hinge.plot(\"one\", \"sway.svg\")'"):format(quote(folder),
+    hinge))
+  expect(status == 0 and page "sway.svg":find(">sway, mm<", 1, true), "the plot of a folder: %s", complaint)
+  near(run.summary.model.mass, 7850 * (20 * (0.15 ^ 2 - 0.138 ^ 2) + 0.6 * 0.1 ^ 2), 1e-6, "total mass, kg")
+end)
+
+case("events.csv is in order, and each break has its cause", function()
+  -- events.csv: in order, and each break with its cause.
+  local columns = table.concat(run.events.columns, ",")
+  equal(columns, "time,event,element,member,end,group,limit,strain,of,rule,joint", "columns of events.csv")
+  local first, last, broke = {}, -math.huge, nil
+  for _, row in ipairs(run.events.rows) do
+    local time = tonumber(row[1])
+    expect(time >= last, "events.csv is not in order: %s after %s", row[1], last)
+    last = time
+    first[row[2]] = first[row[2]] or row
+    if row[2] == "fracture" then broke = row end
+  end
+  expect(first.contact and first.yield and broke, "contact, yield and fracture are not all told of")
+  equal(first.contact[4], "1", "the member that is first in contact")
+  equal(broke[4], "7", "the member that breaks")
+  equal(broke[6], '<img src=x onerror=window.hurt=1>, "quoted"', "its group")
+  expect(broke[7] == "curvature_x" or broke[7] == "curvature_y", "it breaks by %s", broke[7])
+  expect(math.abs(tonumber(broke[8])) >= 0.3 and math.abs(tonumber(broke[8])) < 1, "at a curvature of %s", broke[8])
+  near(tonumber(broke[9]), 0.3, 1e-12, "its limit")
+  equal(broke[10], "scene.lua:26", "the rule's line")
+  local projectiles = run.summary.damage[3]
+  equal(projectiles.members, 1, "members of the third group")
+  equal(projectiles.broken, 1, "broken ones of the third group")
+  equal(projectiles.touched, 1, "ones of the third group that were in contact")
+end)
+
+case("a run that goes on from a checkpoint tells the events before it too", function()
+  -- A run that goes on from a checkpoint tells of what happened before it, too; a rule of the script's own is named.
+  equal(hinge_on("run -q", scene, "goes_on=yes --out second_half"), 0, "the second half")
+  expect(page "one/events.csv" ~= "", "events.csv is empty")
+  equal(page "second_half/events.csv", page "one/events.csv", "events of the run that went on")
+  equal(hinge_on("run -q", scene, "rule=own --out own"), 0, "a rule of its own")
+  expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24",\n'), "a rule of its own: %s",
+    page "own/events.csv")
+end)
+
+case("contact, yield and fracture of one step are told in this order", function()
+  -- What happens in one step is told in the order in which it comes about: contact, then yield, then fracture.
+  equal(hinge_on("run -q", [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local model = hinge.model { interaction = "paper" }
+local held = { model:node { 0, 0, 0 }, model:node { 1, 0, 0 } }
+model:fix(held)
+model:member { held[1], held[2], section = bar, material = steel }
+model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = bar, material = steel,
+  group = "flying" }
+model:velocity("flying", { 0, 0, -70 })
+model:contact {}
+model:fracture { curvature_x = 0.01, curvature_y = 0.01 }
+model:dynamic { dt = 1e-3, duration = 1e-3, step_control = 0, energy_tolerance = 1e9 }:finish()
+]], "--out at_once"), 0, "all in one step")
+  local order = {}
+  for time, what in page "at_once/events.csv":gmatch "\n([%d.e-]+),(%l+)," do
+    equal(tonumber(time), 1e-3, "time of " .. what)
+    if order[#order] ~= what then order[#order + 1] = what end
+  end
+  equal(table.concat(order, ", "), "contact, yield, fracture", "the order in one step")
+end)
+
+case("several runs go on one page, with frames or without", function()
+  local _, complaint
+  -- Several runs, one without frames; a file of one's own; no run at all.
+  equal(hinge_on("run -q", scene, "frames=none --out two"), 0, "the scene without frames")
+  local status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
+  equal(status, 0, "two runs")
+  expect(printed:find "^both.html: 2 runs, 20 frames", "it says %s", printed)
+  local both = data_of(page "both.html").runs
+  equal(both[2].name, "two", "name of the second run")
+  equal(both[2].frames, nil, "frames of the second run")
+  equal(both[2].summary.damage[1].yielded, both[1].summary.damage[1].yielded, "damage without frames")
+  status, printed = support.run(("cd %s && %s report two"):format(quote(folder), hinge))
+  expect(status == 0 and printed:find("no frames, so nothing to look at in 3D", 1, true), "without frames: %s", printed)
+  status, _, complaint = support.run(("cd %s && %s report nowhere"):format(quote(folder), hinge))
+  expect(status == 2 and complaint:find("no run was written to nowhere", 1, true), "no run: %s %s", status, complaint)
+end)
+
+case("of a long history the page has at most 1500 rows and the last one", function()
+  -- Of a long history the page has at most 1500 rows, alike far apart, and the last one, whether it is among them or
+  -- not.
+  for rows, kept in pairs { [1500] = 1500, [1501] = 751, [4000] = 1334, [4001] = 1335 } do
+    local lines = { "time [s],kinetic [J]" }
+    for i = 1, rows do lines[i + 1] = ("%d,%d"):format(i, 10 * i) end
+    support.write(folder .. "/two/history.csv", table.concat(lines, "\n") .. "\n")
+    equal(support.run(("cd %s && %s report two --out long.html"):format(quote(folder), hinge)), 0, rows .. " rows")
+    local time, kinetic = table.unpack(data_of(page "long.html").runs[1].history.values)
+    equal(#time, kept, "rows in the page of " .. rows)
+    equal(time[1], 1, "the first of " .. rows)
+    equal(time[2] - time[1], time[kept - 1] - time[kept - 2], "apart, of " .. rows)
+    equal(time[kept], rows, "the last of " .. rows)
+    equal(kinetic[kept], 10 * rows, "the last value of " .. rows)
+  end
+end)
+
+case("frames that cannot be read are named and left out", function()
+  -- Frames that cannot be read are left out and named; the page is made, without any frame too.
+  os.execute(("cd %s && cp -r one damaged"):format(quote(folder)))
+  local files = {}
+  for file in page "damaged/frames.pvd":gmatch 'file="([^"]*)"' do files[#files + 1] = file end
+  local function cut(file) support.write(folder .. "/damaged/" .. file, page("damaged/" .. file):sub(1, 900)) end
+  cut(files[3])
+  os.remove(folder .. "/damaged/" .. files[5])
+  support.write(folder .. "/damaged/history.csv", (page "one/history.csv":match "^[^\n]*\n[^\n]*\n")) -- one row
+  local status, printed, complaint = support.run(("cd %s && %s report damaged"):format(quote(folder), hinge))
+  equal(status, 1, "a page without some frames")
+  expect(printed:find "^damaged/report.html: 1 run, 18 frames", "a page without some frames: %s", printed)
+  for _, i in ipairs { 3, 5 } do
+    expect(complaint:find("hinge: not in the page: [^\n]*damaged/" .. files[i]:gsub("%p", "%%%0")),
+      "%s is not named: %s",
+      files[i], complaint)
+  end
+  equal(select(2, complaint:gsub("\n", "\n")), 2, "lines about damaged frames: " .. complaint)
+  local damaged = data_of(page "damaged/report.html").runs[1]
+  equal(damaged.frames.frames, 18, "frames that are whole")
+  equal(#damaged.damaged, 2, "frames that are damaged")
+  equal(damaged.damaged[1].file, "damaged/" .. files[3], "the first that is damaged")
+  for _, file in ipairs(files) do cut(file) end
+  status, printed, complaint = support.run(("cd %s && %s report damaged --out none.html"):format(quote(folder), hinge))
+  expect(status == 1 and printed:find "^none.html: 1 run, 0 frames" and not printed:find "a script asks for them",
+    "no frame that is whole: %s", printed)
+  expect(complaint:find "hinge: not in the page: 12 more frames\n", "many damaged frames: %s", complaint)
+  equal(data_of(page "none.html").runs[1].frames, nil, "frames where all are damaged")
+end)
+
+-- A frame of two storeys of which a column is lost before the first frame; beams of the second bay are held by
+-- connectors. A node that no member uses makes a warning.
+local storeys = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
+local model = hinge.model { interaction = "paper" }
+local node = {}
+local function member(a, b, group) model:member { a, b, section = tube, material = steel, group = group } end
+for i = 0, 2 do
+  node[i] = {}
+  for k = 0, 2 do node[i][k] = model:node { 4 * i, 0, 3 * k } end
+  model:fix(node[i][0])
+  for k = 1, 2 do
+    member(node[i][k - 1], node[i][k], i == 1 and k == 1 and "lost" or "columns")
+    if i == 1 then member(node[0][k], node[1][k], "beams") end
+    if i == 2 then
+      local a, b = model:node { 4, 0, 3 * k }, model:node { 8, 0, 3 * k }
+      member(a, b, "beams")
+      for _, ends in ipairs { { node[1][k], a }, { node[2][k], b } } do
+        model:connector { ends[1], ends[2], stiffness = { x = 1e9, y = 1e9, z = 1e9, rx = 1e7, rz = 1e7 } }
+      end
+    end
+  end
+end
+model:node { 9, 9, 9 }
+model:gravity { 0, 0, -9.81 }
+model:fracture { group = "lost", where = "all", rule = function(section) return section.time >= 1e-4 end }
+local run = model:dynamic { dt = 1e-4, duration = 2e-3 }
+for step in run:steps() do
+  if step.index % 5 == 0 then hinge.frame(run) end
+end
+]=]
+assert(hinge_on("run -q", storeys, "--out storeys") == 0, "the frame that loses a column")
+local storeys_status, storeys_printed, storeys_complaint = support.run(("cd %s && %s report "
+  .. "storeys"):format(quote(folder), hinge))
+case("a column that is lost before the first frame is broken in the summary of the page", function()
+  expect(storeys_status == 0 and storeys_printed:find "1 run, 4 frames", "its page: %s %s", storeys_printed,
+    storeys_complaint)
+  local lost = data_of(page "storeys/report.html").runs[1]
+  equal(lost.summary.damage[2].broken, 1, "broken ones of the group that is lost")
+end)
+
+case("the page shows diagrams, lost columns and pictures in a browser", function()
+  -- Beams clamped at one end and pinned at the other, one under a spread load, one under a load at a point.
+  local diagrams = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local h = hinge.section.h { depth = 0.3, width = 0.15, web = 0.007, flange = 0.01 }
+local model = hinge.model { interaction = "paper" }
+local function beam(y, load)
+  local a, b = model:node { 0, y, 0 }, model:node { 6, y, 0 }
+  model:fix(a)
+  model:fix(b, "xyz,rx,rz")
+  load.member = model:member { a, b, section = h, material = steel }
+  model:load(load)
+  return b
+end
+beam(0, { q = { 0, 0, -10e3 } })
+beam(3, { force = { 0, 0, -1e3 }, at = 0.2 })
+model:load { node = beam(6, { q = { 0, 0, -10e3 } }), moment = { 0, 20e3, 0 } }
+local run = model:static { steps = 2 }
+for _ in run:steps() do hinge.frame(run) end
+]=]
+  equal(hinge_on("run -q", diagrams, "--out diagrams"), 0, "two beams")
+  local status, printed, complaint = support.run(("cd %s && %s report diagrams"):format(quote(folder), hinge))
+  expect(status == 0 and printed:find "1 run, 2 frames", "their page: %s %s", printed, complaint)
+
+  local look = support.browser "report"
+  if look then
+    local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html",
+      arg[2])
+    equal(seen, 0, "in a browser: " .. said .. wrong)
+    expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
+    seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html",
+      folder .. "/diagrams/report.html")
+    equal(seen, 0, "what it says: " .. said .. wrong)
+    expect((tonumber(said:match "(%d+) checked") or 0) > 20, "what it says: %s", said)
+    seen, said, wrong = look("player_test.js", folder .. "/one/report.html", folder .. "/diagrams/report.html")
+    equal(seen, 0, "what the player shows: " .. said .. wrong)
+    expect((tonumber(said:match "(%d+) checked") or 0) > 50, "what the player shows: %s", said)
+  end
+end)
+
+checks.done()

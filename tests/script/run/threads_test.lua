@@ -1,0 +1,78 @@
+-- Any number of threads: the same bits. A frame of some thousand elements that moves, in implicit and in explicit
+-- steps, and the ten-storey impact with contact, hinges and fracture.
+--
+-- Run: lua5.4 tests/script/run/threads_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+local hinge = require "hinge"
+local building = require "hinge.models.ten_storey"
+local impact = require "hinge.models.ten_storey_impact"
+local checks = support.checks "threads"
+local case = checks.case
+
+local function options(base, threads)
+  local o = { threads = threads, record = false }
+  for k, v in pairs(base) do o[k] = v end
+  return o
+end
+
+-- Takes a run with each number of threads to its end; all must come to the same bits.
+local function compare(what, numbers, run_with)
+  local first
+  for _, threads in ipairs(numbers) do
+    local run = run_with(threads)
+    local start = run.hash
+    run:finish()
+    first = first or run.hash
+    checks.equal(run.verdict, "completed", ("%s, %d threads: verdict"):format(what, threads))
+    checks.expect(run.index >= 20 and run.hash ~= start, "%s: %d steps, and moves", what, run.index)
+    checks.equal(run.hash, first, ("%s: hash with %d threads"):format(what, threads))
+  end
+  return first
+end
+
+-- 8 x 8 bays, 9 storeys: 4050 elements, 2754 nodes, several pieces of work for each thread in each loop.
+local function frame()
+  local model = hinge.model {}
+  building.add(model, { bays = { 8, 8 }, storeys = 9 })
+  model:velocity("building", { 3, 1, 0 })
+  return model
+end
+case("a frame has the same bits on one, two and three threads", function()
+  checks.expect(frame():counts().elements > 3000, "a frame of %d elements", frame():counts().elements)
+  local seen = {}
+  for what, base in pairs {
+    ["frame, implicit, single precision"] = { dt = 1e-5, duration = 2e-4 },
+    ["frame, implicit, double precision"] = { dt = 1e-5, duration = 2e-4, precision = "double" },
+    ["frame, explicit"] = { dt = "auto", duration = 4e-3, integrator = "explicit" },
+  } do
+    local hash = compare(what, { 1, 2, 3 }, function(threads) return frame():dynamic(options(base, threads)) end)
+    checks.expect(not seen[hash], "%s differs from another way", what)
+    seen[hash] = true
+  end
+end)
+
+case("Case I has the same bits on one and two threads", function()
+  for what, base in pairs {
+    ["Case I, implicit"] = { dt = 1e-5, beta = 0.4 },
+    ["Case I, explicit"] = { dt = 1e-5, integrator = "explicit" },
+  } do
+    local run
+    compare(what, { 1, 2 }, function(threads)
+      local q = impact.parameters()
+      local model = hinge.model {}
+      local _, plane = impact.add(model, q)
+      local loaded = model:static { hold = plane, record = false }
+      loaded:finish()
+      local o = options(base, threads)
+      o.from, o.duration = loaded, 300 * o.dt
+      run = model:dynamic(o)
+      return run
+    end)
+    local bound, yielded = run.contacts.bound, run:count { state = "yielded" }
+    checks.expect(run.index == 300 and yielded > 0, "%s: %d steps, %d members yielded", what, run.index, yielded)
+    print(("%s, %d steps: %d pairs bound so far, %d members yielded"):format(what, run.index, bound, yielded))
+  end
+end)
+
+checks.done()
