@@ -1,4 +1,4 @@
-# find_package(hinge): the engine as hinge::engine.
+# find_package(hinge): the engine as hinge::engine; what records its runs as hinge::record.
 include(CMakeFindDependencyMacro)
 find_dependency(Eigen3)
 find_dependency(ZLIB)

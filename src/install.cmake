@@ -1,4 +1,4 @@
-# cmake --install: the program, the module, the Lua library, and the engine as the CMake package `hinge` (target hinge::engine).
+# cmake --install: the program, the module, the Lua library, and the engine as the CMake package `hinge` (targets hinge::engine, hinge::record).
 # The module and the program look for the Lua library and the pictures in these folders, seen from where they lie themselves
 # (script/places.cpp), so the whole may be moved.
 # Components: program, module, development; the Debian package (package.cmake) takes program and debian.
@@ -37,11 +37,13 @@ target_compile_definitions(hinge_engine INTERFACE $<INSTALL_INTERFACE:HINGE_ALIG
 target_include_directories(hinge_engine INTERFACE $<INSTALL_INTERFACE:include/hinge>)
 target_link_libraries(hinge_engine INTERFACE $<INSTALL_INTERFACE:Eigen3::Eigen>)
 set_target_properties(hinge_engine PROPERTIES EXPORT_NAME engine)
+set_target_properties(hinge_record PROPERTIES EXPORT_NAME record)
 
-foreach(part core model beam contact state algebra effects run)
+foreach(part core model section beam contact state algebra effects run advice record)
   install(DIRECTORY src/${part} DESTINATION include/hinge FILES_MATCHING PATTERN *.h)
 endforeach()
-install(TARGETS hinge_engine EXPORT hinge ARCHIVE DESTINATION lib)
+install(FILES src/output/picture.h DESTINATION include/hinge/output)  # record/snapshot.h has its Snapshot
+install(TARGETS hinge_engine hinge_record EXPORT hinge ARCHIVE DESTINATION lib)
 install(EXPORT hinge NAMESPACE hinge:: FILE hingeTargets.cmake DESTINATION lib/cmake/hinge)
 include(CMakePackageConfigHelpers)
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/hingeConfigVersion.cmake COMPATIBILITY SameMinorVersion)

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "advice/linear_solution.h"
+#include "run/linear_solution.h"
 #include "record/context.h"
 #include "record/run_record.h"
 
@@ -55,6 +55,7 @@ std::vector<Warning> lone_velocities(const Structure& structure, const State& st
 std::vector<Warning> damped_free_bodies(const Structure& structure, const State& start);
 
 /// Load cases that a run uses and that are empty.
-std::vector<Warning> empty_cases(const Model& declared, int gravity_case, const LoadChoice& choice, const std::string& line);
+std::vector<Warning> empty_cases(const Model& declared, int gravity_case, const LoadChoice& choice,
+                                 const std::string& line);
 
 }  // namespace hinge

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/text.h"
-#include "advice/element_count.h"
+#include "run/element_count.h"
 
 namespace hinge {
 

@@ -38,13 +38,6 @@ double joint_damping(const Structure& structure, const std::vector<ElementDampin
     return elements ? sum / elements : 0;
 }
 
-double usual_step(const StableStep& limit, const Structure& structure) {
-    double part = structure.can_yield() ? 0.45 : 0.9;
-    for (const EffectKind& kind : all_effects())
-        if (kind.part_of_stable_step) part = std::min(part, kind.part_of_stable_step(structure.model()));
-    return part * limit.dt;
-}
-
 bool may_break(const Model& model, const RunKind& run, int member) {
     const auto& all = all_effects();
     return std::any_of(all.begin(), all.end(), [&](const EffectKind& kind) {

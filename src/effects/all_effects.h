@@ -19,11 +19,6 @@ std::vector<ElementDamping> damping_of(const Structure& structure);
 double joint_damping(const Structure& structure, const std::vector<ElementDamping>& damping,
                      std::initializer_list<int> nodes);
 
-/// Default step of explicit steps, s, a part of the stable step: room for large rotations, for stiffness of contact,
-/// and for accuracy. Where hinges form, the energy error goes with the square of the step: of 68 random scenes in
-/// explicit steps 10 were over 0.1 % at 0.9 and 0.7 of the limit, 2 at half of that.
-double usual_step(const StableStep& limit, const Structure& structure);
-
 /// Whether elements may break in such a run: of a member, of any.
 bool may_break(const Model& model, const RunKind& run, int member);
 bool may_break(const Model& model, const RunKind& run);

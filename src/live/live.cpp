@@ -224,8 +224,7 @@ Answer Live::state_for(const Request& request, const State& state) {
     if (packed_.version != state.version || packed_.with_model == knows_run) {
         Json j = state.fields;
         j["version"] = state.version;
-        if (state.snapshot)
-            j["frame"] = packed_frames({state.snapshot.get()}, Packing::quick, !knows_run);
+        if (state.snapshot) j["frame"] = packed_frames({state.snapshot.get()}, Packing::quick, !knows_run);
         packed_ = {state.version, !knows_run, text_of(j)};
         packed_.text.pop_back();
         if (state.snapshot)

@@ -87,7 +87,7 @@ struct NodeData {
 };
 
 /// Reason for the number of elements of a member: given by the script, or chosen by a run for elements = "auto"
-/// (undecided: not yet; see advice/element_count.h).
+/// (undecided: not yet; see run/element_count.h).
 enum class ElementsBy : std::uint8_t { script, undecided, neither, compression, yield, no_solution };
 
 /// Which axial forces a member carries: both signs, tension alone (cables, slender braces) or compression alone (props,

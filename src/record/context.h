@@ -37,15 +37,15 @@ struct Context {
     };
     /// Messages on stderr: settings, and those already printed.
     struct Messages {
-        bool progress = false;            ///< progress of runs, and their changes of state
-        bool warns = false;               ///< likely mistakes
-        bool tells_failures = false;      ///< failures that the script did not check
-        std::FILE* events = nullptr;      ///< the same as JSON, an object a line; null: nowhere
-        RunObserver* observer = nullptr;  ///< watches the steps of runs (hinge run --live); null: none
-        std::vector<std::string> warned;  ///< warnings with their advice: each is printed once
-        std::optional<Warning> of_units;  ///< the first such warning of the model checked last
-        int warnings_told = 0, looked_over = 0;           ///< lines printed; models checked
-        std::set<std::string> described;                  ///< the plans printed so far: a loop's runs are described once
+        bool progress = false;                   ///< progress of runs, and their changes of state
+        bool warns = false;                      ///< likely mistakes
+        bool tells_failures = false;             ///< failures that the script did not check
+        std::FILE* events = nullptr;             ///< the same as JSON, an object a line; null: nowhere
+        RunObserver* observer = nullptr;         ///< watches the steps of runs (hinge run --live); null: none
+        std::vector<std::string> warned;         ///< warnings with their advice: each is printed once
+        std::optional<Warning> of_units;         ///< the first such warning of the model checked last
+        int warnings_told = 0, looked_over = 0;  ///< lines printed; models checked
+        std::set<std::string> described;         ///< the plans printed so far: a loop's runs are described once
         std::map<std::string, std::string> described_at;  ///< line of the run, by the text printed of its model
     };
     /// How the program was asked to make its runs.

@@ -33,9 +33,7 @@ double value_of(const Run& run, const Probe& p) {
     }
 }
 
-double abscissa(const Run& run) {
-    return run.is_static() ? run.state().factor : run.state().time;
-}
+double abscissa(const Run& run) { return run.is_static() ? run.state().factor : run.state().time; }
 
 const char* unit_of(const Probe& p) {
     const bool turns = p.component >= 3;

@@ -153,8 +153,7 @@ void tell_changes(const Context& c, RunRecord& r, bool over) {
 
 /// The first instability of a static run.
 void tell_instability(const Context& c, RunRecord& r) {
-    if (!r.run->instability() || r.progress.instability_shown || r.run->verdict() == Verdict::failed)
-        return;
+    if (!r.run->instability() || r.progress.instability_shown || r.run->verdict() == Verdict::failed) return;
     r.progress.instability_shown = true;
     if (c.messages.events) write_event(c, "instability", {{"run", r.number}, {"text", r.run->instability_text()}});
     else if (c.messages.progress)

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "effects/declared.h"
-#include "advice/element_count.h"
+#include "run/element_count.h"
 #include "record/element_events.h"
 #include "record/joint_ratings.h"
 #include "advice/plan.h"
@@ -139,8 +139,7 @@ void describe_run(Json& j, const RunRecord& r) {
     if (const auto shortest = run.shortest_controlled())
         j["step_control"] = {{"rejected_steps", run.rejected()}, {"shortest_dt", *shortest}};
     if (const Fastest* fastest = run.fastest_node())
-        j["fastest_node"] = {
-            {"speed", fastest->speed}, {"node", s.node_name(fastest->node)}, {"time", fastest->time}};
+        j["fastest_node"] = {{"speed", fastest->speed}, {"node", s.node_name(fastest->node)}, {"time", fastest->time}};
     if (!run.is_static()) return;
     j["limit"] = run.limit();
     if (const Instability* i = run.instability()) j["instability"] = instability_json(s, *i);

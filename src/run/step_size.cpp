@@ -9,12 +9,6 @@ namespace {
 constexpr int most_easy = 1 << 20;     ///< more is not counted
 constexpr int most_counted = 1 << 29;  ///< of what a run counts step by step
 
-/// Times by which dt = "auto" is shorter than a twelfth of a wave's time for one solution a step to be safe from
-/// hinges. Beyond it steps are that twelfth, and Newton's method solves them (newmark.cpp). A blow, a swing and a pull
-/// on round bars, 2 and 8 elements, yielding: four short steps take the time of one with Newton's method at 3 to 6
-/// times.
-constexpr double most_shortened = 4;
-
 }  // namespace
 
 double axial_courant_number(const Structure& structure, double dt) {
@@ -25,14 +19,6 @@ double axial_courant_number(const Structure& structure, double dt) {
         if (!e.yield.elastic()) most = std::max(most, dt * std::sqrt(std::max(c.GAy / c.rhoIx, c.GAx / c.rhoIy)));
     }
     return most;
-}
-
-double shortest_step(const Structure& structure, double duration) {
-    double courant = 0;                            // largest axial Courant number of a step of 1 s
-    for (const Element& e : structure.elements())  // no wave runs along one without mass
-        if (e.mass() > 0) courant = std::max(courant, std::sqrt(e.rigidity.EA / e.rigidity.rhoA) / e.length);
-    const double wave = 12 * courant, hinges = axial_courant_number(structure, 1) / 0.9;
-    return duration / std::ceil(duration * (hinges > most_shortened * wave ? wave : std::max(wave, hinges)));
 }
 
 StepSize::StepSize(double dt, double duration, bool automatic, bool controlled, double start)

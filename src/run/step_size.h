@@ -1,10 +1,9 @@
 // How long the next step is: dt = "auto" of Newmark's method, and the halving of steps that were taken back.
 //
-// The shortest step lets an axial wave cross the shortest element in twelve, or where members can yield in up to four
-// times as many (shortest_step); it is the step of an impact. In free flight, and while nothing yields, breaks or
-// touches, steps are eight times that, as long as the accelerations change little within one: where something vibrates,
-// they do not. Contacts and loads are foreseen: a long step in which a contact would begin, or a load changes, is not
-// taken.
+// The shortest step is that of automatic_step.h; it is the step of an impact. In free flight, and while nothing yields,
+// breaks or touches, steps are eight times that, as long as the accelerations change little within one: where something
+// vibrates, they do not. Contacts and loads are foreseen: a long step in which a contact would begin, or a load
+// changes, is not taken.
 //
 // With step control, a step that was taken back is halved, and steps grow again once that has gone well for a while.
 #pragma once
@@ -13,16 +12,13 @@
 #include <bit>
 
 #include "model/structure.h"
+#include "run/automatic_step.h"
 
 namespace hinge {
 
 /// How far the axial wave comes in a step, against the shortest element: the axial Courant number; where hinges may
 /// chatter, the shear vibration's phase too.
 double axial_courant_number(const Structure& structure, double dt);
-/// The step of an impact, s: a whole part of the duration. A twelfth of the time in which an axial wave crosses the
-/// shortest element; where members can yield, up to four times shorter, so that one solution a step is enough.
-double shortest_step(const Structure& structure, double duration);
-
 class StepSize {
 public:
     StepSize(double dt, double duration, bool automatic, bool controlled, double start);

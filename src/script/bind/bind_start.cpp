@@ -14,9 +14,9 @@
 #include "effects/declared.h"
 #include "effects/ground.h"
 #include "effects/removal.h"
-#include "run/checkpoint.h"
 #include "run/dynamics.h"
-#include "advice/element_count.h"
+#include "run/go_on.h"
+#include "run/element_count.h"
 #include "advice/size_notice.h"
 #include "core/text.h"
 #include "run/statics.h"
@@ -68,90 +68,15 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadCho
     return copy;
 }
 
-/// Velocities that were given since the run before was made: of the target where it is now, and of the nodes inside the
-/// members there as Structure::initial_velocity has them.
-void take_velocities(State& state, const Structure& structure, const Model& before, const std::string& function) {
-    const Model& m = structure.model();
-    std::vector<Vec6> velocity = state.velocity;
-    std::vector<char> anew(velocity.size(), 0);
-    for (std::size_t n = 0; n < m.nodes().size(); ++n) {
-        const int given = m.velocity_given()[n];
-        if (given == before.velocity_given()[n]) continue;
-        const GivenVelocity& v = m.given_velocities()[given];
-        const auto place = [&](int node) { return Vec3(structure.position()[node] + state.displacement[node]); };
-        Vec3 centre = Vec3::Zero();
-        for (int node : v.nodes) {
-            if (state.gone[node] && !structure.is_alone(node))
-                throw InputError(function + ": a velocity was given to " + structure.node_name(node) +
-                                 ", which has no element left in the run that this one goes on from");
-            centre += place(node) / double(v.nodes.size());
-        }
-        velocity[n] << v.linear + v.angular.cross(place(int(n)) - centre), v.angular;
-        anew[n] = 1;
-    }
-    std::size_t inner = m.nodes().size();
-    for (const MemberData& member : m.members())
-        for (int end : {0, 1})
-            if (member.has_joint(end)) {
-                anew[inner] = anew[member.node[end]];
-                velocity[inner] = velocity[member.node[end]];
-                const Vec3 arm = structure.position()[inner] + state.displacement[inner] -
-                                 structure.position()[member.node[end]] - state.displacement[member.node[end]];
-                velocity[inner].head<3>() += Vec3(velocity[inner].tail<3>()).cross(arm);
-                ++inner;
-            }
-    for (const MemberData& member : m.members())
-        for (int i = 1; i < member.elements; ++i, ++inner) {
-            const double t = double(i) / member.elements;
-            anew[inner] = anew[member.node[0]] && anew[member.node[1]];
-            if (anew[inner]) velocity[inner] = (1 - t) * velocity[member.node[0]] + t * velocity[member.node[1]];
-        }
-    for (std::size_t n = 0; n < velocity.size(); ++n)
-        for (int c = 0; c < 6 && anew[n]; ++c) state.velocity[n][c] = state.held[n] >> c & 1 ? 0 : velocity[n][c];
-}
-
-State start_state(Options& o, const std::shared_ptr<const Structure>& structure, const ScriptRun* before) {
-    State state = initial_state(*structure);
-    if (!before) return state;
-    const State& from = before->run->state();
-    const Model &there = before->run->structure().model(), &here = structure->model();
-    const bool same = there.nodes().size() == here.nodes().size() && there.members().size() == here.members().size();
-    if (!same || from.displacement.size() != state.displacement.size() || from.broken.size() != state.broken.size())
-        o.complain("from",
-                   "a run of a structure with " + std::to_string(from.displacement.size()) + " nodes and " +
-                       std::to_string(from.broken.size()) + " elements",
-                   "this model has " + std::to_string(state.displacement.size()) + " and " +
-                       std::to_string(state.broken.size()) + "; add nothing between the runs");
-    if (before->run->structure().position() != structure->position())
-        o.complain("from", "the run made at " + before->asked_at,
-                   "model:imperfection has moved nodes since; it belongs before the first run");
-    state = from;
-    state.step = 0;
-    for (std::size_t n = 0; n < here.nodes().size(); ++n)
-        if (here.nodes()[n].fixed & ~there.nodes()[n].fixed)
-            o.complain("from", "the run made at " + before->asked_at,
-                       structure->node_name(int(n)) +
-                           " has been fixed since, and what goes on has it free; fix it before that run is made");
-    take_velocities(state, *structure, there, o.function());
-    return state;
-}
-
-/// A velocity that no node can have.
-void refuse_idle_velocities(const Structure& structure, const State& start) {
-    const Model& m = structure.model();
-    for (std::size_t n = 0; n < m.nodes().size(); ++n) {
-        const int given = m.velocity_given()[n];
-        if (given < 0 || m.given_velocities()[given].nodes.size() > 1) continue;
-        const GivenVelocity& v = m.given_velocities()[given];
-        Vec6 wanted;
-        wanted << v.linear, v.angular;
-        bool moves = wanted.isZero(0) || (start.gone[n] && !structure.is_alone(int(n)));
-        for (int c = 0; c < 6; ++c) moves = moves || (wanted[c] != 0 && !(start.held[n] >> c & 1));
-        if (!moves)
-            throw InputError("model:dynamic: a velocity was given to " + structure.node_name(int(n)) +
-                             (structure.is_alone(int(n)) ? ", which belongs to no member"
-                                                         : ", which supports hold in its directions"));
-    }
+/// The state in which a run begins; `before`: the run that it goes on from, or null.
+State start_state(Options& o, const Structure& structure, const ScriptRun* before) {
+    if (!before) return initial_state(structure);
+    if (const auto refusal = refusal_to_go_on(*before->run, structure))
+        o.complain("from", refusal->what.empty() ? "the run made at " + before->asked_at : refusal->what,
+                   refusal->advice);
+    try {
+        return state_to_go_on(*before->run, structure);
+    } catch (const InputError& e) { throw InputError(o.function() + ": " + e.what()); }
 }
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
@@ -290,7 +215,7 @@ int static_run(lua_State* L) {
     }
     lua_pop(L, 1);
     const int every = record_every(o, 1);
-    State start = start_state(o, structure, before);
+    State start = start_state(o, *structure, before);
     if (structure->elements().empty())
         throw InputError("model:static: the model has no members; add at least one with model:member");
     refuse_lost_loads(structure->model(), *structure, start, "model:static");
@@ -441,9 +366,11 @@ int dynamic_run(lua_State* L) {
     require_density(*structure);
     refuse_massless(*structure, integrator);
     const DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
-    State start = start_state(o, structure, before);
+    State start = start_state(o, *structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
-    refuse_idle_velocities(*structure, start);
+    try {
+        refuse_idle_velocities(*structure, start);
+    } catch (const InputError& e) { throw InputError(std::string("model:dynamic: ") + e.what()); }
     context(L)->running = L;
     std::vector<Warning> likely_mistakes = empty_cases(*m, m->gravity_case.value_or(-1), choice, where(L));
     for (Warning& w : mistakes_in_dynamics(L, *structure, start, before, s)) likely_mistakes.push_back(std::move(w));

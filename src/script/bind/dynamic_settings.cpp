@@ -3,17 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "algebra/stable_step.h"
 #include "core/errors.h"
 #include "core/text.h"
 #include "effects/all_effects.h"
-#include "run/step_size.h"
+#include "run/automatic_step.h"
 
 namespace hinge::script {
 namespace {
-
-/// Part of the stable step that dt = "auto" may take at most, for rounding and for what effects add.
-constexpr double close_to_limit = 0.98;
 
 /// Of Newton's method in energy-momentum steps: relative to the first correction of a step, in the norm of the energy.
 constexpr double tolerance_of_conserving = 1e-8;
@@ -94,19 +90,15 @@ double Reading::time_step(bool& automatic) {
     if (!word.empty() && !automatic)
         o_.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!explicit_) return automatic ? shortest_step(structure_, s_.duration) : o_.number("dt", "s", Range::positive);
-    const std::vector<ElementDamping> damping = damping_of(structure_);
     const bool breaks = may_break(model_, {.dynamic = true, .explicit_steps = true});
-    const StableStep limit = stable_step(structure_, damping, breaks);
-    if (automatic) {
-        const double usual = usual_step(breaks ? stable_step(structure_, damping) : limit, structure_);
-        return s_.duration / std::ceil(s_.duration / std::min(usual, close_to_limit * limit.dt));
-    }
+    if (automatic) return explicit_step(structure_, s_.duration, breaks);
     const double dt = o_.number("dt", "s", Range::positive);
-    if (dt > limit.dt)
+    if (const StableStep limit = explicit_limit(structure_, breaks); dt > limit.dt)
         o_.complain("dt", show(dt) + " s",
                     "explicit steps stay stable up to " + show(limit.dt) + " s here (" +
                         structure_.element_name(limit.element) + " has the highest frequency" +
-                        (damping.empty() ? "" : ", and damping shortens it") + "); give a shorter one, or dt = 'auto'");
+                        (damping_of(structure_).empty() ? "" : ", and damping shortens it") +
+                        "); give a shorter one, or dt = 'auto'");
     return dt;
 }
 

@@ -1,4 +1,5 @@
-// Handles of a script to a model, its nodes, members, groups, loads and load cases, and arguments that are such handles.
+// Handles of a script to a model, its nodes, members, groups, loads and load cases, and arguments that are such
+// handles.
 #pragma once
 
 #include <memory>

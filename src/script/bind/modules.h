@@ -12,11 +12,11 @@ void open_model(lua_State* L, int module);     ///< hinge.model
 void open_objects(lua_State* L);               ///< nodes, members, groups, loads
 void open_cases(lua_State* L);
 void open_run(lua_State* L);
-void open_checkpoint(lua_State* L, int module);    ///< run:checkpoint, run:resume, hinge.resume
-void open_modes(lua_State* L);                     ///< run:modes, run:buckling
-void open_hinges(lua_State* L, int module);        ///< run:hinges (lua/hinge/results/hinges.lua)
-void open_reading(lua_State* L);                   ///< results of runs, nodes and members
-void open_output(lua_State* L, int module);        ///< summary and other files
+void open_checkpoint(lua_State* L, int module);  ///< run:checkpoint, run:resume, hinge.resume
+void open_modes(lua_State* L);                   ///< run:modes, run:buckling
+void open_hinges(lua_State* L, int module);      ///< run:hinges (lua/hinge/results/hinges.lua)
+void open_reading(lua_State* L);                 ///< results of runs, nodes and members
+void open_output(lua_State* L, int module);      ///< summary and other files
 void open_pictures(lua_State* L, int module);
 void open_plots(lua_State* L, int module);
 void open_frames(lua_State* L, int module);        ///< frames for a page

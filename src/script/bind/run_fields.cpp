@@ -222,10 +222,8 @@ constexpr RunField run_field_list[] = {
     {"state_changes", push_state_changes},
     {"probes", push_probes},
     {"instability", push_instability},
-    {"limit",
-     [](lua_State* L, const ScriptRun& r) {
-         r.run->is_static() ? lua_pushboolean(L, r.run->limit()) : lua_pushnil(L);
-     }},
+    {"limit", [](lua_State* L,
+                 const ScriptRun& r) { r.run->is_static() ? lua_pushboolean(L, r.run->limit()) : lua_pushnil(L); }},
     {"energy_error", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.last_energy_share); }},
     {"energy_error_of_state", [](lua_State* L, const ScriptRun& r) { lua_pushnumber(L, r.state_energy_share); }},
     {"loads", push_cases},

@@ -1,4 +1,4 @@
-#include "advice/element_count.h"
+#include "run/element_count.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 #include "core/text.h"
 #include "effects/declared.h"
-#include "advice/linear_solution.h"
+#include "run/linear_solution.h"
 
 namespace hinge {
 namespace {

@@ -1,4 +1,4 @@
-#include "advice/linear_solution.h"
+#include "run/linear_solution.h"
 
 #include <cmath>
 #include <numbers>
