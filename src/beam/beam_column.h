@@ -41,6 +41,7 @@
 // 2.5e-5 for p between -7.2 and 4.5 and to 3e-4 at 6. Beyond -7.2 and 6 S and A go on as straight lines.
 #pragma once
 
+#include "beam/timoshenko.h"
 #include "section/yield.h"
 #include "core/lanes.h"
 

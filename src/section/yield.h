@@ -1,7 +1,7 @@
 // Plastic hinges: the yield function of a section (eq 14), and the return of an element's forces to its yield surface.
 #pragma once
 
-#include "beam/timoshenko.h"
+#include "section/stiffness.h"
 
 namespace hinge::beam {
 
