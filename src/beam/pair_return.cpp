@@ -150,7 +150,7 @@ private:
         if (work_ > most_work) return next[0].converged = next[1].converged = false, at(next[0], next[1]);
         for (int i : {0, 1})
             next[i] = law_.return_alone(from.p[i] + k[i].times(from.of[i].plastic), k[i], conditions_[i], from.of[i]);
-        work_ += 1 + next[0].looks + next[1].looks;
+        work_ += 1 + next[0].evaluations + next[1].evaluations;
         return at(next[0], next[1]);
     }
 

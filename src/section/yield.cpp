@@ -248,16 +248,16 @@ ReturnMapResult return_to_surface(const Vec6& trial, const Stiffness& k, const Y
         if (const double other = f_at(trial, i); other > f) f = other, worst = i;
     if (f <= 1) return flow;  // eq 4; beyond it eq 10c
     flow.lambda[worst] = one_multiplier(trial + s[worst], k, sections[worst], w);
-    const auto settle = [&] {
+    const auto find_forces = [&] {
         Mat6 A[2];
         for (int i = 0; i < n; ++i) A[i] = yield_matrix(sections[i], w);
         const Mat6 F = k.flexibility();
         flow.p = relaxed(F * trial, F, A, s, flow.lambda, n);
     };
-    settle();
+    find_forces();
     if (n == 2 && f_at(flow.p, 1 - worst) > 1 + 1e-13) {
         flow.converged = BothEnds(trial, k, w, sections, s).solve(flow.lambda);
-        settle();
+        find_forces();
     } else {
         flow.converged = f_at(flow.p, worst) <= 1 + f_tolerance;
     }

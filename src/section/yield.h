@@ -77,9 +77,9 @@ struct ElementFlow {
     double slack = 0;
     /// What the work on the way of the step is more than that of its last forces, J: with hardening they grow on it.
     double path_work = 0;
-    double potential =
-        0;          ///< the same of what the step minimises: with rate, which is that of the whole step, it differs
-    int looks = 0;  ///< evaluations that the search for it took
+    /// The same of what the step minimises: with rate, which is that of the whole step, it differs.
+    double potential = 0;
+    int evaluations = 0;  ///< that the search for it took
     /// True if a section flows plastically.
     bool yields() const { return lambda[0] > 0 || lambda[1] > 0; }
     /// True if the plastic deformation changes, by flow or by slack.

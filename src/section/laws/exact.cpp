@@ -33,17 +33,17 @@ public:
           walls_(shear ? shear->walls : PlasticDomain::Walls::Polygons{}) {}
 
     const char* name() const override {
-        return domain_->concrete() ? "concrete" : own_at() >= 0 ? "exact with shear" : "exact";
+        return domain_->concrete() ? "concrete" : problem().own_at >= 0 ? "exact with shear" : "exact";
     }
-    bool takes_shear() const override { return own_at() >= 0; }
+    bool takes_shear() const override { return problem().own_at >= 0; }
     void set_shear(double along_x, double along_y, double* history) const override {
-        double* lost = history + own_at();
+        double* lost = history + problem().own_at;
         std::copy_n(lost, 3, lost + 3);
         if (whole_) lost[0] = lost[1] = 0, lost[2] = std::max(along_x, along_y);
         else lost[0] = along_x, lost[1] = along_y, lost[2] = 0;
     }
     double lost_by_shear(bool along_y, const double* history) const override {
-        const double* lost = own(history);
+        const double* lost = problem().own(history);
         return lost ? std::max(lost[along_y], lost[2]) : 0;
     }
 

@@ -1,9 +1,10 @@
-// The flow of all four ends of a pair at once, for the laws of potential_law.h: Newton's method for the equilibrium of
-// the ends that flow, with the stiffness of the whole pair.
+// The flow of all four ends of a pair at once: Newton's method for the equilibrium of the ends that flow, with the
+// stiffness of the whole pair.
 #include <cmath>
 
-#include "section/potential_parts.h"
 #include "core/positive.h"
+#include "section/flow_end.h"
+#include "section/flow_return.h"
 
 namespace hinge::beam {
 namespace {
@@ -29,17 +30,15 @@ void rows_times(const Rows& n, const Vec4& per, int first, const Mat12& K, Out&&
     out.row(3) = per[3] * K.row(first + 5);
 }
 
-}  // namespace
-
 /// An end that flows, and where it stands among the four.
-struct PotentialLaw::PairEnd {
-    End end;
+struct PairEnd {
+    FlowingEnd end;
     int element = 0, section = 0;
 };
 
 template <int count>
-bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance,
-                              Vec6 (&p)[2]) const {
+bool solve_pair(const FlowProblem& problem, const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance,
+                Vec6 (&p)[2]) {
     double last = INFINITY;
     for (int step = 0;; ++step) {
         Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()};
@@ -50,9 +49,9 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
         Mat4 bend[count];
         double size = 1;
         for (int i = 0; i < count; ++i) {
-            const End& end = flowing[i]->end;
-            Work w = work_at(end.e, end.own);
-            harden(end, end.e, w);
+            const FlowingEnd& end = flowing[i]->end;
+            WorkOfFlow w = problem.work_at(end.e, end.own);
+            harden(problem, end, end.e, w);
             const Vec4 carries = end.carries(p[flowing[i]->element]);
             off.template segment<4>(4 * i) = carries - w.q;
             bend[i] = w.curvature;
@@ -64,11 +63,11 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
         last = missed;
         EndsMatrix<count> H;
         for (int i = 0; i < count; ++i) {
-            const End& of = flowing[i]->end;
+            const FlowingEnd& of = flowing[i]->end;
             Eigen::Matrix<double, 4, 12> BK;
             rows_times(std::pair(of.n1, of.n2), of.per, 6 * flowing[i]->element, K, BK);
             for (int j = 0; j <= i; ++j) {
-                const End& by = flowing[j]->end;
+                const FlowingEnd& by = flowing[j]->end;
                 const int first = 6 * flowing[j]->element;
                 Mat4 block;
                 block.col(0) = by.per[0] * (by.n1 * BK.col(first) + by.n2 * BK.col(first + 1));
@@ -94,15 +93,15 @@ bool PotentialLaw::solve_pair(const PairElastic& pair, PairEnd* const (&flowing)
 
 /// Scales the flow of all ends to where the pair comes to along its ray: the least value of the work and of the elastic
 /// energy, by its stiffness without flow. False: there is no flow along it.
-bool PotentialLaw::on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flowing)[4], int count) const {
+bool scale_along_ray(const FlowProblem& problem, const PairElastic& pair, PairEnd* const (&flowing)[4], int count) {
     Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()}, p[2];
     Mat12 K;
     pair.at(plastic, p, K);
     double falls = 0;
     for (int i = 0; i < count; ++i) {
-        const End& end = flowing[i]->end;
+        const FlowingEnd& end = flowing[i]->end;
         plastic[flowing[i]->element] += end.plastic();
-        falls += end.carries(p[flowing[i]->element]).dot(end.e) - work_at(end.e, end.own).value;
+        falls += end.carries(p[flowing[i]->element]).dot(end.e) - problem.work_at(end.e, end.own).value;
     }
     Vec12 x;
     x << plastic[0], plastic[1];
@@ -112,38 +111,41 @@ bool PotentialLaw::on_ray_of_pair(const PairElastic& pair, PairEnd* const (&flow
     return true;
 }
 
-bool PotentialLaw::return_together(const PairElastic& pair, const SectionConditions* at, double tolerance,
-                                   ElementFlow (&flow)[2]) const {
-    if (in_rounds()) return false;
+}  // namespace
+
+bool return_together(const FlowProblem& problem, const PairElastic& pair, const SectionConditions* at, double tolerance,
+                     ElementFlow (&flow)[2]) {
+    if (problem.in_rounds()) return false;
     const bool as_before = !flow[0].flows() && !flow[1].flows();
-    if (as_before && flow_at_ < 0) return false;
+    if (as_before && problem.flow_at < 0) return false;
     PairEnd all[4];
     PairEnd* flowing[4];
     int count = 0;
     for (int i = 0; i < 4; ++i) {
         PairEnd& of = all[i];
         of.element = i / 2, of.section = i % 2;
-        of.end = End(of.section == 0 ? -1 : 1, per_strength_, Stiffness{}, at[of.element], of.section, *this, {});
-        if (as_before && of.end.history) of.end.e = Eigen::Map<const Vec4>(of.end.history + flow_at_);
-        else if (flow[of.element].lambda[of.section] > 0) of.end.e = normalised_flow(flow[of.element], of.section);
+        of.end = FlowingEnd(of.section == 0 ? -1 : 1, Stiffness{}, at[of.element], of.section, problem, {});
+        const ElementFlow& known = flow[of.element];
+        if (as_before && of.end.history) of.end.e = Eigen::Map<const Vec4>(of.end.history + problem.flow_at);
+        else if (known.lambda[of.section] > 0) of.end.e = problem.normalised(known.section[of.section]);
         if (of.end.flows()) flowing[count++] = &of;
     }
-    if (as_before && !(count > 0 && on_ray_of_pair(pair, flowing, count))) return false;
+    if (as_before && !(count > 0 && scale_along_ray(problem, pair, flowing, count))) return false;
     Vec6 p[2];
-    const bool found = count == 1   ? solve_pair<1>(pair, flowing, tolerance, p)
-                       : count == 2 ? solve_pair<2>(pair, flowing, tolerance, p)
-                       : count == 3 ? solve_pair<3>(pair, flowing, tolerance, p)
-                       : count == 4 ? solve_pair<4>(pair, flowing, tolerance, p)
+    const bool found = count == 1   ? solve_pair<1>(problem, pair, flowing, tolerance, p)
+                       : count == 2 ? solve_pair<2>(problem, pair, flowing, tolerance, p)
+                       : count == 3 ? solve_pair<3>(problem, pair, flowing, tolerance, p)
+                       : count == 4 ? solve_pair<4>(problem, pair, flowing, tolerance, p)
                                     : false;
     if (!found) return false;
     for (const PairEnd& of : all) {
         Vec4 direction;
-        if (!of.end.flows() && beyond(of.end, of.end.carries(p[of.element]), direction)) return false;
+        if (!of.end.flows() && is_beyond(problem, of.end, of.end.carries(p[of.element]), direction)) return false;
     }
     for (int i : {0, 1}) {
         ElementFlow out;
         out.p = p[i];
-        for (const int j : {0, 1}) add_flow(all[2 * i + j].end, j, out);
+        for (const int j : {0, 1}) add_flow(problem, all[2 * i + j].end, j, out);
         flow[i] = out;
     }
     return true;

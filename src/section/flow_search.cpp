@@ -1,8 +1,9 @@
-// The search for the flow of a section, or of both sections of an element: down the convex function G of
-// potential_law.h, by Newton's method.
+// Down the convex function G of flow_problem.h, by Newton's method.
+#include "section/flow_search.h"
+
+#include <algorithm>
 #include <cmath>
 
-#include "section/potential_parts.h"
 #include "core/positive.h"
 
 namespace hinge::beam {
@@ -19,7 +20,7 @@ constexpr double falls = 0.95;     ///< then what is missed must fall to this pa
 constexpr double last_step = 1e-8, quick_fall = 1e-3, small_way = 1e-5;
 constexpr int most_steps = 100, most_sweeps = 200;
 /// Evaluations in a search for both ends that has not found them: some 5 ms. Those that find them take up to 5,000.
-constexpr int most_looks = 10000;
+constexpr int most_evaluations = 10000;
 constexpr double leaves = 0.05;  ///< of its flow at first: an end whose flow shrinks to that may not flow
 constexpr int quick_steps = 10, quick_tries = 3;  ///< of both ends together, before each is looked for in turn
 constexpr double least_damping = 1e-13;           ///< of the elastic stiffness: N may flow at either end
@@ -35,16 +36,15 @@ bool moves_nothing(const Vec4& k, const Vec4& e, double size) {
 using Mat8 = Eigen::Matrix<double, 8, 8>;
 using Vec8 = Eigen::Matrix<double, 8, 1>;
 
-}  // namespace
-
 /// The least along the ray of e: trial.e = t e.(k + C) e + (factor at t D) D. False: it is at t = 0.
-bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w) const {
+bool move_along_ray(const FlowProblem& problem, const FlowingEnd& end, const Vec4& trial, Vec4& e, WorkOfFlow& w) {
     const double stiffness = e.dot((end.k + end.hardens).cwiseProduct(e)), force = trial.dot(e), D = w.initial;
     double t = (force - D) / stiffness;
-    if (!material_.laws.empty()) {
+    if (!problem.keeps_strength()) {
+        const double energy = problem.material.zone.energy;
         const auto left = [&](double x, double* slope = nullptr) {
-            const MaterialLaw::Factor f = factor_at(end.history, x * D / material_.zone.energy, end.moment);
-            if (slope) *slope = -stiffness - end.turned.factor * f.slope * D * D / material_.zone.energy;
+            const MaterialLaw::Factor f = problem.factor_at(end.history, x * D / energy, end.moment);
+            if (slope) *slope = -stiffness - end.turned.factor * f.slope * D * D / energy;
             return force - x * stiffness - end.turned.factor * f.value * D;
         };
         if (!(left(0) > 0)) return false;
@@ -64,53 +64,21 @@ bool PotentialLaw::along_ray(const End& end, const Vec4& trial, Vec4& e, Work& w
     return true;
 }
 
-/// Whether q, less the back resultants, is outside of the yield surface at the start of the step (outside).
-bool PotentialLaw::beyond(const End& end, const Vec4& q, Vec4& direction) const {
-    if (material_.laws.empty()) return outside(q, end.own, direction);
-    return outside(q / (end.turned.factor * factor_at(end.history, 0, end.moment).value), end.own, direction);
-}
-
-/// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
-bool PotentialLaw::one_end(const End& end, const Vec4& trial, Vec4& e) const {
-    Vec4 nearest = Vec4::Zero();
-    double missed = last_resort * (1 + trial.norm());
-    const auto search = [&] {
-        const Search out = descend(end, trial, e);
-        if (out != Search::lost) return out;
-        Work w = work_at(e, end.own);
-        harden(end, e, w);
-        const double left = (trial - end.k.cwiseProduct(e) - w.q).norm();
-        if (left < missed) nearest = e, missed = left;
-        return left <= missed && moves_nothing(end.k, e, 1 + trial.norm()) ? Search::found : out;
-    };
-    if (!e.isZero(0) && search() == Search::found) return true;
-    e = direction(trial);
-    if (search() == Search::found) return true;
-    if (!beyond(end, trial, e)) return e.setZero(), true;
-    if (e.allFinite()) {
-        const Search out = search();
-        if (out == Search::not_below) e.setZero();  // on the surface, but for rounding
-        if (out != Search::lost) return true;
-        e = trial;
-        if (search() == Search::found) return true;
-    }
-    e = nearest;
-    return !e.isZero(0);
-}
+enum class Search { found, not_below, lost };
 
 /// Down from e. not_below: no flow along e has less than none.
-PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Vec4& e) const {
+Search descend(const FlowProblem& problem, const FlowingEnd& end, const Vec4& trial, Vec4& e) {
     const Vec4& k = end.k;
-    Work at = work_at(e, end.own);
-    if (!along_ray(end, trial, e, at)) return Search::not_below;
-    harden(end, e, at);
+    WorkOfFlow at = problem.work_at(e, end.own);
+    if (!move_along_ray(problem, end, trial, e, at)) return Search::not_below;
+    harden(problem, end, e, at);
     const double size = 1 + trial.norm();
     double G = 0.5 * e.dot(k.cwiseProduct(e)) - trial.dot(e) + at.value, damping = 0, missed_before = 0;
     for (int i = 0; i < most_steps; ++i) {
         const Vec4 off = trial - k.cwiseProduct(e) - at.q;
         const double missed = off.norm();
         if (missed <= flow_tolerance * size) {
-            if (material_.laws.empty()) end.knows(e, at);
+            if (problem.keeps_strength()) end.knows(e, at);
             return Search::found;
         }
         bool fell = false;
@@ -121,15 +89,15 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
             if (!solve_positive(H, way)) break;
             Vec4 next = e + way;
             if (!next.allFinite() || next.isZero(0)) break;
-            if (missed <= std::min(last_step, quick_fall * missed_before) && damping == 0 && keeps_strength() &&
+            if (missed <= std::min(last_step, quick_fall * missed_before) && damping == 0 && problem.keeps_strength() &&
                 is_small(way, e)) {
                 at.step(way);
                 return end.knows(e = next, at), Search::found;
             }
-            Work there = work_at(next, end.own);
-            ++end.looks;
-            along_ray(end, trial, next, there);
-            harden(end, next, there);
+            WorkOfFlow there = problem.work_at(next, end.own);
+            ++end.evaluations;
+            move_along_ray(problem, end, trial, next, there);
+            harden(problem, end, next, there);
             const double G_next = 0.5 * next.dot(k.cwiseProduct(next)) - trial.dot(next) + there.value,
                          left = (trial - k.cwiseProduct(next) - there.q).norm();
             if (G_next < G || (missed < g_rounds * size && left < falls * missed)) {
@@ -144,11 +112,39 @@ PotentialLaw::Search PotentialLaw::descend(const End& end, const Vec4& trial, Ve
     return Search::lost;
 }
 
+/// The least of e.k e / 2 - trial.e + work(e); `e`: where the search starts, 0 if nothing is known. False: not found.
+bool find_one_end(const FlowProblem& problem, const FlowingEnd& end, const Vec4& trial, Vec4& e) {
+    Vec4 nearest = Vec4::Zero();
+    double missed = last_resort * (1 + trial.norm());
+    const auto search = [&] {
+        const Search out = descend(problem, end, trial, e);
+        if (out != Search::lost) return out;
+        WorkOfFlow w = problem.work_at(e, end.own);
+        harden(problem, end, e, w);
+        const double left = (trial - end.k.cwiseProduct(e) - w.q).norm();
+        if (left < missed) nearest = e, missed = left;
+        return left <= missed && moves_nothing(end.k, e, 1 + trial.norm()) ? Search::found : out;
+    };
+    if (!e.isZero(0) && search() == Search::found) return true;
+    e = problem.work.direction(trial);
+    if (search() == Search::found) return true;
+    if (!is_beyond(problem, end, trial, e)) return e.setZero(), true;
+    if (e.allFinite()) {
+        const Search out = search();
+        if (out == Search::not_below) e.setZero();  // on the surface, but for rounding
+        if (out != Search::lost) return true;
+        e = trial;
+        if (search() == Search::found) return true;
+    }
+    e = nearest;
+    return !e.isZero(0);
+}
+
 /// The flow of both ends together, by Newton's method.
-class PotentialLaw::Together {
+class EndsTogether {
 public:
-    Together(const PotentialLaw& law, const Vec6& trial, const Stiffness& k, End (&ends)[2])
-        : law_(law), trial_(trial), k_(k), ends_(ends) {
+    EndsTogether(const FlowProblem& problem, const Vec6& trial, const Stiffness& k, FlowingEnd (&ends)[2])
+        : problem_(problem), trial_(trial), k_(k), ends_(ends) {
         const Mat6 stiffness = k.matrix();
         const SectionRows rows[2] = {ends[0].rows(), ends[1].rows()};
         for (int i : {0, 1}) {
@@ -166,7 +162,7 @@ public:
     /// steps, and not beyond one in which the flow of an end turns back: it leaves, and the flows are lost.
     bool descend(bool quick = false) {
         const int steps = quick ? quick_steps : most_steps, most_tries = quick ? quick_tries : 12;
-        look();
+        evaluate();
         leaving_ = -1;
         const double first[2] = {ends_[0].e.norm(), ends_[1].e.norm()};
         double damping = least_damping, missed_before = 0;
@@ -174,7 +170,7 @@ public:
             const Vec4 before[2] = {ends_[0].e, ends_[1].e};
             const double G = G_, missed = missed_;
             const bool last = missed <= std::min(last_step, quick_fall * missed_before) && damping <= least_damping &&
-                              law_.keeps_strength();
+                              problem_.keeps_strength();
             missed_before = missed;
             Mat8 H = K_;
             for (int i : {0, 1}) H.block<4, 4>(4 * i, 4 * i) += bend_[i];
@@ -191,9 +187,9 @@ public:
                 for (int i : {0, 1}) ends_[i].e = before[i] + way.segment<4>(4 * i);
                 for (int i : {0, 1})
                     if (quick && ends_[i].e.dot(before[i]) < 0) return leaving_ = i, false;
-                if (last && small(way, before)) return know_by(way), true;
+                if (last && small(way, before)) return extrapolate(way), true;
                 if (way.allFinite() && ends_[0].flows() && ends_[1].flows()) {
-                    look();
+                    evaluate();
                     fell = G_ < G || (missed < g_rounds * size_ && missed_ < falls * missed);
                 }
                 damping = fell ? std::max(least_damping, 0.01 * damping) : std::max(1e-2, 8 * damping);
@@ -202,7 +198,7 @@ public:
                 if (fell && ends_[i].e.norm() < leaves * first[i]) return leaving_ = i, found();
             if (fell) continue;
             for (int i : {0, 1}) ends_[i].e = before[i];
-            look();
+            evaluate();
             break;
         }
         return found();
@@ -214,22 +210,22 @@ private:
         return is_small(way.head<4>(), of[0]) && is_small(way.tail<4>(), of[1]);
     }
     /// The work after a small way, from what it was before.
-    void know_by(const Vec8& way) {
+    void extrapolate(const Vec8& way) {
         for (int i : {0, 1}) {
-            Work there = ends_[i].known;
+            WorkOfFlow there = ends_[i].known;
             there.step(way.segment<4>(4 * i));
             ends_[i].knows(ends_[i].e, there);
         }
     }
-    void look() {
-        ++ends_[0].looks;
+    void evaluate() {
+        ++ends_[0].evaluations;
         const Vec6 plastic = ends_[0].plastic() + ends_[1].plastic(), relieved = k_.times(plastic),
                    p = trial_ - relieved;
         G_ = 0.5 * plastic.dot(relieved) - trial_.dot(plastic);
         for (int i : {0, 1}) {
-            Work w = law_.work_at(ends_[i].e, ends_[i].own);
+            WorkOfFlow w = problem_.work_at(ends_[i].e, ends_[i].own);
             ends_[i].knows(ends_[i].e, w);
-            law_.harden(ends_[i], ends_[i].e, w);
+            harden(problem_, ends_[i], ends_[i].e, w);
             bend_[i] = w.curvature;
             G_ += w.value - ends_[i].fixed.dot(ends_[i].e);
             off_.segment<4>(4 * i) = ends_[i].carries(p) - w.q;
@@ -237,10 +233,10 @@ private:
         missed_ = off_.norm();
     }
 
-    const PotentialLaw& law_;
+    const FlowProblem& problem_;
     const Vec6& trial_;
     const Stiffness& k_;
-    End (&ends_)[2];
+    FlowingEnd (&ends_)[2];
     Mat8 K_;
     Vec8 off_;
     Mat4 bend_[2];
@@ -248,25 +244,33 @@ private:
     int leaving_ = -1;
 };
 
+/// Whether end i flows alone: then with its flow.
+bool find_lone_end(const FlowProblem& problem, const Vec6& trial, const Stiffness& k, FlowingEnd (&ends)[2], int i) {
+    Vec4 direction;
+    ends[1 - i].e.setZero();
+    return find_one_end(problem, ends[i], ends[i].carries(trial), ends[i].e) &&
+           !is_beyond(problem, ends[1 - i], ends[1 - i].carries(trial - k.times(ends[i].plastic())), direction);
+}
+
 /// Both ends, from what one of them does by itself and a guess of the other: together, else each in turn as well.
-bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2]) const {
-    Together both(*this, trial, k, ends);
+bool find_both_ends(const FlowProblem& problem, const Vec6& trial, const Stiffness& k, FlowingEnd (&ends)[2]) {
+    EndsTogether both(problem, trial, k, ends);
     const Vec4 start[2] = {ends[0].e, ends[1].e};
     if (ends[0].flows() && ends[1].flows()) {
         if (both.descend(true)) return true;
-        if (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving())) return true;
+        if (both.leaving() >= 0 && find_lone_end(problem, trial, k, ends, 1 - both.leaving())) return true;
         for (int i : {0, 1}) ends[i].e = start[i];
     }
-    for (int sweep = 0; sweep < most_sweeps && ends[0].looks + ends[1].looks < most_looks; ++sweep) {
+    for (int sweep = 0; sweep < most_sweeps && ends[0].evaluations + ends[1].evaluations < most_evaluations; ++sweep) {
         for (int i : {1, 0}) {
-            End& end = ends[i];
-            if (!one_end(end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
+            FlowingEnd& end = ends[i];
+            if (!find_one_end(problem, end, end.carries(trial - k.times(ends[1 - i].plastic())), end.e)) return false;
         }
         if (ends[0].flows() && ends[1].flows()) {
             if (both.descend()) return true;
             if (both.leaving() >= 0) {
                 const Vec4 guess[2] = {ends[0].e, ends[1].e};
-                if (alone(trial, k, ends, 1 - both.leaving())) return true;
+                if (find_lone_end(problem, trial, k, ends, 1 - both.leaving())) return true;
                 for (int i : {0, 1}) ends[i].e = guess[i];
             }
             const bool still = sweep > 20 && both.missed() <= still_enough * both.size();
@@ -278,70 +282,67 @@ bool PotentialLaw::both_ends(const Vec6& trial, const Stiffness& k, End (&ends)[
         if (!ends[0].flows() && !ends[1].flows()) return true;
         const int i = ends[0].flows() ? 0 : 1;
         const Vec6 p = trial - k.times(ends[i].plastic());
-        Work w = work_at(ends[i].e, ends[i].own);
-        harden(ends[i], ends[i].e, w);
+        WorkOfFlow w = problem.work_at(ends[i].e, ends[i].own);
+        harden(problem, ends[i], ends[i].e, w);
         Vec4 direction;
         const bool last = sweep > 20 || moves_nothing(ends[i].k, ends[i].e, both.size());
         if ((ends[i].carries(p) - w.q).norm() <= (last ? last_resort : flow_tolerance) * both.size() &&
-            !beyond(ends[1 - i], ends[1 - i].carries(p), direction))
+            !is_beyond(problem, ends[1 - i], ends[1 - i].carries(p), direction))
             return true;
     }
     return false;
 }
 
-/// Whether end i flows alone: then with its flow.
-bool PotentialLaw::alone(const Vec6& trial, const Stiffness& k, End (&ends)[2], int i) const {
-    Vec4 direction;
-    ends[1 - i].e.setZero();
-    return one_end(ends[i], ends[i].carries(trial), ends[i].e) &&
-           !beyond(ends[1 - i], ends[1 - i].carries(trial - k.times(ends[i].plastic())), direction);
+/// Moves e along its ray to where an end that carries q comes to. False: there is no flow along it.
+bool move_to_load(const FlowProblem& problem, FlowingEnd& end, const Vec4& q) {
+    WorkOfFlow w = problem.work_at(end.e, end.own);
+    return move_along_ray(problem, end, q, end.e, w);
 }
 
 /// Whether an end that carries q flows, from what it did before: then with a guess of its flow.
-bool PotentialLaw::starts(End& end, const Vec4& q) const {
-    if (end.flows() && on_ray(end, q)) return true;
-    if (!beyond(end, q, end.e)) return false;
-    if (!end.e.allFinite() || !on_ray(end, q)) end.e.setZero();
+bool guess_flow(const FlowProblem& problem, FlowingEnd& end, const Vec4& q) {
+    if (end.flows() && move_to_load(problem, end, q)) return true;
+    if (!is_beyond(problem, end, q, end.e)) return false;
+    if (!end.e.allFinite() || !move_to_load(problem, end, q)) end.e.setZero();
     return true;
 }
 
-/// Moves e along its ray to where an end that carries q comes to. False: there is no flow along it.
-bool PotentialLaw::on_ray(End& end, const Vec4& q) const {
-    Work w = work_at(end.e, end.own);
-    return along_ray(end, q, end.e, w);
-}
+}  // namespace
 
-/// The flow of the n ends together, from that of `before`. False: not found.
-bool PotentialLaw::find_ends(const Vec6& trial, const Stiffness& k, End (&ends)[2], int n,
-                             const ElementFlow* before) const {
+bool find_flow_of_ends(const FlowProblem& problem, const Vec6& trial, const Stiffness& k, FlowingEnd (&ends)[2], int n,
+                       const ElementFlow* before) {
     Vec4 trials[2];
     for (int i = 0; i < n; ++i) {
         trials[i] = ends[i].carries(trial);
         if (!trials[i].allFinite()) return false;
     }
     const auto start = [&](int i) {
-        if (before && before->lambda[i] > 0) ends[i].e = normalised_flow(*before, i);
-        else if (flow_at_ >= 0 && ends[i].history) ends[i].e = Eigen::Map<const Vec4>(ends[i].history + flow_at_);
+        if (before && before->lambda[i] > 0) ends[i].e = problem.normalised(before->section[i]);
+        else if (problem.flow_at >= 0 && ends[i].history)
+            ends[i].e = Eigen::Map<const Vec4>(ends[i].history + problem.flow_at);
     };
     const int first = n == 2 && trials[1].norm() > trials[0].norm() ? 1 : 0;
     start(first);
     if (n == 2) start(1 - first);
     if (n == 2 && ends[0].flows() && ends[1].flows()) {  // as before, most likely
         const Vec4 guess[2] = {ends[0].e, ends[1].e};
-        if (on_ray(ends[first], trials[first]) &&
-            on_ray(ends[1 - first], ends[1 - first].carries(trial - k.times(ends[first].plastic())))) {
-            Together both(*this, trial, k, ends);
-            if (both.descend(true) || (both.leaving() >= 0 && alone(trial, k, ends, 1 - both.leaving()))) return true;
+        if (move_to_load(problem, ends[first], trials[first]) &&
+            move_to_load(problem, ends[1 - first], ends[1 - first].carries(trial - k.times(ends[first].plastic())))) {
+            EndsTogether both(problem, trial, k, ends);
+            if (both.descend(true) ||
+                (both.leaving() >= 0 && find_lone_end(problem, trial, k, ends, 1 - both.leaving())))
+                return true;
         }
         for (int i : {0, 1}) ends[i].e = guess[i];
     }
     const Vec4 guess = ends[1 - first].e;
     if (n == 2) ends[1 - first].e.setZero();
-    if (!one_end(ends[first], trials[first], ends[first].e)) return false;
+    if (!find_one_end(problem, ends[first], trials[first], ends[first].e)) return false;
     if (n < 2) return true;
-    End& other = ends[1 - first];
+    FlowingEnd& other = ends[1 - first];
     other.e = guess;
-    if (starts(other, other.carries(trial - k.times(ends[first].plastic())))) return both_ends(trial, k, ends);
+    if (guess_flow(problem, other, other.carries(trial - k.times(ends[first].plastic()))))
+        return find_both_ends(problem, trial, k, ends);
     other.e.setZero();
     return true;
 }

@@ -1,7 +1,8 @@
-// The consistent tangent of elements and pairs whose sections follow a PotentialLaw.
+// The consistent tangent of elements and pairs whose sections are a FlowProblem.
 #include <algorithm>
 
-#include "section/potential_parts.h"
+#include "section/flow_end.h"
+#include "section/flow_return.h"
 
 namespace hinge::beam {
 namespace {
@@ -10,25 +11,22 @@ constexpr double least_pivot_growth = 1e-13;  ///< of a pivot: N may flow at eit
 constexpr double at_the_start = 1e-9;         ///< lambda over that of the flow found: a flow that begins (flowing_on)
 constexpr double stiff = 1e6;  ///< over the elastic stiffness: the second derivatives of D where flow begins
 
-}  // namespace
-
 /// The second derivatives of the work at the flow of a section, an end without its e. False: it does not flow.
-bool PotentialLaw::curvature_of(const ElementFlow& flow, int section, const End& end, Mat4& out) const {
+bool curvature_of(const FlowProblem& problem, const ElementFlow& flow, int section, const FlowingEnd& end, Mat4& out) {
     if (!(flow.lambda[section] > 0)) return false;
-    const Vec4 e = normalised_flow(flow, section);
-    Work w = work_at(e, end.own);
+    const Vec4 e = problem.normalised(flow.section[section]);
+    WorkOfFlow w = problem.work_at(e, end.own);
     const double largest = w.curvature.cwiseAbs().maxCoeff();
     if (flow.lambda[section] < at_the_start * 0.5 * w.initial && largest > 0)
         w.curvature *= std::max(1.0, stiff * end.k.maxCoeff() / largest);
     const Vec4 surface = w.q;
-    const double slope = end.turned.slope * factor_at(end.history, w.initial / material_.zone.energy, end.moment).value;
-    harden(end, e, w);
+    const double slope =
+        end.turned.slope * problem.factor_at(end.history, w.initial / problem.material.zone.energy, end.moment).value;
+    harden(problem, end, e, w);
     out = w.curvature;
-    if (follows_rotation_) out += slope * surface * surface.transpose();
+    if (problem.follows_rotation) out += slope * surface * surface.transpose();
     return true;
 }
-
-namespace {
 
 /// K - K B^T (B K B^T + D'')^-1 B K: the tangent where sections flow, with four rows of B and a block of D'' for each.
 /// Row after row is eliminated, that of the largest pivot first. Where N may flow at either of two ends, the matrix in
@@ -82,8 +80,7 @@ Eigen::Matrix<double, size, size> reduced(Eigen::Matrix<double, size, size> K, c
 
 /// The same of an element of which one section flows: half of its entries are 0, and D'' + `end.k`, the matrix in the
 /// middle, needs no choice of pivots where no strength falls.
-template <class Section>
-Mat6 one_reduced(const Stiffness& k, const Section& end, const Mat4& bend) {
+Mat6 one_reduced(const Stiffness& k, const FlowingEnd& end, const Mat4& bend) {
     double rows[4][6] = {{}, {}, {}, {}};  // B K
     rows[0][0] = end.per[0] * (end.n1 * k.x11 + end.n2 * k.x12),
     rows[0][1] = end.per[0] * (end.n1 * k.x12 + end.n2 * k.x22);
@@ -109,36 +106,37 @@ Mat6 one_reduced(const Stiffness& k, const Section& end, const Mat4& bend) {
 
 }  // namespace
 
-Mat6 PotentialLaw::tangent(const ElementFlow& flow, const Stiffness& k, const double* sections, int n,
-                           const SectionConditions& at) const {
-    End ends[2];
+Mat6 tangent_of_element(const FlowProblem& problem, const ElementFlow& flow, const Stiffness& k, const double* sections,
+                        int n, const SectionConditions& at) {
+    FlowingEnd ends[2];
     Mat4 bend[4];
     int count = 0;
     for (int i = 0; i < n; ++i) {
         if (!(flow.lambda[i] > 0)) continue;
-        End& end = ends[count] = End(sections[i], per_strength_, k);
-        end.set_history(at, i, *this, so_far(flow, i, at.history_of(i, history_size_)));
-        count += curvature_of(flow, i, end, bend[count]);
+        FlowingEnd& end = ends[count] = FlowingEnd(sections[i], problem.per_strength, k);
+        end.set_history(at, i, problem, flow_so_far(problem, flow, i, at.history_of(i, problem.history_size)));
+        count += curvature_of(problem, flow, i, end, bend[count]);
     }
-    if (count == 1 && !follows_rotation_) return one_reduced(k, ends[0], bend[0]);
+    if (count == 1 && !problem.follows_rotation) return one_reduced(k, ends[0], bend[0]);
     Eigen::Matrix<double, 16, 6> B;
     for (int i = 0; i < count; ++i) B.middleRows<4>(4 * i) = ends[i].rows();
     return reduced<6>(k.matrix(), B, bend, count);
 }
 
-Mat12 PotentialLaw::pair_tangent(const Mat12& elastic, const ElementFlow* const (&flow)[2],
-                                 const SectionConditions* at) const {
+Mat12 tangent_of_pair(const FlowProblem& problem, const Mat12& elastic, const ElementFlow* const (&flow)[2],
+                      const SectionConditions* at) {
     Eigen::Matrix<double, 16, 12> B;
     Mat4 bend[4];
     int count = 0;
     for (int i : {0, 1})
         for (int s = 0; flow[i] && s < 2; ++s) {
-            End end(s == 0 ? -1 : 1, per_strength_, {});
+            FlowingEnd end(s == 0 ? -1 : 1, problem.per_strength, {});
             const SectionRows own = end.rows();
             const Mat6 K = elastic.block<6, 6>(6 * i, 6 * i);
             end.k = (own * K * own.transpose()).diagonal();
-            end.set_history(at[i], s, *this, so_far(*flow[i], s, at[i].history_of(s, history_size_)));
-            if (!curvature_of(*flow[i], s, end, bend[count])) continue;
+            end.set_history(at[i], s, problem,
+                            flow_so_far(problem, *flow[i], s, at[i].history_of(s, problem.history_size)));
+            if (!curvature_of(problem, *flow[i], s, end, bend[count])) continue;
             B.middleRows<4>(4 * count).setZero();
             B.block<4, 6>(4 * count++, 6 * i) = own;
         }

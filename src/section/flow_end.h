@@ -1,9 +1,8 @@
-// What the return mapping of a PotentialLaw works with: a section that can flow, and the work of its flow.
+// An end of an element that can flow: what a search for the plastic flow of sections moves.
 #pragma once
 
-#include <algorithm>
-
-#include "section/potential_law.h"
+#include "section/flow_problem.h"
+#include "section/section_law.h"
 
 namespace hinge::beam {
 
@@ -12,27 +11,13 @@ inline constexpr double flow_tolerance = 2e-13;  ///< of the trial forces: what 
 using SectionRows = Eigen::Matrix<double, 4, 6>;
 
 /// What a section has flowed in the step.
-struct PotentialLaw::SoFar {
+struct FlowSoFar {
     double strain = 0;  ///< growth of its mean plastic strain
     Vec4 e = Vec4::Zero();
 };
 
-/// Work of a plastic deformation e and its derivatives: D alone, or with what hardening and rate make of it.
-struct PotentialLaw::Work {
-    double value = 0, initial = 0;  ///< J; initial: D(e)
-    Vec4 q = Vec4::Zero();
-    Mat4 curvature = Mat4::Zero();
-    void scale(double t) { value *= t, initial *= t, curvature /= t; }
-    /// A small change of e, where this is D alone: the curvature stays.
-    void step(const Vec4& way) {
-        const Vec4 more = curvature * way;
-        value = initial += (q + 0.5 * more).dot(way);
-        q += more;
-    }
-};
-
 /// A section that can flow, and how far it has.
-struct PotentialLaw::End {
+struct FlowingEnd {
     double n1, n2;                ///< of the section's moments, from those at the element's ends
     Vec4 per;                     ///< 1 over the strength
     Vec4 fixed;                   ///< normalised fixed-end part, less the back resultants at the start
@@ -40,14 +25,14 @@ struct PotentialLaw::End {
     Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
     MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
     const double *history = nullptr, *own = nullptr;  ///< own: the variables of the law itself
-    Moment moment{0, room_temperature};
+    MaterialLaw::Moment moment{0, room_temperature};
     Vec4 e = Vec4::Zero();
     mutable Vec4 known_at = Vec4::Zero();  ///< the e, not zero, of which the search knows D(e) and its derivatives
-    mutable Work known;                    ///< those
-    mutable int looks = 0;                 ///< evaluations of D(e) so far
+    mutable WorkOfFlow known;              ///< those
+    mutable int evaluations = 0;           ///< of D(e) so far
 
-    End() = default;
-    End(double r, const Vec4& per_strength, const Stiffness& of)
+    FlowingEnd() = default;
+    FlowingEnd(double r, const Vec4& per_strength, const Stiffness& of)
         : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength), fixed(Vec4::Zero()) {
         k << n1 * n1 * of.x11 + 2 * n1 * n2 * of.x12 + n2 * n2 * of.x22,
             n1 * n1 * of.y11 + 2 * n1 * n2 * of.y12 + n2 * n2 * of.y22, of.axial, of.twist;
@@ -56,27 +41,22 @@ struct PotentialLaw::End {
             if (per[c] == 0) k[c] = 1;
     }
     /// `so_far`: of the round before.
-    End(double r, const Vec4& per_strength, const Stiffness& of, const SectionConditions& at, int section,
-        const PotentialLaw& law, const SoFar& so_far)
-        : End(r, per_strength, of) {
+    FlowingEnd(double r, const Stiffness& of, const SectionConditions& at, int section, const FlowProblem& problem,
+               const FlowSoFar& so_far)
+        : FlowingEnd(r, problem.per_strength, of) {
         fixed = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
-        set_history(at, section, law, so_far);
+        set_history(at, section, problem, so_far);
     }
-    void set_history(const SectionConditions& at, int section, const PotentialLaw& law, const SoFar& so_far) {
+    void set_history(const SectionConditions& at, int section, const FlowProblem& problem, const FlowSoFar& so_far) {
         moment = {at.dt, at.temperature};
-        history = at.history_of(section, law.history_size_), own = law.own(history);
-        const double strain = so_far.strain;
-        turned = law.turned(history, so_far.e, strain * law.material_.zone.energy);
+        history = at.history_of(section, problem.history_size), own = problem.own(history);
+        turned = problem.turned(history, so_far.e, so_far.strain * problem.material.zone.energy);
         Vec4 back = Vec4::Zero();
-        const double* of = history;
-        for (const auto& m : law.material_.laws) {
-            m->add_back(law.material_.zone, of, strain, so_far.e, back, hardens);
-            if (of) of += m->history_size();
-        }
+        problem.add_back(history, so_far.strain, so_far.e, back, hardens);
         fixed -= back;
     }
     bool flows() const { return !e.isZero(0); }
-    void knows(const Vec4& at, const Work& work) const { known_at = at, known = work; }
+    void knows(const Vec4& at, const WorkOfFlow& work) const { known_at = at, known = work; }
     double at() const { return n1 + n2; }  ///< its position in the element, -1 to 1
     /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
     Vec4 carries(const Vec6& p) const {
@@ -93,5 +73,21 @@ struct PotentialLaw::End {
         return B;
     }
 };
+
+/// Phi(D) + e.C e / 2 in the place of D.
+void harden(const FlowProblem& problem, const FlowingEnd& end, const Vec4& e, WorkOfFlow& w);
+
+/// What section `section` has flowed in the step, where its material needs that.
+FlowSoFar flow_so_far(const FlowProblem& problem, const ElementFlow& flow, int section, const double* history);
+
+/// Growth of the mean plastic strain of a section in the step.
+double mean_strain(const FlowProblem& problem, const ElementFlow& flow, int section, const double* history);
+
+/// Adds what an end has flowed to the flow of its element.
+FlowSoFar add_flow(const FlowProblem& problem, const FlowingEnd& end, int section, ElementFlow& out);
+
+/// Whether q, less the back resultants, is outside of the yield surface at the start of the step
+/// (PlasticWork::outside).
+bool is_beyond(const FlowProblem& problem, const FlowingEnd& end, const Vec4& q, Vec4& direction);
 
 }  // namespace hinge::beam
