@@ -11,6 +11,13 @@ struct InputError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// Wrong value of a field of `what`: "what: field 'depth' is 0 m; must be above 0 m".
+struct FieldError : InputError {
+    FieldError(const std::string& what, const std::string& its_field, const std::string& its_why)
+        : InputError(what + ": field '" + its_field + "' is " + its_why), field(its_field), why(its_why) {}
+    std::string field, why;
+};
+
 /// A system call failed (a full disk, an unreadable file). The message names a remedy.
 struct OutsideError : std::runtime_error {
     using std::runtime_error::runtime_error;

@@ -7,7 +7,7 @@
 
 #include "effects/reports.h"
 #include "effects/workspace.h"
-#include "model/plastic_shape.h"
+#include "section/plastic_shape.h"
 
 namespace hinge {
 
@@ -23,7 +23,7 @@ inline bool is_unsafe(double m, double exact) { return m > (1 + unsafe_excess) *
 /// "73 %"
 std::string excess_text(double excess);
 
-/// Follows the sections whose moment is beyond the exact plastic one beside their N (model/plastic_shape.h). Sections
+/// Follows the sections whose moment is beyond the exact plastic one beside their N (section/plastic_shape.h). Sections
 /// of unknown shape are left out.
 class AxialStrength {
 public:

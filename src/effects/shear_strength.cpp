@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "section/section_outline.h"
 #include "effects/axial_strength.h"
 #include "model/member_text.h"
 

@@ -7,7 +7,7 @@
 
 #include "effects/reports.h"
 #include "effects/workspace.h"
-#include "model/shear.h"
+#include "section/shear.h"
 
 namespace hinge {
 

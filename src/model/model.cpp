@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "section/material_law.h"
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "core/errors.h"
 #include "core/text.h"
 #include "section/laws/laws.h"
@@ -33,18 +33,6 @@ int Model::add_node(const Vec3& position) {
 }
 
 void Model::fix(int node, std::uint8_t mask) { check_open(), nodes_[node].fixed |= mask; }
-
-Interaction interaction_of(const std::string& word) {
-    return word == "exact"              ? Interaction::exact
-           : word == "exact with shear" ? Interaction::exact_with_shear
-                                        : Interaction::paper;
-}
-
-const char* word_of(Interaction interaction) {
-    return interaction == Interaction::exact              ? "exact"
-           : interaction == Interaction::exact_with_shear ? "exact with shear"
-                                                          : "paper";
-}
 
 const char* carries_word(Carries carries) {
     return carries == Carries::both ? "both" : carries == Carries::tension ? "tension" : "compression";

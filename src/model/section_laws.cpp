@@ -9,10 +9,6 @@
 
 namespace hinge {
 
-bool has_exact_law(const Section& section, const beam::YieldSurface& w) {
-    return section.outline && w.x != 0 && w.y != 0 && w.n != 0;
-}
-
 std::vector<std::string> optional_laws(const Structure& structure) {
     std::set<std::string> names;
     for (const Element& e : structure.elements()) {

@@ -8,13 +8,6 @@ namespace hinge {
 
 class Model;
 class Structure;
-struct Section;
-namespace beam {
-struct YieldSurface;
-}
-
-/// True if the exact interaction of this section can be computed: its outline and three strengths are known.
-bool has_exact_law(const Section& section, const beam::YieldSurface& strength);
 
 /// A law that a model does without, by name: "hardening" and whatever else MaterialLaw::name gives; "exact": sections
 /// with that interaction have eq 14 in its place; "eq 14": sections whose outline is known have the exact interaction.

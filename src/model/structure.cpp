@@ -11,7 +11,8 @@
 #include "section/laws/laws.h"
 #include "model/member_ends.h"
 #include "model/section_laws.h"
-#include "model/shear.h"
+#include "section/section_outline.h"
+#include "section/shear.h"
 
 namespace hinge {
 namespace {
@@ -19,20 +20,6 @@ namespace {
 /// Where the point stands while the element is elastic (fig 3): in the middle (eq 7a) or at s_g = -r_g (eqs 11a-b and
 /// 12a). `inner`: +1 when the pair's middle is at node 2.
 double normal_point(Formulation f, int inner) { return f == Formulation::asi_gauss ? beam::gauss_point * inner : 0; }
-
-}  // namespace
-
-beam::YieldSurface yield_surface(const Section& s, const Material& m) {
-    const auto inverse_square = [&](const std::optional<double>& given, double modulus, double stress) {
-        const double limit = given ? *given : modulus > 0 ? modulus * stress : std::numeric_limits<double>::infinity();
-        return std::isfinite(limit) ? 1 / (limit * limit) : 0.0;
-    };
-    const double tau = m.yield_stress / std::sqrt(3.0);
-    return {inverse_square(s.Mx0, s.Zx, m.yield_stress), inverse_square(s.My0, s.Zy, m.yield_stress),
-            inverse_square(s.N0, s.plastic_area, m.yield_stress), inverse_square(s.Mz0, s.Zz, tau)};
-}
-
-namespace {
 
 bool is_omitted(const std::vector<OmittedLaw>& omitted, const std::string& name) {
     return std::ranges::any_of(omitted, [&](const OmittedLaw& law) { return law.name == name; });
@@ -80,20 +67,6 @@ std::unique_ptr<const beam::SectionLaw> law_of(const MemberData& member, const b
     const auto shear = asked == Interaction::exact_with_shear ? shear_carried(section) : std::nullopt;
     return beam::exact_law(section.outline->domain(), {strength(w.x), strength(w.y), strength(w.n), strength(w.z)},
                            std::move(adds), shear ? &*shear : nullptr);
-}
-
-/// Local axes of a member: z along it, y in the plane of z and `up`.
-/// Elastic stiffness and mass of a section for a metre of its length.
-beam::Rigidity rigidity_of(const Section& section, const Material& material) {
-    return {material.E * section.Ix,
-            material.E * section.Iy,
-            material.E * section.area,
-            material.G * section.J,
-            material.G * section.shear_area_x,
-            material.G * section.shear_area_y,
-            material.density * section.area,
-            material.density * (section.mass_Ix > 0 ? section.mass_Ix : section.Ix),
-            material.density * (section.mass_Iy > 0 ? section.mass_Iy : section.Iy)};
 }
 
 /// Half the smaller side of a section, m; where its sides are not given, that of the square of the same area.

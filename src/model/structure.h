@@ -36,9 +36,6 @@ struct Element {
     double mass() const { return beam::element_mass(rigidity, length); }
 };
 
-/// Yield surface of a section of this material.
-beam::YieldSurface yield_surface(const Section& s, const Material& m);
-
 /// Kind of mass matrix. at_nodes: consistent, but the rotary inertia of the sections belongs to the nodes and rotates
 /// with them.
 enum class MassKind : std::uint8_t { consistent, lumped, at_nodes };

@@ -136,7 +136,8 @@ void Finder::never_yields() {
     for (int i = 0; i < int(model.members().size()); ++i) {
         const Section& s = *model.members()[i].section;
         const Material& m = *model.members()[i].material;
-        const bool yields = s.N0 || s.Mx0 || s.My0 || s.Mz0 || s.plastic_area > 0 || s.Zx > 0 || s.Zy > 0 || s.Zz > 0;
+        const bool yields = s.given.N0 || s.given.Mx0 || s.given.My0 || s.given.Mz0 || s.plastic_area > 0 || s.Zx > 0 ||
+                            s.Zy > 0 || s.Zz > 0;
         if (std::isfinite(m.yield_stress) && !yields && seen.insert(&s).second)
             tell("no plastic modulus",
                  "the section (" + s.kind + ") of " + name(i) + " has no plastic moduli, so that it never yields at " +

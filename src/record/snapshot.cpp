@@ -8,7 +8,7 @@
 
 #include "section/fracture_limits.h"
 #include "section/material_law.h"
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "section/yield.h"
 #include "effects/declared.h"
 #include "run/run.h"

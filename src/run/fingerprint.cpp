@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "section/material_law.h"
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "core/archive.h"
 
 namespace hinge {
@@ -68,8 +68,9 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
         const Section& section = *m.section;
         a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
-          section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.N0, section.Mx0,
-          section.My0, section.Mz0, section.width, section.depth, section.interaction, section.shape);
+          section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.given.N0,
+          section.given.Mx0, section.given.My0, section.given.Mz0, section.width, section.depth, section.interaction,
+          section.shape);
         for (const auto& walls : section.walls)
             for (const Section::Wall& w : walls) a(w.x0, w.x1, w.y0, w.y1);
         if (section.outline) add_outline(a, section.outline->outline());

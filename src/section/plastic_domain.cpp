@@ -1,66 +1,20 @@
 #include "section/plastic_domain.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/lanes.h"
-#include "core/positive.h"
 
 namespace hinge::beam {
 namespace {
 
-constexpr int levels = 24, rays = 96;  ///< of the polyhedron: axial forces from 0 to 1, directions of the moment
-constexpr double coarse = 0.04;        ///< largest side of a contour from which a level is made
-constexpr double pressed_axis = 0.6;   ///< half axis N of the ellipsoid; its other axes follow
+constexpr double pressed_axis = 0.6;  ///< half axis N of the ellipsoid; its other axes follow
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double all_round = 200;  ///< e over |k|: near the end of N of a smooth domain
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
-/// A section is at least as strong as if all of it had lost what its weakest walls have.
-double left_of(const PlasticDomain::Lost* lost) { return lost ? 1 - std::max(lost->part[0], lost->part[1]) : 1; }
-
-double signed_area(const std::vector<Eigen::Vector2d>& corners) {
-    double twice = 0;
-    for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
-    return twice / 2;
-}
-
-/// First moments of area, with the sign of the direction of rotation.
-Eigen::Vector2d signed_moments(const std::vector<Eigen::Vector2d>& corners) {
-    Eigen::Vector2d six = Eigen::Vector2d::Zero();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d &p = corners[i], &q = corners[(i + 1) % corners.size()];
-        six += cross(p, q) * (p + q);
-    }
-    return six / 6;
-}
-
 }  // namespace
-
-double Outline::area() const {
-    double sum = 0;
-    for (const Polygon& p : polygons) sum += (p.hole ? -1 : 1) * std::abs(signed_area(p.corners));
-    for (const Circle& c : circles) sum += (c.hole ? -1 : 1) * std::numbers::pi * c.radius * c.radius;
-    return sum;
-}
-
-Eigen::Vector2d Outline::centroid() const {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const Polygon& p : polygons)
-        sum += (p.hole == (signed_area(p.corners) > 0) ? -1 : 1) * signed_moments(p.corners);
-    for (const Circle& c : circles) sum += (c.hole ? -1 : 1) * std::numbers::pi * c.radius * c.radius * c.centre;
-    return sum / area();
-}
-
-void Outline::move(const Eigen::Vector2d& by) {
-    for (Polygon& p : polygons)
-        for (Eigen::Vector2d& corner : p.corners) corner += by;
-    for (Circle& c : circles) c.centre += by;
-}
 
 /// Sums over the area: of z = (y, -x, 1) on the positive side of the neutral axis, and of z z^T along the axis.
 struct PlasticDomain::Sums {
@@ -98,13 +52,10 @@ struct PlasticDomain::Sums {
     Vec3 positive = Vec3::Zero();
     double line[3] = {0, 0, 0};  ///< integrals of 1, t and t^2 along the axis, within the area
 };
-
-double Reinforcement::Bar::radius() const { return std::sqrt(area / std::numbers::pi); }
-
 PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concrete) {
     if (concrete && concrete->strains) {
         set_states(outline, *concrete);
-        for (double side : {1, -1}) make_polyhedron(side);
+        make_polyhedron();
         make_ellipsoid_of_concrete();
         return;
     }
@@ -135,7 +86,7 @@ PlasticDomain::PlasticDomain(const Outline& outline, const Reinforcement* concre
     const Eigen::Vector2d share(halved[0] ? 1 : slice(0, 0)[0], halved[1] ? 1 : slice(0, full_turn / 4)[1]);
     modulus_ = modulus_.cwiseProduct(share);
     set_scale();
-    make_polyhedron(1);
+    make_polyhedron();
     if (concrete) make_ellipsoid_of_concrete();
     else make_ellipsoid();
 }
@@ -273,82 +224,6 @@ double PlasticDomain::support(const Vec3& v, Vec3& point, Mat3* curvature, const
     return point.dot(v);
 }
 
-double PlasticDomain::gauge(const Vec3& q, Vec3* normal, double* error, double limit, const Lost* lost) const {
-    const double size = q.norm();
-    if (error) *error = 0;
-    if (!(size > 0)) {
-        if (normal) normal->setZero();
-        return size;
-    }
-    Vec3 v = about_normal(q);
-    double missed = 0;
-    double h = find_gauge(q / size, v, missed, limit / size, lost, !normal);
-    if (missed > 1e-9 && !(h * size > limit || (h + missed) * size <= limit))
-        h = find_gauge(q / size, v = q / size, missed, limit / size, lost, !normal);
-    if (error) *error = size * missed;
-    if (normal) *normal = v / h;
-    return size * h;
-}
-
-/// The gauge of the unit vector `to` is h(v) where h^2 / 2 - to . v is least; `v`: where the search starts, and ends.
-/// `missed`: the gauge of what is left of `to`, 0 where nearly nothing is.
-/// It ends where it is known on which side of `limit` the gauge is: no h is above it, and none below it by more than
-/// the gauge of what is left.
-/// `alone`: the gauge is asked for without v. Where Newton's method converges, the fall of its next step is known, and
-/// the step is not taken.
-double PlasticDomain::find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost,
-                                 bool alone) const {
-    constexpr double near = 1e-6, quick = 1e-2;  // what is left of `to`, and over that before the last step
-    constexpr double small_fall = 1e-9;          // of h^2: where the surface is nearly flat, a step may lead far
-    Vec3 point;
-    v.normalize();
-    if (!(v.dot(to) > 0.01)) v = to;
-    Mat3 curvature;
-    double h = support(v, point, &curvature, lost);
-    const Vec3 within = left_of(lost) * ellipsoid_;
-    v *= to.dot(v) / (h * h), h = point.dot(v), curvature /= v.norm();
-    double F = h * h / 2 - to.dot(v), damping = 0, off_before = 0;
-    missed = 0;
-    for (int i = 0; i < 200; ++i) {
-        const Vec3 off = to - h * point;
-        if (off.norm() <= 1e-12 * h) return missed = 0, h;
-        if (limit < std::numeric_limits<double>::infinity()) {
-            missed = off.cwiseQuotient(within).norm();
-            if (h > limit || h + missed <= limit) return h;
-        }
-        const Mat3 H = point * point.transpose() + h * curvature;
-        bool fell = false;
-        for (int tries = 0; tries < 60 && !fell; ++tries) {
-            Mat3 damped = H;
-            damped.diagonal().array() += std::max(damping, 1e-13) * H.trace();
-            Vec3 way = off, there;
-            const bool solved = solve_positive(damped, way);
-            if (alone && solved && damping == 0 && off.norm() <= std::min(near * h, quick * off_before) &&
-                std::abs(off.dot(way)) <= small_fall * h * h)
-                return missed = 0, std::sqrt(h * h + off.dot(way));
-            Vec3 next = v + way;
-            Mat3 bent;
-            double h_next = solved ? support(next, there, &bent, lost) : 0;
-            if (h_next > 0) {  // along a ray the least is known
-                const double times = to.dot(next) / (h_next * h_next);
-                if (times > 0) next *= times, h_next *= times, bent /= times;
-            }
-            const double F_next = solved ? h_next * h_next / 2 - to.dot(next) : F;
-            // near the least value F no longer tells
-            if (F_next < F || (solved && off.norm() < 1e-4 && (to - h_next * there).norm() < 0.5 * off.norm())) {
-                fell = true, v = next, h = h_next, point = there, curvature = bent, F = F_next;
-                off_before = off.norm();
-                damping = damping < 1e-10 ? 0 : 0.1 * damping;
-            } else {
-                damping = damping == 0 ? 1e-4 : 8 * damping;
-            }
-        }
-        if (!fell) break;
-    }
-    missed = (to - h * point).cwiseQuotient(within).norm();
-    return h;
-}
-
 double PlasticDomain::farthest() const {
     double most = edges_.farthest;
     for (const Circle& c : circles_) most = std::max(most, c.centre.norm() + c.radius);
@@ -381,164 +256,10 @@ Eigen::Vector2d PlasticDomain::slice(double n, double angle) const {
     if (!concrete()) return contour(n, angle);
     return contour(n + centre_[2], angle) - centre_.head<2>() - n * end_;
 }
-
-namespace {
-
-/// The contour of one axial force as a convex polygon of its points; sides longer than `coarse` are halved.
-template <class Slice>
-void add_points(const Slice& slice, double n, double from, double to, const Eigen::Vector2d& a,
-                const Eigen::Vector2d& b, int depth, std::vector<Eigen::Vector2d>& points) {
-    if (depth > 0 && (b - a).norm() > coarse * (1 - n)) {
-        const double middle = 0.5 * (from + to);
-        const Eigen::Vector2d m = slice(n, middle);
-        add_points(slice, n, from, middle, a, m, depth - 1, points);
-        add_points(slice, n, middle, to, m, b, depth - 1, points);
-    } else {
-        points.push_back(a);
-    }
-}
-
-/// Directions of the moment, and two vectors by which m = (by_alpha . m) this one + (by_beta . m) the next.
-struct Ray {
-    Eigen::Vector2d to, by_alpha, by_beta;
-};
-
-/// They divide the sides of the square |x| + |y| = 1 evenly, so that it takes no angle to find those beside m.
-std::array<Ray, rays> make_rays() {
-    const auto direction = [](int i) {
-        const double at = 4.0 * (i % rays) / rays, past = at - int(at);
-        const Eigen::Vector2d on_first(1 - past, past);
-        Eigen::Vector2d on = on_first.normalized();
-        for (int quarter = 0; quarter < int(at); ++quarter) on = Eigen::Vector2d(-on.y(), on.x());
-        return on;
-    };
-    std::array<Ray, rays> all;
-    for (int i = 0; i < rays; ++i) {
-        const Eigen::Vector2d a = direction(i), b = direction(i + 1);
-        const double across = cross(a, b);
-        all[i] = {a, Eigen::Vector2d(b.y(), -b.x()) / across, Eigen::Vector2d(-a.y(), a.x()) / across};
-    }
-    return all;
-}
-const std::array<Ray, rays>& all_rays() {
-    static const std::array<Ray, rays> all = make_rays();
-    return all;
-}
-
-/// The ray at or before the direction of m, not zero.
-int ray_before(const Eigen::Vector2d& m) {
-    const double x = std::abs(m.x()), y = std::abs(m.y()), past = (m.x() >= 0) == (m.y() >= 0) ? y : x;
-    const int quarter = m.y() >= 0 ? (m.x() >= 0 ? 0 : 1) : (m.x() >= 0 ? 3 : 2), each = rays / 4;
-    return quarter * each + std::min(each - 1, int(each * past / (x + y)));
-}
-
-}  // namespace
-
-/// The radius of each level in the direction of each ray, of polygons whose corners are on the surface.
-/// `side`: of the centre, by the sign of N; points of the other one are taken to this one, through the centre.
-void PlasticDomain::make_polyhedron(double side) {
-    constexpr int first = 16;
-    const std::size_t before = inverse_.size();
-    inverse_.resize(before + std::size_t(levels) * rays, 0.0);
-    const auto of_side = [&](double at, double angle) -> Eigen::Vector2d { return side * slice(side * at, angle); };
-    for (int level = 0; level < levels; ++level) {
-        const double n = double(level) / levels;
-        std::vector<Eigen::Vector2d> points;
-        Eigen::Vector2d start[first + 1];
-        for (int k = 0; k < first; ++k) start[k] = of_side(n, full_turn * k / first);
-        start[first] = start[0];
-        for (int k = 0; k < first; ++k)
-            add_points(of_side, n, full_turn * k / first, full_turn * (k + 1) / first, start[k], start[k + 1], 12,
-                       points);
-        for (int ray = 0; ray < rays; ++ray) {
-            const Eigen::Vector2d to = all_rays()[ray].to;
-            double radius = 0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const Eigen::Vector2d &p = points[i], edge = points[(i + 1) % points.size()] - p;
-                const double across = cross(to, edge);
-                if (!(std::abs(across) > 0)) continue;
-                const double along = cross(to, p) / -across;
-                if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * edge));
-            }
-            inverse_[before + std::size_t(level) * rays + ray] =
-                radius > 0 ? 1 / ((1 - 1e-6) * radius) : std::numeric_limits<double>::infinity();
-        }
-    }
-}
-
-/// The face of the polyhedron in the direction of a moment at an axial force: at axial force n (0 to 1) and in the
-/// direction of m the radius is a mean of those of two levels, each on the side between two rays.
-struct PlasticDomain::Face {
-    double times = 0;  ///< of m: the radius; at least 1 inside
-    double radius[2] = {1, 0};
-    Eigen::Vector2d slope[2];
-    double part = 0;
-};
-
-PlasticDomain::Face PlasticDomain::face_at(double n, const Eigen::Vector2d& m, double side) const {
-    Face f;
-    const double at = levels * n;
-    const int level = int(at), ray = ray_before(m), next = (ray + 1) % rays, first = states_ && side < 0 ? levels : 0;
-    f.part = at - level;
-    const auto& [to, by_alpha, by_beta] = all_rays()[ray];
-    for (int i = 0; i < (level + 1 < levels ? 2 : 1); ++i) {
-        const double* row = &inverse_[std::size_t(first + level + i) * rays];
-        f.slope[i] = row[ray] * by_alpha + row[next] * by_beta;
-        f.radius[i] = 1 / f.slope[i].dot(m);
-    }
-    f.times = (1 - f.part) * f.radius[0] + f.part * f.radius[1];
-    return f;
-}
-
-/// About the centre, N with a positive sign; `side`: its sign.
-Vec3 PlasticDomain::about_centre(const Vec3& forces, double& side) const {
-    Vec3 q = forces;
-    if (concrete()) q -= centre_, q.head<2>() -= q[2] * end_;
-    side = q[2] < 0 ? -1 : 1;
-    return side * q;
-}
-
-bool PlasticDomain::surely_inside(const Vec3& forces, Vec3* normal, const Lost* lost) const {
-    const double left = left_of(lost);
-    if (!normal && forces.cwiseQuotient(ellipsoid_).squaredNorm() <= left * left) return true;
-    double side;
-    const Vec3 q = about_centre(forces, side) / left;
-    const Eigen::Vector2d m = q.head<2>();
-    if (normal) *normal = side * q;
-    if (!(q[2] < 1 && m.allFinite())) return false;
-    if (m.isZero(0)) return true;
-    const Face f = face_at(q[2], m, side);
-    if (normal) {
-        Eigen::Vector2d of_m = (1 - f.part) * f.radius[0] * f.radius[0] * f.slope[0];
-        if (f.radius[1] > 0) of_m += f.part * f.radius[1] * f.radius[1] * f.slope[1];
-        *normal << side * of_m, side * levels * (f.radius[0] - f.radius[1]);
-        if (concrete()) (*normal)[2] -= end_.dot(normal->head<2>());
-    }
-    return f.times >= 1;
-}
-
-/// About the strain whose point is in the direction of the forces: that of the polyhedron's face there. What is left
-/// of the radius beyond t m falls with t, faster and faster.
-Vec3 PlasticDomain::about_normal(const Vec3& forces) const {
-    constexpr int most = 4;
-    double side, t = 0;
-    const Vec3 q = about_centre(forces, side);
-    const Eigen::Vector2d m = q.head<2>();
-    Vec3 normal = forces;
-    if (concrete() || m.isZero(0) || !q.allFinite()) return surely_inside(forces, &normal), normal;
-    const double most_t = q[2] > 0 ? 1 / q[2] : std::numeric_limits<double>::infinity();
-    double low = 0, left = face_at(0, m, side).times, high = std::min(most_t, left), over = -high;
-    if (high < most_t) over = face_at(high * q[2], m, side).times - high;
-    for (int i = 0; i < most; ++i) {
-        t = low + (high - low) * left / (left - over);
-        if (!(t > low && t < high)) break;
-        const double off = face_at(t * q[2], m, side).times - t;
-        if (std::abs(off) < 0.01 * t) break;
-        if (off > 0) low = t, left = off, over *= 0.5;
-        else high = t, over = off, left *= 0.5;
-    }
-    surely_inside(side * t * q, &normal);
-    return normal;
+/// Points at N below the centre's are taken to the other side, through the centre.
+void PlasticDomain::make_polyhedron() {
+    polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return slice(n, angle); });
+    if (states_) polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return -slice(-n, angle); });
 }
 
 /// The largest within the surface, of equal half axes of both moments: sqrt(a^2 k^2 + b^2 e^2) <= h for all strains.

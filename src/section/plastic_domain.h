@@ -32,48 +32,14 @@
 #include <array>
 #include <limits>
 #include <memory>
-#include <mutex>
-#include <optional>
 #include <vector>
 
+#include "section/inner_polyhedron.h"
 #include "section/ultimate_states.h"
-#include "core/types.h"
 
 namespace hinge::beam {
 
-/// Outline of a cross-section, m. Its axes go through the centroid of the area: x and y of the member.
-struct Outline {
-    struct Polygon {
-        std::vector<Eigen::Vector2d> corners;  ///< in either direction of rotation
-        bool hole = false;
-    };
-    struct Circle {
-        Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-        double radius = 0;
-        bool hole = false;
-    };
-    std::vector<Polygon> polygons;
-    std::vector<Circle> circles;
-
-    /// Area, m^2, and its centroid, m.
-    double area() const;
-    Eigen::Vector2d centroid() const;
-    void move(const Eigen::Vector2d& by);
-};
-
-/// Strengths of concrete, none of them in tension, and of the bars in it. Pa, m^2, m.
-struct Reinforcement {
-    struct Bar {
-        Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-        double area = 0, tension = 0, compression = 0;
-        double radius() const;
-    };
-    double concrete = 0;    ///< compression
-    std::vector<Bar> bars;  ///< each is stronger in compression than the concrete, and lies within the outline
-    /// Its ultimate states bound the forces; without: ideal plasticity does.
-    std::optional<ConcreteStrains> strains = {};
-};
-
+/// The convex set of forces (Mx, My, N) that a section can carry, by its support function.
 class PlasticDomain {
 public:
     class Walls;
@@ -147,11 +113,9 @@ private:
     double find_gauge(const Vec3& to, Vec3& v, double& missed, double limit, const Lost* lost, bool alone) const;
     void set_scale();
     void set_states(const Outline& outline, const Reinforcement& concrete);
-    struct Face;
-    Face face_at(double n, const Eigen::Vector2d& m, double side) const;
     Vec3 about_centre(const Vec3& forces, double& side) const;
     Eigen::Vector2d slice(double n, double angle) const;
-    void make_polyhedron(double side);
+    void make_polyhedron();
     void make_ellipsoid();
     void make_ellipsoid_of_concrete();
     double farthest() const;  ///< of the outline from the centroid, m
@@ -163,8 +127,8 @@ private:
     Vec3 weighted_ = Vec3::Zero();  ///< sums over the area
     double stress_ = 0;             ///< Pa, half of the concrete's strength; 0: no concrete
     Eigen::Vector2d modulus_ = Eigen::Vector2d::Zero();
-    Vec3 scale_ = Vec3::Ones();    ///< from normalised strains to 1/m, and from moments to normalised ones
-    std::vector<double> inverse_;  ///< 1 over the radius, of each ray of each level; of each side that is not alike
+    Vec3 scale_ = Vec3::Ones();  ///< from normalised strains to 1/m, and from moments to normalised ones
+    InnerPolyhedron polyhedron_;
     Vec3 ellipsoid_ = Vec3::Zero();
     Vec3 centre_ = Vec3::Zero();
     Eigen::Vector2d end_ = Eigen::Vector2d::Zero();  ///< moments beyond the centre's at pure tension
@@ -181,25 +145,6 @@ public:
 private:
     friend class PlasticDomain;
     Edges edges_[2];
-};
-
-/// An outline whose domain is computed when it is first asked for, and once.
-class SectionOutline {
-public:
-    explicit SectionOutline(Outline outline, std::optional<Reinforcement> concrete = {})
-        : outline_(std::move(outline)), concrete_(std::move(concrete)) {}
-    const Outline& outline() const { return outline_; }
-    const Reinforcement* concrete() const { return concrete_ ? &*concrete_ : nullptr; }  ///< null: it is of steel
-    std::shared_ptr<const PlasticDomain> domain() const {
-        std::call_once(once_, [this] { domain_ = std::make_shared<const PlasticDomain>(outline_, concrete()); });
-        return domain_;
-    }
-
-private:
-    Outline outline_;
-    std::optional<Reinforcement> concrete_;
-    mutable std::once_flag once_;
-    mutable std::shared_ptr<const PlasticDomain> domain_;
 };
 
 }  // namespace hinge::beam

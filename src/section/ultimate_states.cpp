@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "section/plastic_domain.h"
 #include "core/lanes.h"
 
 namespace hinge::beam {

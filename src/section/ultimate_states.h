@@ -16,21 +16,11 @@
 
 #include <vector>
 
-#include "core/types.h"
+#include "section/outline.h"
 
 namespace hinge::beam {
 
-struct Outline;
-struct Reinforcement;
-
-/// Stress of concrete over its compressive strain, over its strength: 1 - (1 - strain / peak)^exponent up to `peak`,
-/// then 1 (EN 1992-1-1, 3.1.7); or a block: 1 from `block` on, and 0 below (ACI 318).
-struct ConcreteStrains {
-    double peak = 0.002, ultimate = 0.0035, exponent = 2;
-    double block = 0;     ///< 0: no block
-    double bars = 200e9;  ///< E of the bars, Pa
-};
-
+/// The smooth surface through the ultimate states, by its support function.
 class UltimateStates {
 public:
     /// `outline`: its centroid is the origin.

@@ -20,7 +20,7 @@ std::shared_ptr<Section> section_S(double shear, double axial = 1, bool axial_co
     s->shear_area_x *= shear;
     s->shear_area_y *= shear;
     s->area *= axial;
-    if (!axial_counts) s->N0 = infinite;
+    if (!axial_counts) s->given.N0 = infinite;
     return s;
 }
 
@@ -333,7 +333,7 @@ struct Vogel : Bench {
         s->Zx = modulus * 1e-6;
         s->Iy = s->Ix / 3, s->J = s->Ix / 100, s->Zy = s->Zx / 3, s->Zz = s->Zx / 10;  // do not act in the plane
         s->width = s->depth = 0.2;
-        if (!axial_counts) s->N0 = infinite;
+        if (!axial_counts) s->given.N0 = infinite;
         return s;
     }
 };

@@ -1,10 +1,10 @@
 // Exact plastic moments beside an axial force: against a section cut into strips, and what is no known shape.
-#include "model/plastic_shape.h"
+#include "section/plastic_shape.h"
 
 #include <functional>
 #include <numbers>
 
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "helpers.h"
 #include "model/model.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "script/bind/bind_joints.h"
 #include "script/bind/material_laws.h"
 #include "advice/size_notice.h"

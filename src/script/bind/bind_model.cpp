@@ -1,7 +1,7 @@
 // hinge.model, and how a script adds nodes, supports, members, loads and velocities to it.
 #include <algorithm>
 
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "effects/gravity.h"
 #include "script/bind/bind_members.h"
 #include "script/bind/model_methods.h"

@@ -1,10 +1,8 @@
 // hinge.material and hinge.section.general: the material and section of members.
 #include <cmath>
-#include <numbers>
 
 #include "section/material_law.h"
-#include "section/plastic_domain.h"
-#include "model/plastic_shape.h"
+#include "section/plastic_shape.h"
 #include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"
 #include "script/bind/modules.h"
@@ -69,21 +67,6 @@ int material_text(lua_State* L) {
     return 1;
 }
 
-/// Resultants of concrete and its bars, N and N m: the larger of both signs; moments beside no axial force.
-void add_strengths(Options& o, Section& s) {
-    for (const char* field : {"N0", "Mx0", "My0", "plastic", "interaction"})
-        if (o.has(field)) o.complain(field, "given beside reinforcement", "from which it follows; give one of the two");
-    const auto domain = s.outline->domain();
-    const Vec3 strength = domain->strength();
-    s.N0 = strength[2] * (1 + std::abs(domain->centre()[2]));
-    const auto moment = [&](int axis) {
-        const double there = domain->contour(0, axis * std::numbers::pi / 2)[axis],
-                     back = domain->contour(0, std::numbers::pi * (1 + axis / 2.0))[axis];
-        return strength[axis] * std::max(std::abs(there), std::abs(back));
-    };
-    s.Mx0 = moment(0), s.My0 = moment(1);
-}
-
 /// hinge.section.concrete makes its section here, and its errors about bars are found here.
 const char* maker_of(lua_State* L) {
     if (!lua_istable(L, 1)) return "hinge.section.general";
@@ -132,10 +115,10 @@ int section(lua_State* L) {
     s.shear_area_y = o.number("shear_area_y", "m^2", Range::positive, s.area * 5 / 6);
     s.mass_Ix = o.number("mass_Ix", "m^4", Range::positive, 0);
     s.mass_Iy = o.number("mass_Iy", "m^4", Range::positive, 0);
-    s.N0 = o.maybe_number("N0", "N", Range::positive);
-    s.Mx0 = o.maybe_number("Mx0", "N m", Range::positive);
-    s.My0 = o.maybe_number("My0", "N m", Range::positive);
-    s.Mz0 = o.maybe_number("Mz0", "N m", Range::positive);
+    s.given.N0 = o.maybe_number("N0", "N", Range::positive);
+    s.given.Mx0 = o.maybe_number("Mx0", "N m", Range::positive);
+    s.given.My0 = o.maybe_number("My0", "N m", Range::positive);
+    s.given.Mz0 = o.maybe_number("Mz0", "N m", Range::positive);
     if (o.push_field("plastic") != LUA_TNIL) {
         Options p(L, -1, "hinge.section.general, plastic");
         s.plastic_area = p.number("A", "m^2", Range::positive, 0);
@@ -158,20 +141,14 @@ int section(lua_State* L) {
     if (const auto shape = o.text("shape")) s.shape = *shape;
     read_walls(o, s);
     s.outline = read_outline(o);
-    if (s.outline) {
-        const double area = s.outline->outline().area();
-        if (!(std::abs(area - s.area) <= 0.02 * area))
-            o.complain("area", show(s.area) + " m^2",
-                       "the outline has " + show(area) + " m^2, and the two may differ by 2 % of it");
-    }
-    if (s.outline && s.outline->concrete()) add_strengths(o, s);
-    else if (!s.outline && o.has("reinforcement"))
+    if (!s.outline && o.has("reinforcement"))
         o.complain("reinforcement", "given", "needs the section's shape: give 'outline' as well");
+    for (const char* field : {"N0", "Mx0", "My0", "plastic", "interaction"})
+        if (s.outline && s.outline->concrete() && o.has(field))
+            o.complain(field, "given beside reinforcement", "from which it follows; give one of the two");
     if (const std::string asked = o.word("interaction", {"", "paper", "exact", "exact with shear"}, ""); !asked.empty())
         s.interaction = interaction_of(asked);
-    if (is_exact(s.interaction) && !s.outline)
-        o.complain("interaction", std::string("'") + word_of(s.interaction) + "'",
-                   "needs the section's shape: give 'outline', or take hinge.section.h, box, pipe, solid or round");
+    complete_section(s, o.function());
     o.finish();
     s.asked_at = where(L);
     push<SectionBox>(L, std::make_shared<const Section>(s));
@@ -195,18 +172,15 @@ int plastic_moments(lua_State* L) {
     const Section& s = *self<SectionBox>(L, "section:plastic_moments").value;
     const auto number = [L](int i) { return lua_type(L, i) == LUA_TNUMBER ? lua_tonumber(L, i) : std::nan(""); };
     if (!s.outline || !s.outline->concrete()) return lua_pushnil(L), 1;
-    const auto domain = s.outline->domain();
-    const Vec3 strength = domain->strength();
-    const double N = number(2), angle = lua_isnoneornil(L, 3) ? 0 : number(3),
-                 least = strength[2] * (domain->centre()[2] - 1), most = strength[2] * (domain->centre()[2] + 1),
-                 rounding = 1e-9 * strength[2];
+    const double N = number(2), angle = lua_isnoneornil(L, 3) ? 0 : number(3);
+    const auto [least, most] = s.outline->axial_range();
+    const double rounding = 1e-9 * (most - least) / 2;
     if (!(N >= least - rounding && N <= most + rounding))
         throw InputError("section:plastic_moments: N is " + show(L, 2) + "; must be a number from " + show(least) +
                          " to " + show(most) + " N, tension positive");
     if (!std::isfinite(angle))
         throw InputError("section:plastic_moments: the angle is " + show(L, 3) + "; must be a number, in rad");
-    const double normalised = std::atan2(strength[1] * std::sin(angle), strength[0] * std::cos(angle));
-    const Eigen::Vector2d m = domain->contour(N / strength[2], normalised).cwiseProduct(strength.head<2>());
+    const Eigen::Vector2d m = s.outline->moments(N, angle);
     for (int axis : {0, 1}) lua_pushnumber(L, m[axis]);
     return 2;
 }
@@ -236,7 +210,7 @@ int section_fields(lua_State* L) {
         return lua_pushstring(L, word_of(s.interaction)), 1;
     }
     const std::pair<const char*, std::optional<double>> given[] = {
-        {"N0", s.N0}, {"Mx0", s.Mx0}, {"My0", s.My0}, {"Mz0", s.Mz0}};
+        {"N0", s.given.N0}, {"Mx0", s.given.Mx0}, {"My0", s.given.My0}, {"Mz0", s.given.Mz0}};
     for (const auto& [name, value] : given)
         if (key == name) return value ? lua_pushnumber(L, *value) : lua_pushnil(L), 1;
     if (key == "kind") return lua_pushstring(L, s.kind.c_str()), 1;

@@ -1,10 +1,6 @@
 #include "script/bind/section_outline.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <mutex>
 
 namespace hinge::script {
 namespace {
@@ -29,9 +25,6 @@ Eigen::Vector2d pair(lua_State* L, const std::string& what) {
 beam::Outline::Polygon read_polygon(lua_State* L, const std::string& what) {
     beam::Outline::Polygon polygon;
     const int count = lua_istable(L, -1) ? int(lua_rawlen(L, -1)) : 0;
-    if (count < 3)
-        throw InputError(what + ": field 'corners' has " + std::to_string(count) +
-                         " corners; must be a list of three or more, each {x, y} in m");
     for (int i = 1; i <= count; ++i) {
         lua_rawgeti(L, -1, i);
         polygon.corners.push_back(pair(L, what + ": corner " + std::to_string(i)));
@@ -50,53 +43,10 @@ void read_part(lua_State* L, const std::string& what, beam::Outline& outline) {
     const bool corners = part.push_field("corners") != LUA_TNIL;
     if (corners == diameter.has_value())
         throw InputError(what + ": give either 'corners', a list of {x, y} in m, or 'diameter', m");
-    beam::Outline alone;
-    if (corners) outline.polygons.push_back(read_polygon(L, what)), alone.polygons = {outline.polygons.back()};
-    else outline.circles.push_back({centre, *diameter / 2, hole}), alone.circles = {{centre, *diameter / 2, false}};
+    if (corners) outline.polygons.push_back(read_polygon(L, what)), outline.polygons.back().hole = hole;
+    else outline.circles.push_back({centre, *diameter / 2, hole});
     lua_pop(L, 1);
-    if (corners) outline.polygons.back().hole = hole;
-    if (!(alone.area() > 0)) throw InputError(what + ": its area is 0 m^2; its corners are on one line");
     part.finish();
-}
-
-/// Least part of the strength about the middle of the domain that must be left about zero.
-constexpr double least_strength = 1e-3;
-
-bool odd_crossings(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& at) {
-    bool odd = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y() > at.y()) != (b.y() > at.y()) &&
-            at.x() < a.x() + (at.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-            odd = !odd;
-    }
-    return odd;
-}
-
-double distance(const std::vector<Eigen::Vector2d>& corners, const Eigen::Vector2d& at) {
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d &a = corners[i], side = corners[(i + 1) % corners.size()] - a;
-        const double length = side.squaredNorm(),
-                     along = length > 0 ? std::clamp((at - a).dot(side) / length, 0.0, 1.0) : 0;
-        least = std::min(least, (at - a - along * side).norm());
-    }
-    return least;
-}
-
-bool holds(const beam::Outline& outline, const Eigen::Vector2d& at, double radius) {
-    bool in = false;
-    for (const auto& c : outline.circles) {
-        const double off = (at - c.centre).norm();
-        if (c.hole && off < c.radius + radius) return false;
-        in |= !c.hole && off <= c.radius - radius;
-    }
-    for (const auto& p : outline.polygons) {
-        const bool inside = odd_crossings(p.corners, at), clear = distance(p.corners, at) >= radius;
-        if (p.hole && (inside || !clear)) return false;
-        in |= !p.hole && inside && clear;
-    }
-    return in;
 }
 
 /// A number of at least 1e5 Pa: one below that is in MPa.
@@ -106,7 +56,7 @@ double strength(Options& o, const char* field) {
     return stress;
 }
 
-/// Strains of concrete, and E of the bars (section/ultimate_states.h).
+/// Strains of concrete, and E of the bars.
 beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
     if (!lua_istable(L, -1)) throw InputError(what + " is " + show(L, -1) + "; must be a table");
     Options s(L, -1, what);
@@ -118,16 +68,10 @@ beam::ConcreteStrains read_strains(lua_State* L, const std::string& what) {
     out.block = s.number("block", "", Range::not_negative, 0);
     out.bars = s.number("bars", "Pa", Range::positive, out.bars);
     s.finish();
-    if (out.bars < 1e9) s.complain("bars", show(out.bars) + " Pa", "is E of the bars: must be 1e9 Pa or more");
-    if (!(out.ultimate >= out.peak && out.ultimate < 0.1))
-        s.complain("ultimate", show(out.ultimate), "must be at least `peak`, " + show(out.peak) + ", and below 0.1");
-    if (!(out.exponent >= 1)) s.complain("exponent", show(out.exponent), "must be 1 or more");
-    if (!(out.block < out.peak))
-        s.complain("block", show(out.block), "must be below `peak`, " + show(out.peak) + ", where all is pressed");
     return out;
 }
 
-beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
+beam::Reinforcement read_bars(Options& r) {
     lua_State* L = r.L();
     beam::Reinforcement out;
     r.expect({"concrete", "bars", "strains"});
@@ -136,11 +80,8 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
     lua_pop(L, 1);
     const bool list = r.push_field("bars") == LUA_TTABLE;
     const int count = list ? int(lua_rawlen(L, -1)) : 0;
-    if (count == 0)
-        r.complain(
-            "bars", list ? "empty" : show(L, -1),
-            "must be a list of bars: { { x, y, area =, tension =, compression = }, ... }; without bars the section "
-            "has no strength in tension");
+    if (!list)
+        r.complain("bars", show(L, -1), "must be a list of bars: { { x, y, area =, tension =, compression = }, ... }");
     for (int i = 1; i <= count; ++i) {
         lua_rawgeti(L, -1, i);
         const std::string what = r.function() + ", bar " + std::to_string(i);
@@ -152,66 +93,11 @@ beam::Reinforcement read_bars(Options& r, const beam::Outline& outline) {
         bar.tension = strength(b, "tension");
         bar.compression = b.number("compression", "Pa", Range::positive, bar.tension);
         b.finish(2);
-        if (!(bar.compression >= out.concrete))
-            b.complain("compression", show(bar.compression) + " Pa",
-                       "a bar must be as strong as the concrete it displaces, " + show(out.concrete) + " Pa");
-        const std::string place = "{" + show(bar.centre.x()) + ", " + show(bar.centre.y()) + "} m";
-        if (!holds(outline, bar.centre, (1 - 1e-9) * bar.radius()))
-            throw InputError(what + " at " + place + " is not within the outline; its radius is " + show(bar.radius()) +
-                             " m, and all of the bar must be in the concrete");
-        for (std::size_t k = 0; k < out.bars.size(); ++k)
-            if ((out.bars[k].centre - bar.centre).norm() < (1 - 1e-9) * (out.bars[k].radius() + bar.radius()))
-                throw InputError(what + " at " + place + " overlaps bar " + std::to_string(k + 1) +
-                                 "; two bars must be apart by the sum of their radii");
         out.bars.push_back(bar);
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
     return out;
-}
-
-/// All numbers of an outline with its bars.
-std::vector<double> numbers_of(const beam::Outline& outline, const beam::Reinforcement& concrete) {
-    std::vector<double> all = {concrete.concrete};
-    for (const auto& p : outline.polygons) {
-        all.insert(all.end(), {double(p.corners.size()), double(p.hole)});
-        for (const auto& c : p.corners) all.insert(all.end(), {c.x(), c.y()});
-    }
-    for (const auto& c : outline.circles)
-        all.insert(all.end(), {-1.0, c.centre.x(), c.centre.y(), c.radius, double(c.hole)});
-    for (const auto& b : concrete.bars)
-        all.insert(all.end(), {-2.0, b.centre.x(), b.centre.y(), b.area, b.tension, b.compression});
-    if (const auto& s = concrete.strains)
-        all.insert(all.end(), {-3.0, s->peak, s->ultimate, s->exponent, s->block, s->bars});
-    return all;
-}
-
-/// An outline with bars: the same object for equal ones that are in use. Its domain takes up to 0.2 s.
-std::shared_ptr<const beam::SectionOutline> share(beam::Outline outline, beam::Reinforcement concrete) {
-    static std::mutex mutex;
-    static std::map<std::vector<double>, std::weak_ptr<const beam::SectionOutline>> made;
-    const std::lock_guard lock(mutex);
-    std::erase_if(made, [](const auto& entry) { return entry.second.expired(); });
-    auto& known = made[numbers_of(outline, concrete)];
-    auto found = known.lock();
-    if (!found) known = found = std::make_shared<const beam::SectionOutline>(std::move(outline), std::move(concrete));
-    return found;
-}
-
-std::shared_ptr<const beam::SectionOutline> with_bars(Options& section, beam::Outline outline) {
-    lua_State* L = section.L();
-    Options r(L, -1, section.function() + ", reinforcement");
-    beam::Reinforcement concrete = read_bars(r, outline);
-    const Eigen::Vector2d centroid = outline.centroid();
-    outline.move(-centroid);
-    for (auto& bar : concrete.bars) bar.centre -= centroid;
-    const auto made = share(std::move(outline), std::move(concrete));
-    const Vec3 left = made->domain()->ellipsoid();
-    if (!(left.minCoeff() > least_strength))
-        section.complain("reinforcement", "too little",
-                         "the bars leave less than " + show(least_strength) +
-                             " of the strength in some direction of N, Mx and My; give more of them, on more sides");
-    return made;
 }
 
 }  // namespace
@@ -230,15 +116,13 @@ std::shared_ptr<const beam::SectionOutline> read_outline(Options& section) {
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
-    if (!(outline.area() > 0))
-        section.complain("outline", "with an area of " + show(outline.area()) + " m^2",
-                         "the area must be above 0: a hole (hole = true) lies within a part that is none");
-    const bool concrete = section.push_field("reinforcement") != LUA_TNIL;
-    auto reinforced = concrete ? with_bars(section, outline) : nullptr;
+    std::optional<beam::Reinforcement> concrete;
+    if (section.push_field("reinforcement") != LUA_TNIL) {
+        Options r(L, -1, section.function() + ", reinforcement");
+        concrete = read_bars(r);
+    }
     lua_pop(L, 1);
-    if (reinforced) return reinforced;
-    outline.move(-outline.centroid());
-    return std::make_shared<const beam::SectionOutline>(std::move(outline));
+    return beam::make_section_outline(std::move(outline), std::move(concrete), section.function());
 }
 
 }  // namespace hinge::script

@@ -4,17 +4,14 @@
 
 #include <memory>
 
-#include "section/plastic_domain.h"
+#include "section/section_outline.h"
 #include "script/lua/options.h"
 
 namespace hinge::script {
 
-/// Reads { { corners = { {x, y}, ... }, hole = false }, { diameter = d, centre = {x, y}, hole = true }, ... }, m. The
-/// centroid becomes the origin. Null if the field is absent. Errors: fewer than three corners, a part without area, or
-/// holes as large as what they are in. With the field `reinforcement` = { concrete =, bars = { { x, y, area =,
-/// tension =, compression = }, ... } }, Pa and m^2, the section is of concrete. Errors: a bar that is not within the
-/// outline, or is in another, or weaker than the concrete; no bars, or so few that nearly no strength is left in some
-/// direction.
+/// Reads { { corners = { {x, y}, ... }, hole = false }, { diameter = d, centre = {x, y}, hole = true }, ... }, m, and
+/// `reinforcement` = { concrete =, bars = { { x, y, area =, tension =, compression = }, ... }, strains = }, Pa and m^2.
+/// Null if `outline` is absent. Errors: those of make_section_outline.
 std::shared_ptr<const beam::SectionOutline> read_outline(Options& section);
 
 }  // namespace hinge::script

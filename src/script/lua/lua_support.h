@@ -39,13 +39,6 @@ std::string where(lua_State* L);
 void note_error(lua_State* L, const std::string& message, const char* kind, const std::string& about = "",
                 const std::string& why = "");
 
-/// Wrong value of a field of a call's options.
-struct FieldError : InputError {
-    FieldError(const std::string& before, const std::string& its_field, const std::string& its_why)
-        : InputError(before + its_why), field(its_field), why(its_why) {}
-    std::string field, why;
-};
-
 /// The folder of the Lua library; its chunks are skipped by `where`.
 void set_library_folder(lua_State* L, const std::string& folder);
 

@@ -14,7 +14,7 @@ Options::Options(lua_State* L, int index, std::string function, bool may_be_abse
 }
 
 void Options::complain(const std::string& field, const std::string& value, const std::string& allowed) const {
-    throw FieldError(function_ + ": field '" + field + "' is ", field, value + "; " + allowed);
+    throw FieldError(function_, field, value + "; " + allowed);
 }
 
 int Options::push_field(const char* field) {

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "section/laws/laws.h"
-#include "model/model.h"
+#include "section/section.h"
 
 namespace hinge {
 

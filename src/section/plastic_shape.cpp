@@ -1,11 +1,11 @@
-#include "model/plastic_shape.h"
+#include "section/plastic_shape.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "section/plastic_domain.h"
-#include "model/model.h"
+#include "section/section_outline.h"
+#include "section/section.h"
 
 namespace hinge {
 namespace {

@@ -1,8 +1,10 @@
-#include "model/shear.h"
+#include "section/shear.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "section/section_outline.h"
 
 namespace hinge {
 namespace {
