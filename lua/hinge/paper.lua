@@ -2,6 +2,7 @@
 -- library.d.lua describes the calls.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local columns = require "hinge.library.columns"
 
 local paper = {
   methods = { "conventional", "asi", "asi-gauss" },
@@ -72,21 +73,7 @@ function paper.figure(job, number, method, labels, curves, converged)
 end
 
 --- Prints a table. Cells are numbers or texts; the first column is set to the left, the others to the right.
-function paper.table(title, head, rows)
-  local widths = {}
-  for _, row in ipairs { head, table.unpack(rows) } do
-    for i, cell in ipairs(row) do widths[i] = math.max(widths[i] or 0, #tostring(cell)) end
-  end
-  local lines = { "", title }
-  for _, row in ipairs { head, table.unpack(rows) } do
-    local cells = {}
-    for i, cell in ipairs(row) do
-      cells[i] = ("%%%s%ds"):format(i == 1 and "-" or "", widths[i]):format(tostring(cell))
-    end
-    lines[#lines + 1] = "  " .. table.concat(cells, "  ")
-  end
-  print(table.concat(lines, "\n"))
-end
+paper.table = columns.print
 
 --- Name, time and reason of a run that failed, { run = name, time =, reason =, text = }; text: the reason without
 -- advice. nil for any other run.

@@ -11,6 +11,7 @@
 -- formula is also printed with 1 + c^2 - 2 c. That cannot be right: in a weak wave, p_r = 2 p_i, a face turned towards
 -- the charge would then have as little as 2/3 of the incident pressure.
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local chosen = require "hinge.model.chosen_members"
 
 local blast = {}
@@ -175,21 +176,21 @@ end
 
 -- Faces ---------------------------------------------------------------------------------------------------------------
 
-local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
+local dot = vectors.dot
 
 -- The distance of a point from the charge, and the vector from the point to the charge.
 local function distance_to(self, point)
-  local to = { self.at[1] - point[1], self.at[2] - point[2], self.at[3] - point[3] }
-  return math.sqrt(dot(to, to)), to
+  local to = vectors.minus(self.at, point)
+  return vectors.length(to), to
 end
 
 local function unit_vector(where, normal)
   check.value(where, "normal", normal, normal_rule)
-  local size = math.sqrt(dot(normal, normal))
+  local unit, size = vectors.unit(normal)
   if size == 0 then
     check.fail("%s: field 'normal' is {0, 0, 0}; must be the direction out of the face, of any length above 0", where)
   end
-  return { normal[1] / size, normal[2] / size, normal[3] / size }
+  return unit
 end
 
 -- The pulse on a small face at a point, with its unit normal: arrival in time of the run (s), duration (s), peak (Pa),
@@ -261,7 +262,7 @@ end
 local function refuse_along(where, member, normal)
   local a, b = ends_of(member)
   local axis = { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
-  local cosine = math.abs(dot(axis, normal)) / math.sqrt(dot(axis, axis))
+  local cosine = math.abs(dot(axis, normal)) / vectors.length(axis)
   local angle = math.deg(math.acos(math.min(1, cosine)))
   if angle < least_angle then
     check.fail("%s: field 'normal' is %.3g degrees from the axis of member %d; must be %g to 90 degrees from it", where,

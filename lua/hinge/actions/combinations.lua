@@ -10,6 +10,7 @@
 -- ASCE 7-22, 2.4.1: STRUCTURE magazine prints equations 3a, 4a and 6a with 0.7 S, and 1.2 D + 1.0 S. The factors 0.3
 --   and 0.15 of S in 2.3 and 0.1 of S in 2.4.5 are recalled, not confirmed. Those of 2.5 are not known here.
 local check = require "hinge.library.check"
+local columns = require "hinge.library.columns"
 local chosen = require "hinge.model.chosen_members"
 
 local where = "hinge.combinations"
@@ -509,24 +510,15 @@ local List = { __name = "hinge.combination_list", __index = methods }
 
 --- list:table(): a line for each combination, with the factors of the cases as columns.
 function methods.table(self)
-  local lines, widths = { { "rule" } }, {}
-  for _, name in ipairs(self.cases) do table.insert(lines[1], name) end
+  local rows = { { "rule", table.unpack(self.cases) } }
   for _, row in ipairs(self) do
     local line = { row.rule }
     for _, name in ipairs(self.cases) do
       line[#line + 1] = row.factors[name] and ("%.5g"):format(row.factors[name]) or "-"
     end
-    lines[#lines + 1] = line
+    rows[#rows + 1] = line
   end
-  for _, line in ipairs(lines) do
-    for i, cell in ipairs(line) do widths[i] = math.max(widths[i] or 0, #cell) end
-  end
-  for n, line in ipairs(lines) do
-    for i, cell in ipairs(line) do
-      line[i] = (i == 1 and cell .. (" "):rep(widths[i] - #cell) or (" "):rep(widths[i] - #cell) .. cell)
-    end
-    lines[n] = table.concat(line, "  ")
-  end
+  local lines = columns.lines(rows)
   table.insert(lines, 1, ("%s, %s: %s"):format(self.standard, self.kind, check.count(#self, "combination")))
   if #self.left_out > 0 then
     lines[#lines + 1] = "load cases of the model in none of them: " .. table.concat(self.left_out, ", ")

@@ -7,6 +7,7 @@
 -- loads are point loads at Gauss points, three for each piece: with them the end forces and the total of a load that is
 -- linear along the piece are exact.
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local chosen = require "hinge.model.chosen_members"
 
 local where = "hinge.pressure"
@@ -18,14 +19,8 @@ local gauss = { { 0.5 - math.sqrt(0.15), 5 / 18 }, { 0.5, 8 / 18 }, { 0.5 + math
 
 -- Vectors -------------------------------------------------------------------------------------------------------------
 
-local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
-local function minus(a, b) return { a[1] - b[1], a[2] - b[2], a[3] - b[3] } end
-local function along(a, factor, b) return { a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3] } end
-local function cross(a, b)
-  return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
-end
-local function times(factor, a) return { factor * a[1], factor * a[2], factor * a[3] } end
-local function size_of(a) return math.sqrt(dot(a, a)) end
+local dot, cross, minus, times, size_of = vectors.dot, vectors.cross, vectors.minus, vectors.times, vectors.length
+local along = vectors.plus
 local function place_of(node) return { node.x, node.y, node.z } end
 
 local function unit_vector(field, given)

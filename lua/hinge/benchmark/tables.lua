@@ -1,4 +1,5 @@
 -- The rows of benchmarks as text, as results.csv and as the tables of a README.md.
+local columns = require "hinge.library.columns"
 local quote = require "hinge.library.quote"
 local tables = {}
 
@@ -27,23 +28,6 @@ function tables.rows(list)
   return rows
 end
 
--- Rows of cells as lines with columns in line; `left`: the columns that begin at the left.
-local function in_columns(head, rows, left)
-  local width, lines = {}, {}
-  for _, cells in ipairs { head, table.unpack(rows) } do
-    for i, cell in ipairs(cells) do width[i] = math.max(width[i] or 0, utf8.len(cell) or #cell) end
-  end
-  for k = 0, #rows do
-    local parts = {}
-    for i, cell in ipairs(rows[k] or head) do
-      local room = (" "):rep(width[i] - (utf8.len(cell) or #cell))
-      parts[i] = left[i] and cell .. room or room .. cell
-    end
-    lines[#lines + 1] = table.concat(parts, "  "):gsub("%s+$", "")
-  end
-  return table.concat(lines, "\n")
-end
-
 -- The quantity, marked where its reference is not sure.
 local function named(row) return row.quantity .. (row.of.unconfirmed and " (reference not confirmed)" or "") end
 
@@ -59,10 +43,9 @@ end
 
 --- The table of all rows.
 function tables.text(rows)
-  local lines = {}
-  for i, row in ipairs(rows) do lines[i] = cells_of(row) end
-  return in_columns({ "kind", "problem", "quantity", "computed", "reference", "error", "elements", "steps", "s" },
-    lines, { true, true, true })
+  local lines = { { "kind", "problem", "quantity", "computed", "reference", "error", "elements", "steps", "s" } }
+  for i, row in ipairs(rows) do lines[i + 1] = cells_of(row) end
+  return table.concat(columns.lines(lines, { true, true, true }), "\n")
 end
 
 -- |error|; without an answer it is infinite.
@@ -113,13 +96,12 @@ end
 
 --- The summary by kind.
 function tables.summary_text(rows)
-  local lines = {}
+  local lines = { { "kind", "rows", "median |error|", "largest |error|", "wrong", "where the largest is" } }
   for i, of in ipairs(tables.by_kind(rows)) do
-    lines[i] = { of.kind, ("%d"):format(of.rows), plain_percent(of.median), plain_percent(of.largest),
+    lines[i + 1] = { of.kind, ("%d"):format(of.rows), plain_percent(of.median), plain_percent(of.largest),
       ("%d"):format(of.wrong), where_worst(of) }
   end
-  return in_columns({ "kind", "rows", "median |error|", "largest |error|", "wrong", "where the largest is" }, lines,
-    { true, [6] = true })
+  return table.concat(columns.lines(lines, { true, [6] = true }), "\n")
 end
 
 --- A line for each row that is not right.

@@ -2,8 +2,8 @@
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
 local laws_report = require "hinge.cost.laws_report"
-local paper = require "hinge.paper"
 local text = require "hinge.cost.text"
+local columns = require "hinge.library.columns"
 
 local report = {}
 local percent, sorted = text.percent, text.sorted
@@ -26,7 +26,7 @@ local function effects_table(result)
   end
   rows[#rows + 1] = { "(all effects)", "", "", "", "", ("%.3g"):format(result.seconds), percent(result.energy_error) }
   local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
-  paper.table(("Each effect left out by itself, timed %s times alternately: what it changes, "
+  columns.print(("Each effect left out by itself, timed %s times alternately: what it changes, "
     .. "and what part of the time it takes"):format(times),
     { "effect", "changes", "most in", "takes", "+-", "s without", "energy error" }, rows)
 end
@@ -49,7 +49,7 @@ local function answers_table(result)
     table.insert(rows[i], percent(result.answers[names[i]].error))
     table.insert(rows[i], percent(result.answers[names[i]].scatter))
   end
-  paper.table("Change of each answer without an effect"
+  columns.print("Change of each answer without an effect"
     .. (#names > most_rows and ("; %d more in effects.csv"):format(#names - most_rows) or ""), head, rows)
 end
 

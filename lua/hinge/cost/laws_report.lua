@@ -1,7 +1,7 @@
 -- The results of other laws of sections: a printed table, and laws.csv.
 local compare = require "hinge.cost.compare"
-local paper = require "hinge.paper"
 local text = require "hinge.cost.text"
+local columns = require "hinge.library.columns"
 
 local report = {}
 local percent, sorted = text.percent, text.sorted
@@ -39,7 +39,7 @@ local function times_table(result, rows)
       row.same and "" or at or "-", row.same and "" or at and shown(result.values[at]) or "-",
       row.same and "" or at and shown(row.answers[at]) or "-", percent(row.energy_error) }
   end
-  paper.table("Laws of sections: the scenario with another law, or without one: its time, and what it changes",
+  columns.print("Laws of sections: the scenario with another law, or without one: its time, and what it changes",
     { "with", "time", "+-", "changes", "most in", "from", "to", "energy error" }, lines)
 end
 
@@ -57,7 +57,7 @@ local function answers_table(result, rows)
     lines[i] = { names[i], shown(result.values[names[i]]) }
     for _, row in ipairs(others) do table.insert(lines[i], shown(row.answers[names[i]])) end
   end
-  paper.table("Each answer with another law" .. (#names > most_rows
+  columns.print("Each answer with another law" .. (#names > most_rows
     and ("; %d more in laws.csv"):format(#names - most_rows) or ""), head, lines)
 end
 

@@ -1,10 +1,10 @@
 -- The results of a comparison: printed tables, cost.csv and summary.json.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local print_table = require "hinge.library.columns".print
 local jobs = require "hinge.program.job"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
-local paper = require "hinge.paper"
 local headline = require "hinge.cost.headline"
 local plot = require "hinge.cost.plot"
 local text = require "hinge.cost.text"
@@ -86,7 +86,7 @@ local function fitting_table(title, head, rows, more)
     for i = #row, columns + 1, -1 do row[i] = nil end
   end
   if left_out > 0 then title = ("%s; %d more %s in cost.csv"):format(title, left_out, more) end
-  paper.table(title, head, rows)
+  print_table(title, head, rows)
 end
 
 local function settings_table(result)
@@ -110,7 +110,7 @@ local function settings_table(result)
   for _, s in ipairs(result.settings) do fewest, most = math.min(fewest, #s.times), math.max(most, #s.times) end
   local times = fewest == most and tostring(most) or ("%d to %d"):format(fewest, most)
   local left_out = #result.settings - #rows
-  paper.table(("%s, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)%s")
+  print_table(("%s, timed %s times alternately (time: median over the cheapest's; * on the Pareto front)%s")
     :format(check.count(#result.settings, "setting"), times,
       left_out > 0 and ("; the best %d, %d more in cost.csv"):format(#rows, left_out) or ""), head, rows)
 end
@@ -199,7 +199,7 @@ local function chaos_tables(result)
             if not m.apart and not standard then alike[#alike + 1] = tostring(i) end
           end
         end
-        paper.table(("%s is chaotic: mean and scatter (standard deviation) over runs that are changed slightly")
+        print_table(("%s is chaotic: mean and scatter (standard deviation) over runs that are changed slightly")
           :format(name), { "setting", "mean", "scatter", "runs", "from the finest's mean", "told apart (95 %)" }, rows)
         print(#alike > 0 and ("  the mean of %s %s cannot be told apart from that of %s"):format(
           #alike == 1 and "setting" or "settings", words.list(alike), q.standard)
@@ -237,7 +237,7 @@ local function orders_table(result)
     local observed = o.observed == math.huge and "exact" or o.observed and ("%.2f"):format(o.observed) or "-"
     rows[#rows + 1] = { name, observed, o.theory and ("%g"):format(o.theory) or "-", o.note or o.why or "" }
   end
-  if #rows > 0 then paper.table("Order of convergence", { "", "observed", "theory", "" }, rows) end
+  if #rows > 0 then print_table("Order of convergence", { "", "observed", "theory", "" }, rows) end
 end
 
 -- The numbers and words of one setting, or of the two around it, without those of one input.
@@ -263,7 +263,7 @@ local function equal_tables(result)
         rows[j][2 * i + 1] = others(result, m.settings, name) .. (m.more and ": " .. percent(m.settings[1].error) or "")
       end
     end
-    paper.table("Time at equal error, over the shortest (a to b: on the straight line between two settings, "
+    print_table("Time at equal error, over the shortest (a to b: on the straight line between two settings, "
       .. "on logarithmic axes; >: even the best one has a larger error)", head, rows)
   end
 end

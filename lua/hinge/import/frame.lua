@@ -18,6 +18,7 @@
 -- A material may have `hardening`, a member `ends` = { a = { Mx = ... }, b = } as hinge.joint takes them, and a case
 -- `history`, points { time, factor } of all its loads, and `held` = true: it acts before the others and while they do.
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local ties = require "hinge.import.ties"
@@ -216,29 +217,21 @@ end
 
 -- Geometry ------------------------------------------------------------------------------------------------------------
 
-local function cross(u, v)
-  return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] }
-end
-
-local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
-
 --- The direction of a member from end a to end b, and its length, m.
 function frame_module.direction(a, b)
-  local d = { b.x - a.x, b.y - a.y, b.z - a.z }
-  local length = math.sqrt(dot(d, d))
-  return { d[1] / length, d[2] / length, d[3] / length }, length
+  return vectors.unit { b.x - a.x, b.y - a.y, b.z - a.z }
 end
 
 --- The section's axes x and y of a member along z. Without `up`, y is as near to upwards as it can be; of an upright
 --- member it is the x of space. Nil where `up` is along the member.
 function frame_module.axes(z, up)
   up = up or (math.sqrt(z[1] ^ 2 + z[2] ^ 2) > upright and { 0, 0, 1 } or { 1, 0, 0 })
-  local along = dot(up, z)
+  local along = vectors.dot(up, z)
   local y = { up[1] - along * z[1], up[2] - along * z[2], up[3] - along * z[3] }
-  local size = math.sqrt(dot(y, y))
-  if not (size > 1e-9 * math.sqrt(dot(up, up))) then return nil end
+  local size = vectors.length(y)
+  if not (size > 1e-9 * vectors.length(up)) then return nil end
   y = { y[1] / size, y[2] / size, y[3] / size }
-  return cross(y, z), y
+  return vectors.cross(y, z), y
 end
 
 -- What a reader begins and ends with ----------------------------------------------------------------------------------

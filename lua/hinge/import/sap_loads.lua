@@ -2,6 +2,7 @@
 -- moments at a point. A member that was divided has them on its parts; what lies on a rigid end acts on the joint.
 local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
+local vectors = require "hinge.library.vectors"
 
 local near = 1e-6 -- of a member's length
 
@@ -19,10 +20,7 @@ local function direction_of(row)
   return global[dir], nil
 end
 
-local function scaled(v, factor) return { factor * v[1], factor * v[2], factor * v[3] } end
-local function cross(u, v)
-  return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] }
-end
+local times = vectors.times
 
 local Loads = {}
 Loads.__index = Loads
@@ -49,7 +47,7 @@ local function in_space(p, to, axes)
   end
   if axes ~= "projected" then return to end
   local along = to[1] * p.d[1] + to[2] * p.d[2] + to[3] * p.d[3]
-  return scaled(to, math.sqrt(math.max(0, 1 - along ^ 2)))
+  return times(math.sqrt(math.max(0, 1 - along ^ 2)), to)
 end
 
 function Loads:add(case, row, load)
@@ -63,7 +61,7 @@ function Loads:add_at_joint(case, row, p, at, s, force, moment)
   local tip = at == "a" and p.first or p.last
   local arm = {}
   for i = 1, 3 do arm[i] = offset[i] + (s - tip) * p.d[i] end
-  local turn = force and cross(arm, force) or { 0, 0, 0 }
+  local turn = force and vectors.cross(arm, force) or { 0, 0, 0 }
   for i = 1, 3 do turn[i] = turn[i] + (moment and moment[i] or 0) end
   self:add(case, row, { node = p.part[at], force = force, moment = turn })
 end
@@ -88,15 +86,15 @@ function Loads:spread(case, row, member, given)
       local a, b = w(low), w(high)
       local from = low - p.first > near * whole and (low - p.first) / long or nil
       local to = p.last - high > near * whole and (high - p.first) / long or nil
-      local q = math.abs(a - b) <= 1e-12 * math.max(math.abs(a), math.abs(b)) and scaled(given.to, a)
-        or { a = scaled(given.to, a), b = scaled(given.to, b) }
+      local q = math.abs(a - b) <= 1e-12 * math.max(math.abs(a), math.abs(b)) and times(a, given.to)
+        or { a = times(a, given.to), b = times(b, given.to) }
       self:add(case, row, { member = p.part.name, q = q, from = from, to = to, axes = given.axes })
     end
     for _, rigid in ipairs { { "a", p.from, p.first }, { "b", p.last, p.to } } do
       low, high = math.max(s1, rigid[2]), math.min(s2, rigid[3])
       if high > low then
         local sum, at = resultant(w, low, high)
-        self:add_at_joint(case, row, p, rigid[1], at, scaled(in_space(p, given.to, given.axes), sum))
+        self:add_at_joint(case, row, p, rigid[1], at, times(sum, in_space(p, given.to, given.axes)))
       end
     end
   end
@@ -107,7 +105,7 @@ function Loads:point(case, row, member, given)
   local list, whole = self:parts_of(member)
   for i, p in ipairs(list) do
     if given.s <= p.to + near * whole or i == #list then
-      local v = scaled(given.to, given.size)
+      local v = times(given.size, given.to)
       if given.s < p.first or given.s > p.last then
         v = in_space(p, v, given.axes)
         local at = given.s < p.first and "a" or "b"
@@ -191,8 +189,8 @@ return function(reader)
   self:read_points()
   for _, case in ipairs(reader.frame.cases) do
     for _, w in ipairs(case.self_weight and case.self_weight ~= 0 and reader.weights or {}) do
-      table.insert(case.loads, { node = w.node, force = scaled(w.force, case.self_weight),
-        moment = scaled(w.moment, case.self_weight) })
+      table.insert(case.loads, { node = w.node, force = times(case.self_weight, w.force),
+        moment = times(case.self_weight, w.moment) })
     end
   end
 end

@@ -8,18 +8,15 @@
 -- Rigid end: the part RigidFactor of the length from the joint to the face of what crosses there. CSI leaves axial
 -- strain and torsion flexible in it; here it is rigid in all. Loads in it act on the joint.
 local frame_module = require "hinge.import.frame"
+local vectors = require "hinge.library.vectors"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 
 local gravity = 9.80665 -- m/s^2
 local steep = 0.7 -- cosine to the vertical: members above it are columns, members below its complement beams
 
-local function plus(u, s, v) return { u[1] + s * v[1], u[2] + s * v[2], u[3] + s * v[3] } end
-local function dot(u, v) return u[1] * v[1] + u[2] * v[2] + u[3] * v[3] end
+local plus, dot, cross = vectors.plus, vectors.dot, vectors.cross
 local function is_zero(v) return v[1] == 0 and v[2] == 0 and v[3] == 0 end
-local function cross(u, v)
-  return { u[2] * v[3] - u[3] * v[2], u[3] * v[1] - u[1] * v[3], u[1] * v[2] - u[2] * v[1] }
-end
 
 -- Sections ------------------------------------------------------------------------------------------------------------
 
@@ -277,7 +274,7 @@ local function nearest(list, at_support)
   local best, size
   for _, one in ipairs(list) do
     if not one.by and not one.released then return nil end
-    local own = one.by and math.sqrt(dot(one.by, one.by)) or 0
+    local own = one.by and vectors.length(one.by) or 0
     if one.by and (not one.released or at_support and #list == 1) and (not best or own < size) then
       best, size = one, own
     end

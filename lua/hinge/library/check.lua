@@ -3,6 +3,9 @@ local core = require "hinge.core"
 
 local check = {}
 
+--- "model", "node", "member", "group", "run", ... of an object of hinge; nil of any other value.
+check.kind_of = core.kind_of
+
 --- Raises an input error at the script's own line.
 function check.fail(format, ...)
   core.input_error(select("#", ...) > 0 and format:format(...) or format)
@@ -179,8 +182,7 @@ end
 
 --- The first argument of everything that adds to a model.
 function check.model(where, model)
-  local kind = type(model)
-  if kind ~= "userdata" and not (kind == "table" and model.node and model.member) then
+  if core.kind_of(model) ~= "model" and not (type(model) == "table" and model.node and model.member) then
     check.fail("%s: the model is %s; call it as %s(model, { option = value })", where,
       model == nil and "missing" or check.show(model), where)
   end

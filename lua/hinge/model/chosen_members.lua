@@ -3,12 +3,6 @@ local check = require "hinge.library.check"
 
 local chosen = {}
 
--- Whether a value is a member of the model.
-local function is_member(all, value)
-  local good, index = pcall(function() return value.section and value.index end)
-  return type(value) == "userdata" and good and all[index] == value
-end
-
 local function of_list(where, model, list)
   local all, seen = model:members(), {}
   if type(list) ~= "table" or #list == 0 then
@@ -16,7 +10,7 @@ local function of_list(where, model, list)
       type(list) == "table" and "empty" or check.show(list))
   end
   for i, member in ipairs(list) do
-    if not is_member(all, member) then
+    if check.kind_of(member) ~= "member" or all[member.index] ~= member then
       check.fail("%s: field 'members[%d]' is %s; must be a member of this model", where, i, check.show(member))
     end
     if seen[member.index] then
@@ -48,7 +42,7 @@ end
 
 --- The model of the field `model`.
 function chosen.model(where, model)
-  if type(model) ~= "userdata" or not pcall(function() return model.members and model.case end) then
+  if check.kind_of(model) ~= "model" then
     check.fail("%s: field 'model' is %s; must be a model, made by hinge.model", where,
       model == nil and "missing" or check.show(model))
   end

@@ -15,6 +15,7 @@
 -- paper: the mass of the aircraft is spread evenly over its members, by their density.
 local hinge = require "hinge"
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local materials = require "hinge.models.materials"
 
 local aircraft = {}
@@ -105,15 +106,6 @@ local function lay_out(s)
   return points, members
 end
 
-local function cross(a, b)
-  return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
-end
-
-local function unit(v)
-  local l = math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2)
-  return { v[1] / l, v[2] / l, v[3] / l }, l
-end
-
 --- Adds an aircraft to a model; returns its group and a table of its facts. Options: see library.d.lua.
 function aircraft.add(model, options)
   check.model(where, model)
@@ -128,9 +120,9 @@ function aircraft.add(model, options)
   end
   local points, members = lay_out(shape)
 
-  local forward = unit(o.heading)
-  local left = unit(cross({ 0, 0, 1 }, forward))
-  local upward = cross(forward, left)
+  local forward = vectors.unit(o.heading)
+  local left = vectors.unit(vectors.cross({ 0, 0, 1 }, forward))
+  local upward = vectors.cross(forward, left)
   local nodes, places = {}, {}
   for i, p in ipairs(points) do
     local place = {}
@@ -141,7 +133,7 @@ function aircraft.add(model, options)
   local length, directions = 0, {}
   for i, m in ipairs(members) do
     local a, b = places[m[1]], places[m[2]]
-    local direction, l = unit { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
+    local direction, l = vectors.unit { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
     directions[i], length = direction, length + l
   end
   local density = o.mass / (o.section.area * length)

@@ -139,10 +139,7 @@ local rules = {
 -- A curve by name or probe.
 local function curve_of(where, field, source, what)
   local name = what
-  if type(what) == "userdata" then
-    local good, probe = pcall(function() return what.unit and what.name end)
-    name = good and probe or nil
-  end
+  if check.kind_of(what) == "probe" then name = what.name end
   local curve = type(name) == "string" and source.curves[name]
   if curve then return curve end
   if type(name) == "string" then check.unknown(where, field, name, source.names) end

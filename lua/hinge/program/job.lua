@@ -70,8 +70,7 @@ local animation_rules = {
 function Job:animate(mode, options, ...)
   local where = named(self, "animate")
   check.no_more(where, ...)
-  local good = type(mode) == "userdata" and pcall(function() return mode.participation end)
-  if not good then
+  if check.kind_of(mode) ~= "mode" then
     check.fail("%s: the mode is %s; give one of run:modes or run:buckling", where, check.show(mode))
   end
   local o = check.options(where, options, animation_rules)

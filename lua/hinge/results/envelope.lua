@@ -94,9 +94,8 @@ local function rows_of(self, where, list)
   if list == nil then return self.rows end
   local rows = {}
   for i, member in ipairs(list) do
-    local ok, index = pcall(function() return member.index end)
-    rows[i] = ok and self.of[index] or check.fail("%s: members[%d] is %s; must be a member of this envelope", where, i,
-      check.show(member))
+    rows[i] = check.kind_of(member) == "member" and self.of[member.index]
+      or check.fail("%s: members[%d] is %s; must be a member of this envelope", where, i, check.show(member))
   end
   return rows
 end

@@ -13,11 +13,7 @@ source.rules = { parts = { "number", whole = true, at_least = 1, at_most = 1000,
 source.free = { "model", "group", "members" }
 
 --- Whether a value is a run.
-function source.is_run(value)
-  if type(value) ~= "userdata" then return false end
-  local ok, along = pcall(function() return value.along and value.on_step end)
-  return ok and along ~= nil
-end
+function source.is_run(value) return check.kind_of(value) == "run" end
 
 --- Raises an error for what is no run.
 function source.must_be_run(where, run)
@@ -55,12 +51,11 @@ source.model = model_of
 
 local function members_of_group(where, run, o, group)
   if type(group) == "string" then group = model_of(where, run, o):group(group) end
-  local ok, list = pcall(function() return group:members() end)
-  if not ok then
+  if check.kind_of(group) ~= "group" then
     check.fail("%s: field 'group' has %s; must be the name of a group, a group, or a list of these", where,
       check.show(group))
   end
-  return list
+  return group:members()
 end
 
 local function by_groups(where, run, o)
@@ -80,8 +75,7 @@ local function by_list(where, given)
   end
   local list = {}
   for i, member in ipairs(given) do
-    local ok, section = pcall(function() return member.section and member.index end)
-    if not ok or not section then
+    if check.kind_of(member) ~= "member" then
       check.fail("%s: members[%d] is %s; must be a member made by model:member{...}", where, i, check.show(member))
     end
     list[i] = member

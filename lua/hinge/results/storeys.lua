@@ -1,6 +1,7 @@
 -- hinge.results.storeys: drifts and shear forces of storeys, with their peaks over a run.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 
@@ -75,14 +76,7 @@ end
 
 -- Forces in space -----------------------------------------------------------------------------------------------------
 
-local function cross(a, b)
-  return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
-end
-local function dot(a, b) return a[1] * b[1] + a[2] * b[2] + a[3] * b[3] end
-local function unit(a)
-  local n = math.sqrt(dot(a, a))
-  return { a[1] / n, a[2] / n, a[3] / n }
-end
+local cross, dot, unit = vectors.cross, vectors.dot, vectors.unit
 
 -- A vector turned by the shortest rotation that takes the unit vector `from` to `to`.
 local function turned(v, from, to)
@@ -177,7 +171,7 @@ local function force_of(run, c, own, pieces, large)
     local z = unit(along)
     local low, high = twist_of(run, c.member, (place - 1) / #own, z), twist_of(run, c.member, place / #own, z)
     local by_x, by_y = of_twist(rows, (place - 1) * part, place * part, high - low)
-    local stretch = math.sqrt(dot(along, along)) / part
+    local stretch = vectors.length(along) / part
     Qx, Qy, twist = (Qx + by_x) / stretch, (Qy + by_y) / stretch, (low + high) / 2
   end
   local x, y, z = axes_now(c.member, unit(along), twist)

@@ -7,6 +7,7 @@
 -- alone.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local in_columns = require "hinge.library.columns".lines
 local units = require "hinge.results.units"
 local quote = require "hinge.library.quote"
 
@@ -173,11 +174,6 @@ local function is_text(column) return column.kind == "text" end
 
 -- Output --------------------------------------------------------------------------------------------------------------
 
-local function padded(text, width, left)
-  local blanks = (" "):rep(width - (utf8.len(text) or #text))
-  return left and text .. blanks or blanks .. text
-end
-
 local function remarks(self, v)
   local list = table.move(self.notes, 1, #self.notes, 1, {})
   if v.left_out > 0 then list[#list + 1] = ("%s more"):format(check.count(v.left_out, "row")) end
@@ -189,20 +185,10 @@ function Table:text(options, ...)
   check.no_more("table:text", ...)
   local v = view(self, "table:text", options)
   local head, body = cells(v)
-  local widths, lines = {}, {}
-  for _, list in ipairs { { head }, body } do
-    for _, row in ipairs(list) do
-      for k, text in ipairs(row) do widths[k] = math.max(widths[k] or 0, utf8.len(text) or #text) end
-    end
-  end
-  local function line(row)
-    local parts = {}
-    for k, text in ipairs(row) do parts[k] = padded(text, widths[k], is_text(v.columns[k])) end
-    lines[#lines + 1] = ("  " .. table.concat(parts, "  ")):gsub(" +$", "")
-  end
-  if self.title then lines[1] = self.title end
-  line(head)
-  for _, row in ipairs(body) do line(row) end
+  local left = {}
+  for k, column in ipairs(v.columns) do left[k] = is_text(column) end
+  local lines = in_columns({ head, table.unpack(body) }, left, "  ")
+  if self.title then table.insert(lines, 1, self.title) end
   for _, text in ipairs(remarks(self, v)) do lines[#lines + 1] = text end
   return table.concat(lines, "\n")
 end

@@ -228,15 +228,11 @@ local function complete(geo, case)
   return case
 end
 
-local function field_of(value, name)
-  local ok, found = pcall(function() return value[name] end)
-  return ok and found or nil
-end
-
 -- Adds the members that an item of `remove` means, and returns its name.
 local function add_members(where, geo, item, into)
   local index, name = math.tointeger(item), type(item) == "string" and item or nil
-  if type(item) == "userdata" then index, name = field_of(item, "index"), field_of(item, "name") end
+  local kind = check.kind_of(item)
+  if kind == "member" then index = item.index elseif kind == "group" then name = item.name end
   if index then
     if not geo.members[index] then
       check.fail("%s: field 'remove' has member %s; the model that build returned has %s", where, index,

@@ -1,6 +1,7 @@
 -- What hinge.robustness returns: the rows as text, Markdown, CSV, a picture, and a page about all.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local columns = require "hinge.library.columns"
 local factors = require "hinge.robustness.factors"
 local job = require "hinge.program.job"
 local quote = require "hinge.library.quote"
@@ -49,29 +50,12 @@ local function reasons(rows)
   return lines
 end
 
--- Letters, not bytes.
-local function padded(text, width) return text .. (" "):rep(width - (utf8.len(text) or #text)) end
-
--- Lines of cells in columns, indented by two blanks.
-local function aligned(all)
-  local widths, lines = {}, {}
-  for _, row in ipairs(all) do
-    for k, text in ipairs(row) do widths[k] = math.max(widths[k] or 0, utf8.len(text) or #text) end
-  end
-  for i, row in ipairs(all) do
-    local parts = {}
-    for k, text in ipairs(row) do parts[k] = padded(text, widths[k]) end
-    lines[i] = ("  " .. table.concat(parts, "  ")):gsub(" +$", "")
-  end
-  return lines
-end
-
 --- The rows as text, by case; what is to be said of a row stands below.
 function Result:table(...)
   check.no_more("result:table", ...)
   local all = { table.move(heads, 3, #heads, 1, {}) }
   for i, row in ipairs(self.rows) do all[i + 1] = table.move(cells(row), 3, #heads, 1, {}) end
-  local lines = aligned(all)
+  local lines = columns.lines(all, "all", "  ")
   local list = { lines[1] }
   for i, row in ipairs(self.rows) do
     local before = self.rows[i - 1]

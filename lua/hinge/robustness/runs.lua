@@ -27,8 +27,7 @@ function runs.fresh(study, case, procedure, factor)
   end
   local options = { procedure = procedure, case = case and case.number, name = case and case.name, scale = scale }
   local model = study.o.build(options)
-  local ok = type(model) == "userdata" and pcall(function() return model.static and model.members end)
-  if not ok then
+  if check.kind_of(model) ~= "model" then
     check.fail("%s: build returned %s; must return the model, with its loads", study.where, check.show(model))
   end
   if study.geo then geometry.must_be_same(study.where, study.geo, model) end

@@ -57,6 +57,16 @@ int suggest(lua_State* L) {
     return 1;
 }
 
+/// kind_of(value): "model", "member", "run", ... of an object of hinge, nil of any other value.
+int kind_of(lua_State* L) {
+    constexpr std::string_view before = "hinge.";
+    const bool named = lua_type(L, 1) == LUA_TUSERDATA && luaL_getmetafield(L, 1, "__name") == LUA_TSTRING;
+    const std::string_view name = named ? lua_tostring(L, -1) : "";
+    if (name.substr(0, before.size()) != before) return lua_pushnil(L), 1;
+    lua_pushstring(L, name.data() + before.size());
+    return 1;
+}
+
 int open_core(lua_State* L) {
     prepare(L);
     lua_newtable(L);
@@ -81,9 +91,13 @@ int open_core(lua_State* L) {
     open_interrupts(L, module);
     open_film(L, module);
     open_walls(L, module);
-    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>}, {"error_kind", guarded<error_kind>},
-                                         {"unwritten", guarded<unwritten>},     {"wrong_field", guarded<wrong_field>},
-                                         {"did_you_mean", guarded<suggest>},    {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"input_error", guarded<input_error>},
+                                         {"error_kind", guarded<error_kind>},
+                                         {"unwritten", guarded<unwritten>},
+                                         {"wrong_field", guarded<wrong_field>},
+                                         {"did_you_mean", guarded<suggest>},
+                                         {"kind_of", guarded<kind_of>},
+                                         {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
     lua_pushstring(L, HINGE_VERSION);
     lua_setfield(L, module, "version");

@@ -1,6 +1,7 @@
 -- Commands of OpenSees that make time series, load patterns, loads, ground motion and damping.
 local arguments = require "hinge.import.opensees.arguments"
 local series = require "hinge.import.opensees.series"
+local vectors = require "hinge.library.vectors"
 
 local number, tag, numbers, option = arguments.number, arguments.tag, arguments.numbers, arguments.option
 local find, dimensions, give_up = arguments.find, arguments.dimensions, arguments.give_up
@@ -136,8 +137,6 @@ local function across_and_along(plane, v, first)
   return { v[first] or 0, v[first + 1] or 0, v[first + 2] or 0 }
 end
 
-local function scaled(v, factor) return { v[1] * factor, v[2] * factor, v[3] * factor } end
-
 -- -beamUniform Wy <Wx <a b <Wy Wx at b>>>, in space Wy Wz <Wx <a b <Wy Wz Wx at b>>>
 local function uniform(self, args, at, plane)
   local v = numbers(self, args, at, #args, "load")
@@ -146,7 +145,7 @@ local function uniform(self, args, at, plane)
     self:fail("-beamUniform has %d numbers", #v)
   end
   local w = self.force / self.length * self.factor
-  local q = scaled(across_and_along(plane, v, 1), w)
+  local q = vectors.times(w, across_and_along(plane, v, 1))
   if #v <= n then
     if q[1] == 0 and q[2] == 0 and q[3] == 0 then return nil end
     return { q = q, axes = "local" }
@@ -154,7 +153,7 @@ local function uniform(self, args, at, plane)
   local from, to = v[n + 1], v[n + 2]
   if not (from >= 0 and to <= 1 and from < to) then self:fail("the load is from %g to %g of the element", from, to) end
   local load = { q = q, axes = "local" }
-  if #v > n + 2 then load.q = { a = q, b = scaled(across_and_along(plane, v, n + 3), w) } end
+  if #v > n + 2 then load.q = { a = q, b = vectors.times(w, across_and_along(plane, v, n + 3)) } end
   if from > 0 or to < 1 then load.from, load.to = from, to end
   return load
 end
