@@ -217,7 +217,7 @@ bool step_once(RunRecord& r) {
 }
 
 /// Records the step: breaks, probes and a row; then the program's own functions.
-void record_step(const Context& c, RunRecord& r, bool more, StepHooks& hooks) {
+void keep_results(const Context& c, RunRecord& r, bool more, StepHooks& hooks) {
     note_happenings(r);
     note_what_went(r);
     if (!more) return;
@@ -240,7 +240,7 @@ void record_run(Context& c, const std::shared_ptr<RunRecord>& record) {
     ++c.runs.made;
 }
 
-bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record, StepHooks& hooks) {
+bool record_step(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record, StepHooks& hooks) {
     RunRecord& r = *record;
     refuse_step(r);
     if (c->mode.planning) return false;
@@ -253,7 +253,7 @@ bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>
     const bool more = step_once(r);
     const auto now = Clock::now();
     r.wall += seconds_of(now - before);
-    record_step(*c, r, more, hooks);
+    keep_results(*c, r, more, hooks);
     const bool over = !more || r.run->verdict() != Verdict::running;
     r.closed = over;
     if (over) close_run(*c, r);
@@ -268,9 +268,9 @@ bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>
     return more;
 }
 
-bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
+bool record_step(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record) {
     StepHooks none;
-    return advance(c, record, none);
+    return record_step(c, record, none);
 }
 
 std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member) {

@@ -1,13 +1,13 @@
 // Recording of a run's steps: its probes, history.csv, events.csv, checkpoints and messages.
 //
-// A program makes a Context, gives it each run that it makes (record_run), and takes the steps with advance:
+// A program makes a Context, gives it each run that it makes (record_run), and takes the steps with record_step:
 //
 //     auto context = std::make_shared<hinge::Context>();
 //     context->output.folder = "out";
 //     auto record = std::make_shared<hinge::RunRecord>();
 //     record->run = std::make_shared<hinge::Dynamics>(structure, hinge::initial_state(*structure), settings);
 //     hinge::record_run(*context, record);
-//     while (hinge::advance(context, record)) {}
+//     while (hinge::record_step(context, record)) {}
 //     hinge::write_summary(*context);
 #pragma once
 
@@ -30,8 +30,8 @@ void record_run(Context& c, const std::shared_ptr<RunRecord>& record);
 
 /// One step, recorded. False at the end. Throws InputError for a run that is inside a step or outdated, and what the
 /// engine, the hooks and the writing of files throw.
-bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record, StepHooks& hooks);
-bool advance(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record);  ///< without hooks
+bool record_step(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record, StepHooks& hooks);
+bool record_step(const std::shared_ptr<Context>& c, const std::shared_ptr<RunRecord>& record);  ///< without hooks
 
 /// summary.json of the last run in the output folder.
 void write_summary(Context& c);

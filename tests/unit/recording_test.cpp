@@ -63,7 +63,7 @@ struct Cantilever {
 TEST_CASE("recording: a run without Lua leaves history, events and summary", "[recording]") {
     Cantilever scene;
     const auto record = scene.start(2e-3);
-    while (advance(scene.context, record)) {}
+    while (record_step(scene.context, record)) {}
     write_summary(*scene.context);
     const std::string history = scene.file("history.csv");
     CHECK(history.starts_with("time,factor,"));
@@ -83,16 +83,16 @@ TEST_CASE("recording: a run without Lua leaves history, events and summary", "[r
 TEST_CASE("recording: goes on from its checkpoint with the same bits", "[recording]") {
     Cantilever scene;
     const auto whole = scene.start(2e-3);
-    while (advance(scene.context, whole)) {}
+    while (record_step(scene.context, whole)) {}
     const auto first = scene.start(2e-3);
     CheckpointPlan plan;
     plan.file = (scene.folder / "run.checkpoint").string(), plan.every = 0;
     first->checkpoint = plan;
-    for (int i = 0; i < 77; ++i) REQUIRE(advance(scene.context, first));
+    for (int i = 0; i < 77; ++i) REQUIRE(record_step(scene.context, first));
     scene.context->mode.resume = true;
     const auto second = scene.start(2e-3);
     second->checkpoint = plan;
-    while (advance(scene.context, second)) {}
+    while (record_step(scene.context, second)) {}
     CHECK(second->resumed_at == 76);
     CHECK(hash(second->run->state()) == hash(whole->run->state()));
     CHECK(second->probes[0]->value == whole->probes[0]->value);
@@ -108,7 +108,7 @@ TEST_CASE("recording: what a program does between steps", "[recording]") {
     } hooks;
     Cantilever scene;
     const auto record = scene.start(2e-3);
-    while (advance(scene.context, record, hooks)) {}
+    while (record_step(scene.context, record, hooks)) {}
     CHECK(hooks.after == 5);
     CHECK(hooks.before >= 5);
     CHECK(record->run->verdict() == Verdict::stopped);
@@ -119,7 +119,7 @@ TEST_CASE("recording: what a program does between steps", "[recording]") {
 TEST_CASE("recording: a run goes on from the state of another", "[recording]") {
     Cantilever scene;
     const auto record = scene.start(1e-3);
-    while (advance(scene.context, record)) {}
+    while (record_step(scene.context, record)) {}
     const Run& before = *record->run;
     REQUIRE(!refusal_to_go_on(before, *scene.structure));
     const State state = state_to_go_on(before, *scene.structure);

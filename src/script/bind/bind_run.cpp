@@ -117,7 +117,7 @@ bool advance(lua_State* L, const std::shared_ptr<ScriptRun>& record) {
     ScriptHooks hooks(L, record);
     std::optional<LockedModel> lock;
     if (!record->stepping) lock.emplace(*record->model);
-    const bool more = hinge::advance(c, record, hooks);
+    const bool more = hinge::record_step(c, record, hooks);
     if (record->closed) run_is_under_way(false);
     return more;
 }
