@@ -144,17 +144,11 @@ case("a library laid out by LuaRocks takes the engine alone from the build", fun
   equal(status, 0, "as a rock: " .. complaint)
   equal(printed, "2\t" .. folder .. "/rock/share/lua/5.4/hinge/init.lua\n", "library of the rock")
   local spec = setmetatable({}, { __index = _G })
-  assert(loadfile(support.root .. "lua/hinge-0.2.0-1.rockspec", "t", spec))()
-  local version = (support.read(support.root .. "CMakeLists.txt") or ""):match "project%(hinge VERSION ([%d.]+)"
-  expect((support.read(support.root .. "src/CHANGES.md") or ""):match "\n## (%S+)" == version,
-    "src/CHANGES.md does not begin with %s", version)
-  expect((support.read(support.root .. "lua/guide/install.md") or ""):find("hinge_" .. version .. "_", 1, true),
-    "lua/guide/install.md names another version than %s", version)
+  assert(loadfile(support.root .. "lua/hinge-scm-1.rockspec", "t", spec))()
   for name in (support.read(support.root .. "lua/guide/install.md") or ""):gmatch "%]%(([^)#]+)%)" do
     expect(support.is_there(support.root .. "lua/guide/" .. name), "lua/guide/install.md points to %s", name)
   end
-  expect(spec.package == "hinge" and spec.version == version .. "-1",
-    "the rockspec is of %s, the project of %s", spec.version, version)
+  expect(spec.package == "hinge" and spec.build.type == "cmake", "the rockspec is of %s", spec.package)
 end)
 
 checks.done()

@@ -1,8 +1,8 @@
--- For LuaRocks: `luarocks make lua/hinge-0.2.0-1.rockspec` in the repository's folder builds the module and
+-- For LuaRocks: `luarocks make lua/hinge-scm-1.rockspec` in the repository's folder builds the module and
 -- installs it with its library.
 rockspec_format = "3.0"
 package = "hinge"
-version = "0.2.0-1"
+version = "scm-1"
 source = { url = "git+file://." }
 description = {
   summary = "Collapse of framed structures under impact, scripted in Lua",
