@@ -14,6 +14,7 @@
 #include "effects/declared.h"
 #include "effects/ground.h"
 #include "effects/removal.h"
+#include "run/checkpoint.h"
 #include "run/dynamics.h"
 #include "run/go_on.h"
 #include "run/element_count.h"
