@@ -6,7 +6,7 @@ max_line_length = 120
 ignore = { "581" }
 
 -- Definitions for editors have no bodies, so no argument is used; their variables only carry the methods of a class.
-files["lua/hinge/*.d.lua"] = { ignore = { "212", "241", "431" } }
+files["lua/hinge/**/*.d.lua"] = { ignore = { "212", "241", "431" } }
 
 -- These silence what a script prints while it runs only to be planned or timed.
 files["lua/hinge/program/runner.lua"] = { globals = { "print" } }

@@ -22,7 +22,12 @@ foreach(shell bash fish)
     COMMAND ${CMAKE_COMMAND} -E make_directory completion
     COMMAND hinge_program completion ${shell} > completion/hinge.${shell})
 endforeach()
-add_custom_target(hinge_completion ALL DEPENDS completion/hinge.bash completion/hinge.fish)
+# The reference of all calls as a page, which the program prints.
+file(GLOB_RECURSE words CONFIGURE_DEPENDS lua/hinge/*.d.lua)
+add_custom_command(OUTPUT reference.md DEPENDS hinge_program ${words} VERBATIM
+  COMMAND hinge_program reference > reference.md)
+add_custom_target(hinge_completion ALL DEPENDS completion/hinge.bash completion/hinge.fish reference.md)
+install(FILES ${PROJECT_BINARY_DIR}/reference.md DESTINATION share/doc/hinge)
 install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.bash DESTINATION share/bash-completion/completions RENAME hinge)
 install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.fish DESTINATION share/fish/vendor_completions.d)
 

@@ -27,7 +27,7 @@ std::string editor_settings(const fs::path& library) {
     nlohmann::ordered_json settings;
     settings["$schema"] = "https://raw.githubusercontent.com/LuaLS/vscode-lua/master/setting/schema.json";
     settings["runtime.version"] = "Lua 5.4";
-    settings["workspace.library"] = {(library / "hinge.d.lua").string(), (library / "library.d.lua").string()};
+    settings["workspace.library"] = {(library / "hinge.d.lua").string(), (library / "words").string()};
     settings["workspace.checkThirdParty"] = false;
     return settings.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

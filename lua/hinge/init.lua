@@ -1,4 +1,4 @@
--- The module: everything a script gets from `require "hinge"`. hinge.d.lua describes it for editors.
+-- The module: everything a script gets from `require "hinge"`. hinge.d.lua and words describe it for editors.
 -- Most of its files are read when a script first asks for what they hold: a small script starts at once.
 local core = require "hinge.core"
 local check = require "hinge.library.check"

@@ -1,5 +1,5 @@
 -- Functions for the scripts of scripts/paper: error measures, tables, and the structure as in figures 4 and 5.
--- library.d.lua describes the calls.
+-- words/paper.d.lua describes the calls.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local columns = require "hinge.library.columns"

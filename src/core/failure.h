@@ -4,7 +4,7 @@
 
 namespace hinge {
 
-/// Causes of a failure. Scripts know them by their words (run/failure_text.h), listed in hinge.d.lua.
+/// Causes of a failure. Scripts know them by their words (run/failure_text.h), listed in lua/hinge/words.
 enum class Cause : int {
     none,
     // forces

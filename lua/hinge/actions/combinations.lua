@@ -567,7 +567,7 @@ local function text_of(factors)
   return table.concat(parts, ", ")
 end
 
---- hinge.combinations: see hinge.d.lua.
+--- hinge.combinations: see words/actions.d.lua.
 return function(options, ...)
   check.no_more(where, ...)
   local o = read_options(options)

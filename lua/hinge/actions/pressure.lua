@@ -385,7 +385,7 @@ local function collect(o, stretches)
   return loads, parts, total, area
 end
 
---- hinge.pressure: see hinge.d.lua.
+--- hinge.pressure: see words/actions.d.lua.
 return function(options, ...)
   check.no_more(where, ...)
   local o = read_options(options)

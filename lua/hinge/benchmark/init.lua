@@ -72,7 +72,7 @@ local function verdict_of(self, job)
   elseif #wrong > 0 then job:verdict("failed", table.concat(wrong, "; ")) end
 end
 
---- hinge.benchmark: see hinge.d.lua.
+--- hinge.benchmark: see words/benchmark.d.lua.
 function benchmark.new(options, ...)
   check.no_more("hinge.benchmark", ...)
   local o = check.options("hinge.benchmark", options, form)

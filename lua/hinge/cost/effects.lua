@@ -77,7 +77,7 @@ local function compare_one(s, all, moving, scatter, o)
   return row
 end
 
---- hinge.cost with effects = true: see hinge.d.lua.
+--- hinge.cost with effects = true: see words/cost.d.lua.
 function effects.compare(bench, inputs, o)
   local values = {}
   for _, input in ipairs(inputs) do values[input.name] = bench.base[input.name] end

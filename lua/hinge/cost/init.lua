@@ -147,7 +147,7 @@ local function parameters_of(scenario, o)
   return base
 end
 
---- hinge.cost: see hinge.d.lua.
+--- hinge.cost: see words/cost.d.lua.
 function cost.compare(scenario, options)
   if not scenarios.is(scenario) then
     check.fail("%s: takes a scenario, made by hinge.scenario{...}, got %s", where, check.show(scenario))

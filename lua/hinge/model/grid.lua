@@ -1,5 +1,5 @@
 -- hinge.grid: a frame by the lines of its plan and its storeys, with names such as "B2, storey 1". Column lines are
--- called A, B, ... along x and 1, 2, ... along y; level 0 is the base. lua/hinge/hinge.d.lua has the reference.
+-- called A, B, ... along x and 1, 2, ... along y; level 0 is the base. words/grid.d.lua describes the calls.
 local check = require "hinge.library.check"
 
 local Grid = {}

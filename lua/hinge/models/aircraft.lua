@@ -106,7 +106,7 @@ local function lay_out(s)
   return points, members
 end
 
---- Adds an aircraft to a model; returns its group and a table of its facts. Options: see library.d.lua.
+--- Adds an aircraft to a model; returns its group and a table of its facts. Options: see words/models.d.lua.
 function aircraft.add(model, options)
   check.model(where, model)
   local o = check.design(where, check.options(where, options, rules), aircraft.designs)

@@ -28,7 +28,7 @@ local function softened(s, material, l)
   }
 end
 
---- Adds the frame to a model. Options and what is returned: see library.d.lua.
+--- Adds the frame to a model. Options and what is returned: see words/models.d.lua.
 function space_frame.add(model, options)
   check.model(where, model)
   local o = check.options(where, options, rules)

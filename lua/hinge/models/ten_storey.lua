@@ -49,7 +49,7 @@ local function masses(o)
   }
 end
 
---- Adds the frame to a model. Options and what the returned frame holds: see library.d.lua.
+--- Adds the frame to a model. Options and what the returned frame holds: see words/models.d.lua.
 function ten_storey.add(model, options)
   check.model(where, model)
   local o = check.design(where, check.options(where, options, rules), ten_storey.designs)

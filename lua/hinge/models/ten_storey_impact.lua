@@ -1,5 +1,5 @@
 -- The load case of the paper's section 4: a small aircraft flies into the ten-storey frame. Table 1, the set-up, what
--- is measured of a run, and runs side by side in processes of their own. Described for editors in library.d.lua.
+-- is measured of a run, and runs side by side in processes of their own. Described for editors in words/models.d.lua.
 --
 -- Reconstructed, because the paper's figure 16 is lost: the place of the impact, and all values that ten_storey.lua and
 -- aircraft.lua mark as reconstructed, in two designs; the rule of contact. From the paper: table 1, the limits of

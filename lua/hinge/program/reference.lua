@@ -1,8 +1,13 @@
--- What hinge.d.lua and library.d.lua declare, as a list and as a page. hinge reference and help (help.lua) look it up.
--- `lua5.4 lua/hinge/program/reference.lua` writes reference.md anew.
+-- What hinge.d.lua and the files of words declare, as a list and as a page. hinge reference and help (help.lua) look it
+-- up.
 local folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../"
 
-local reference = { files = { "hinge.d.lua", "library.d.lua" } }
+-- In the order of the page.
+local reference = { files = { "hinge.d.lua" } }
+local files = "model members materials sections grid loads actions ground_motion heat joints connections breaks "
+  .. "run_options runs recorded scenarios pictures results study cost benchmark robustness import models "
+  .. "paper report"
+for name in files:gmatch "%S+" do table.insert(reference.files, "words/" .. name .. ".d.lua") end
 
 -- A type and what follows it: types may hold blanks inside brackets and quotes, and after the `:` of a function's
 -- result.
@@ -57,12 +62,12 @@ local function lines_of(path)
   return lines, numbers
 end
 
---- The declarations in their order: a list of entries, each with `kind` and `line` ("hinge.d.lua:12"): heading (text,
--- module), alias and class (name, type, doc; fields; base, the class whose fields it has, too), and function (name,
--- object, separator, arguments, params, returns, doc, example). A field or a param has name, optional, type, doc. An
--- example is Lua, or nil.
+--- The declarations in their order: a list of entries, each with `kind` and `line` ("words/model.d.lua:12"): heading
+-- (text, module), alias and class (name, type, doc; fields; base, the class whose fields it has, too), and function
+-- (name, object, separator, arguments, params, returns, doc, example). A field or a param has name, optional, type and
+-- doc. An example is Lua, or nil.
 function reference.read()
-  local entries = {}
+  local entries, classes = {}, {}
   for _, name in ipairs(reference.files) do
     local number, doc, params, returns, class, class_of = 0, {}, {}, {}, nil, {}
     local example, in_example
@@ -101,7 +106,9 @@ function reference.read()
         if word:find ":$" then
           word, base, behind = word:sub(1, -2), behind:match "^%S+", behind:gsub("^%S+", "The fields of `%0`, and:")
         end
-        class = add { kind = "class", name = word, base = base, doc = behind, fields = {} }
+        if classes[word] then class = classes[word] -- a class whose functions are in several files
+        else class = add { kind = "class", name = word, base = base, doc = behind, fields = {} } end
+        classes[word] = class
       elseif tag == "alias" then
         local word, rest = text:match "^(%S+) (.*)$"
         local kind, behind = split_type(rest)
@@ -214,11 +221,11 @@ local plan = hinge.grid { model = hinge.model(), x = { 0, 6 }, z = { 0, 3 } }]]
 local opening = [[
 # Reference
 
-Every call, made from [hinge.d.lua](hinge.d.lua) and [library.d.lua](library.d.lua) by
-`lua5.4 lua/hinge/program/reference.lua`. Units are SI throughout: m, kg, s, N, Pa, rad. A `?` marks what may be left
-out; options are given by name, as in `hinge.material { E = 206e9 }`. Wrong input is an error at the script's own line;
-what goes wrong in the physics or the numbers is a result: see `verdict` of a run. "eq" and "section" refer to Lynn and
-Isobe's paper on the ASI-Gauss technique.
+Every call, as `hinge reference` prints it from lua/hinge/hinge.d.lua and the files of lua/hinge/words. Units are SI
+throughout: m, kg, s, N, Pa, rad. A `?` marks what may be left out; options are given by name, as in
+`hinge.material { E = 206e9 }`. Wrong input is an error at the script's own line; what goes wrong in the physics or the
+numbers is a result: see `verdict` of a run. "eq" and "section" refer to Lynn and Isobe's paper on the ASI-Gauss
+technique.
 
 Every example runs as it stands after these lines, a cantilever 1 m long with 1 kN at its tip, and the grid of
 a portal. `job` is the second argument of a scenario's run.
@@ -241,7 +248,4 @@ function reference.page()
   return table.concat(parts, "\n")
 end
 
-if ... == "hinge.program.reference" then return reference end
-local file = assert(io.open(folder .. "reference.md", "w"))
-assert(file:write(reference.page()))
-assert(file:close())
+return reference

@@ -37,7 +37,7 @@ local function ends_a_script()
     and type(arg) == "table" and type(arg[0]) == "string"
 end
 
---- hinge.scenario: see hinge.d.lua.
+--- hinge.scenario: see words/scenarios.d.lua.
 function scenario.new(options, ...)
   if ends_a_script() then
     check.fail("%s: this script returns a scenario, which plain Lua does not run; the program does: "

@@ -1,4 +1,4 @@
--- hinge.results: what comes out of runs, as tables for a report. lua/hinge/hinge.d.lua has the reference.
+-- hinge.results: what comes out of runs, as tables for a report. words/results.d.lua describes the calls.
 local check = require "hinge.library.check"
 
 local results = {

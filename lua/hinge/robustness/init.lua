@@ -215,7 +215,7 @@ local function refuse_failed(o, rows)
     o.folder and "; the report is written" or "")
 end
 
---- hinge.robustness: see hinge.d.lua.
+--- hinge.robustness: see words/robustness.d.lua.
 return function(options, ...)
   check.no_more(where, ...)
   local o = read_options(options)

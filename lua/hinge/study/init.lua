@@ -253,7 +253,7 @@ local rules = {
   progress = { "boolean", default = false }, pictures = { "boolean", default = true },
 }
 
---- hinge.study: see hinge.d.lua.
+--- hinge.study: see words/study.d.lua.
 function study.run(scenario, options, ...)
   local where = "hinge.study"
   check.no_more(where, ...)

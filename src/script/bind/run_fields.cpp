@@ -189,7 +189,7 @@ struct RunField {
     void (*push)(lua_State* L, const ScriptRun& r);
 };
 
-/// The binding, the names in messages and completion, and lua/hinge/hinge.d.lua
+/// The binding, the names in messages and completion, and lua/hinge/words/runs.d.lua
 /// (tests/script/documents/reference_test.lua) have the same fields.
 constexpr RunField run_field_list[] = {
     {"kind", [](lua_State* L, const ScriptRun& r) { lua_pushstring(L, r.run->kind()); }},

@@ -94,7 +94,7 @@ T& self(lua_State* L, const std::string& function) {
 void make_metatable(lua_State* L, const char* name, const luaL_Reg* methods, lua_CFunction fields,
                     lua_CFunction collect, lua_CFunction to_string, lua_CFunction equal);
 
-/// Registers the fields of its objects, for refuse_field, Tab at the prompt, and the test of hinge.d.lua.
+/// Registers the fields of its objects, for refuse_field, Tab at the prompt, and the test of lua/hinge/words.
 void name_fields(lua_State* L, const char* name, const std::vector<const char*>& fields);
 /// Methods for a metatable that make_metatable made.
 void add_methods(lua_State* L, const char* name, const luaL_Reg* methods);

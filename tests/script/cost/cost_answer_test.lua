@@ -29,10 +29,10 @@ end
 -- Names of options ----------------------------------------------------------------------------------------------------
 
 case("every option that cost varies is declared, and has its finer side", function()
-  local declared = support.read(support.root .. "lua/hinge/hinge.d.lua")
+  local declared = require "hinge.program.reference".page()
   for _, pattern in ipairs(ladder.named()) do
     local found = false
-    for name in declared:gmatch "%-%-%-@field ([%w_]+)%??" do found = found or name:find(pattern) ~= nil end
+    for name in declared:gmatch "\n%- `([%w_]+)%??`: " do found = found or name:find(pattern) ~= nil end
     expect(found, "a rule of hinge cost is for '%s', and no call has such an option", pattern)
   end
   local inputs = ladder.inputs("here", { parameters = { rebuild_angle = 0.01 }, accuracy = {} }, {}, {})

@@ -74,7 +74,7 @@ case("an example that is wrong is noticed", function()
 end)
 
 case("every example of the reference runs", function()
-  local page = support.read(support.root .. "lua/hinge/reference.md")
+  local page = reference.page()
   expect(page:find("```lua\n" .. reference.preamble .. "\n```", 1, true), "the page does not state the first lines")
   local count = 0
   for _, e in ipairs(reference.read()) do

@@ -1,5 +1,5 @@
--- hinge.d.lua and library.d.lua say what there is, no more and no less: functions, methods, fields and options, both
--- ways; and lua/hinge/reference.md is made from them as they are.
+-- The declarations in lua/hinge/words say what there is, no more and no less: functions, methods, fields and options,
+-- both ways; and `hinge reference` prints them.
 --
 -- Run: lua5.4 tests/script/documents/reference_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -14,7 +14,7 @@ do
   local module, file = nil, nil
   for _, e in ipairs(reference.read()) do
     local here = e.line:match "^[^:]*"
-    if here ~= file then module, file = here == "hinge.d.lua" and "hinge" or nil, here end
+    if here ~= file then module, file = "hinge", here end
     if e.kind == "heading" then module = e.module or module end
     if e.kind == "class" then classes[e.name], e.fields.of = e, e end
     if e.kind == "function" then
@@ -71,7 +71,7 @@ case("every module of the library is declared", function()
     count = count + 1
     agrees_with_table(class, require(module), module)
   end
-  equal(count, 6, "modules with functions of their own in library.d.lua")
+  equal(count, 6, "modules with functions of their own in lua/hinge/words")
 end)
 
 -- Objects: methods and fields -----------------------------------------------------------------------------------------
@@ -138,7 +138,7 @@ case("every object has the fields and methods that its declared type names", fun
   for name, meta in pairs(debug.getregistry()) do
     if type(name) == "string" and name:find "^hinge%." and type(meta) == "table" and meta.methods then
       local object = objects[name]
-      if expect(classes[name], "%s is not declared: add `---@class %s` to lua/hinge/hinge.d.lua", name, name)
+      if expect(classes[name], "%s is not declared: add `---@class %s` to lua/hinge/words", name, name)
         and expect(object, "this test has no %s to look at: add one to `objects`", name) then
         local short = name:match "%w+$"
         local there = {}
@@ -181,11 +181,11 @@ case("the job has the methods that are declared", function()
   for method in pairs(all) do
     if not method:find "^__" then methods[method] = true end
   end
-  same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to lua/hinge/library.d.lua",
-    "library.d.lua declares job:%s, which there is not")
+  same(own["hinge.job"], methods, "job:%s is not declared: add `function job:...(...) end` to "
+    .. "lua/hinge/words/scenarios.d.lua", "words/scenarios.d.lua declares job:%s, which there is not")
   same(fields_of "hinge.job", set { "out", "case", "notes" },
     "job.%s is not declared: add `---@field` to `---@class hinge.job`",
-    "library.d.lua declares job.%s, which there is not")
+    "words/scenarios.d.lua declares job.%s, which there is not")
 end)
 
 -- Options -------------------------------------------------------------------------------------------------------------
@@ -405,10 +405,8 @@ end)
 
 -- The page ------------------------------------------------------------------------------------------------------------
 
-case("the page of the reference is the one made from the declarations", function()
-  local page = support.read(support.root .. "lua/hinge/reference.md")
-  expect(page == reference.page(),
-    "lua/hinge/reference.md is not what is declared now: run `lua5.4 lua/hinge/program/reference.lua`")
+case("hinge reference prints the declarations as a page", function()
+  local page = reference.page()
   local program = support.quote(arg[1] .. "/hinge")
   local status, printed = support.run(program .. " reference")
   expect(status == 0 and printed == page, "hinge reference prints the page: status %s", status)

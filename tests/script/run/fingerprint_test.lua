@@ -1,6 +1,6 @@
 -- A checkpoint is refused where any quantity of the script has changed. The changes are generated: each number, word
--- and truth value of the declarations below, one at a time. The list is held against the fields of hinge.d.lua, so that
--- a field that is new there must come here.
+-- and truth value of the declarations below, one at a time. The list is held against the fields of lua/hinge/words,
+-- so that a field that is new there must come here.
 --
 -- Run: lua5.4 tests/script/run/fingerprint_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -46,7 +46,7 @@ local function merged(a, b)
   return all
 end
 
--- Subjects: `of`: classes of hinge.d.lua whose fields it has; options: what is changed; build(options) returns the
+-- Subjects: `of`: classes of lua/hinge/words whose fields it has; options: what is changed; build(options) returns the
 -- model; other: what a word or a number becomes, by its path, where it is not the usual change. with: options of
 -- model:dynamic beside dt and duration.
 local subjects = {}
@@ -424,13 +424,11 @@ for _, one in ipairs(subjects) do
   note(one.options)
 end
 
-case("every field of the declarations in hinge.d.lua is changed here, or left out with a reason", function()
-  local class
-  for line in io.lines(support.root .. "lua/hinge/hinge.d.lua") do
-    class = line:match "^%-%-%-@class hinge%.([%w_]+)" or not line:find "^%-%-%-" and class and nil
-      or line:find "^%-%-%-" and class
-    local field = class and line:match "^%-%-%-@field %[?([%w_]+)"
-    if field and classes[class] then
+case("every field of the declarations is changed here, or left out with a reason", function()
+  for _, e in ipairs(require "hinge.program.reference".read()) do
+    local class = e.kind == "class" and e.name:match "^hinge%.([%w_]+)$"
+    for _, f in ipairs(classes[class] and e.fields or {}) do
+      local field = f.name:match "[%w_]+"
       expect(classes[class][field] or (left_out[class] or {})[field], "hinge.%s has the field %s", class, field)
     end
   end

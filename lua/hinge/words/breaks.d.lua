@@ -1,0 +1,259 @@
+---@meta
+-- Fracture, removal, heat and contact ---------------------------------------------------------------------------------
+
+---@class hinge.model
+local model = {}
+
+---Declares when members break: when a limit is reached, or when a function returns true. Limits of the rotation of
+---hinges and of the elongation of a member do not depend on the number of elements. Those of strains are the paper's
+---(section 2.3, eq 16). The paper gives a critical curvature of 0.0004 without a unit: 0.4 here if it is per
+---millimetre, 0.04 if it is per centimetre. Once hinges form, a curvature is the rotation of a hinge over the length of
+---its element. So run.warnings says at the end which rotation a limit of curvature means. A rule for a group holds for
+---its members, and one without a group for all others, whatever their order. If several rules apply to the groups of a
+---member, the last one counts. It is an error if a rule would take the place of another one for all of its members:
+---limits that of a function, or a group that of a group within it. A rule that holds for no member, and a function that
+---a run never called, is named in run.warnings at the end. An error in a function undoes the step, and is raised at the
+---line of the script that asked for the step.
+---```lua
+---model:fracture { hinge_rotation_x = 0.07, hinge_rotation_y = 0.07, elongation = 0.2 } -- rad, m
+---model:fracture(function(section) return section.plastic_work > 500 end) -- J
+---```
+---@param rule hinge.fracture_rule|fun(section: hinge.section_view): boolean?
+function model:fracture(rule) end
+
+---@class hinge.fracture_rule
+---rad, plastic, either sign: rotation of a hinge about the section's x axis, the present one, without any elastic part.
+---In a section where two elements meet (inside a member, and at a node that joins two members of the same strength and
+---the same rule, and nothing else) it is the sum of both. The conventional element has one hinge, in its middle. What
+---breaks is the element with the larger part in the rotation. run:hinges lists such rotations
+---@field hinge_rotation_x? number
+---@field hinge_rotation_y? number rad, about the section's y axis, alike
+---m, plastic, tension only: elongation of a member, the sum over its elements; slack does not count. Hinges that bend
+---and are pulled elongate as well. A bar that yields over its whole length breaks by it at the same length, however
+---many elements it has. It breaks where the largest part is. What is left of a member with a broken element counts by
+---itself
+---@field elongation? number
+---@field curvature_x? number 1/m, either sign
+---@field curvature_y? number 1/m, either sign
+---@field axial_strain? number no unit; either sign unless tension_only
+---no unit, either sign and direction: Q / (G A), mean over the element. It is elastic, because eq 14 has no shear; in
+---members that yield it stays below 2 M_p / (L G A), with L of the element. Not in the paper
+---@field shear_strain? number
+---@field tension_only? boolean default false; true: the axial strain counts in tension only
+---which curvature the limits mean. element (default): that of the whole element, eq 16. Rotations of the hinges at its
+---two ends cancel where the element bends like an S. section: that at each end. It is the elastic curvature of the
+---element, plus the rotation of the hinge at this end over the element's length. The other strains are the element's in
+---both. The conventional element has one hinge in its middle, so both mean the same
+---@field strain_measure? "element"|"section"
+---true: the limits count only where the section is fully plastic in the step. Members that cannot yield then never
+---break by limits. Default false
+---@field plastic_only? boolean
+---a function that is called for a section where no limit is reached. If it returns true, the element breaks. The
+---argument is the same object at every call; it can be read only while the function runs
+---@field rule? fun(section: hinge.section_view): boolean?
+---the sections for which `rule` is called. plastic (default): those that are fully plastic in this step, and those that
+---were fully plastic before, when a curvature or the axial strain of their element is larger than ever before. A rule
+---that uses such strains therefore misses nothing. yielded: all that were ever fully plastic. all: all sections.
+---Sections of members that cannot yield are always included
+---@field where? "plastic"|"yielded"|"all"
+---names of numbers that are kept for each section, such as { "damage" }. They are fields of the section that the rule
+---can set, 0 at the start. They belong to the state of the run
+---@field keep? string[]
+---in place of `rule`: a function that is called once a step with all elements of the members. It returns a list with
+---the positions of those that break. It has no memory: `keep` and `where` beside it are an error, since they belong to
+---single sections
+---@field batch? fun(elements: hinge.element_list): integer[]?
+---@field group? hinge.group_like only its members, default all
+
+---The section that a fracture rule gets, with the values at the end of the step. Strains are those of the element: the
+---sum of elastic and plastic, the plastic part, and the change over the step divided by dt. The rotation of a hinge is
+---that of the section.
+---@class hinge.section_view
+---@field time number s
+---@field dt number s
+---@field step integer from 1
+---@field member integer from 1, as member.index
+---@field element integer from 1, counted over the whole model; messages and member:state count within the member
+---@field end integer end of the element, 1 or 2; written section["end"], since end is a keyword of Lua
+---@field node integer? index of the joint at this section; nil: it is inside the member
+---@field group string? name of the member's first group
+---@field plastic boolean fully plastic in this step
+---@field curvature_x number 1/m
+---@field curvature_y number 1/m
+---@field axial_strain number
+---@field twist number 1/m, including full turns
+---@field plastic_curvature_x number 1/m
+---@field plastic_curvature_y number 1/m
+---@field plastic_axial_strain number
+---@field plastic_twist number 1/m
+---@field curvature_rate_x number 1/(m s)
+---@field curvature_rate_y number 1/(m s)
+---@field axial_strain_rate number 1/s
+---@field twist_rate number 1/(m s)
+---@field Mx number N m
+---@field My number N m
+---@field N number N
+---@field Mz number N m
+---@field f_y number yield function of the section's law, 1 where it is fully plastic
+---@field plastic_work number J, of the element up to now
+---@field shear_x number elastic: Q / (G A), mean over the element; Q = dM_y/dz
+---@field shear_y number Q = dM_x/dz
+---rad, plastic; positive like curvature_x. What the limit of this name is compared with: the sum of both sides where
+---two elements meet in the section
+---@field hinge_rotation_x number
+---@field hinge_rotation_y number rad
+---@field broken number 0
+
+---All elements of the members of a fracture rule, always in the same order. `count` is their number (also `#elements`).
+---Every field of a section has an array with one number for each element. Mx, My, f_y, hinge_rotation_x,
+---hinge_rotation_y, node and plastic have one array for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is
+---1 or 0. Loads along a member change N and Mz along it; the arrays have those of end 1. Broken elements keep their
+---positions, with broken = 1 and zeros. An array is the same table at every step; it is filled when the function reads
+---it.
+---@class hinge.element_list
+---@field count integer
+---@field time number s
+---@field dt number s
+---@field step integer
+
+---Takes a member, or all members of a group, out of the structure at a time of the run: the sudden loss of a column.
+---All elements of it break at the end of the first step that reaches the time, as by a fracture rule, whatever their
+---strains and with the same energy balance (run.energy.fracture). What is left are two halves without strength, which
+---keep their mass and move with the joints at the member's ends; with four elements or more the part between falls by
+---itself. It goes beside fracture rules. events.csv has it as a fracture with the limit "removed". A group means the
+---members that it has in the run. It acts in dynamics; statics keeps the member. A run that goes on from one in which
+---the time was reached has the member removed already. If the time was reached before the run begins, the member goes
+---at the end of the first step. With `over` the forces that the member had put on the joints that keep other members
+---stay there at first, and fall to nothing in a straight line over that time; their work is in run.energy.work.
+---```lua
+---model:remove { member = beam, at = 0.005 } -- s
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---print(beam:state(swing)) -- broken
+---```
+---@param options hinge.removal_options
+function model:remove(options) end
+
+---@class hinge.removal_options
+---@field member? hinge.member one of member and group
+---@field group? hinge.group_like
+---@field at number s
+---@field over? number s, in which its forces fall to nothing; default 0: it is gone at once
+
+---Heats members. Their temperature is given. A heated member gets longer by the strain of `properties` at this
+---temperature, and its stiffness and its strength are those parts of the declared ones. What is free to lengthen takes
+---no force; what is held is pressed. Of several declarations for one member the last one counts. Statics heats from
+---where the run begins, 20 degrees Celsius at first, to the temperature, as the load factor goes from 0 to 1; as a
+---load, heat may belong to a load case. A temperature over time acts in dynamics; statics keeps what it is at the time
+---of the run. In dynamics a number is there from the start: what it presses beyond yield begins on the yield surface,
+---with its plastic work, and the run warns. The energy balance has the account `heat`; what heat has done before the
+---first step of dynamics is in `initial`. It does not go with integrator = "energy-momentum". Source: EN
+---1993-1-2:2005, 3.2 and 3.4.
+---```lua
+---local hot = hinge.model()
+---local left, right = hot:node { 0, 0, 0 }, hot:node { 4, 0, 0 }
+---local beam = hot:member { left, right, section = square, material = steel }
+---hot:fix(left, "all")
+---hot:fix(right, "all")
+---hot:heat { member = beam, temperature = 50 } -- degrees Celsius
+---print(beam:forces(hot:static {}:finish()).N) -- below 0: it is pressed
+---```
+---@param options hinge.heat_options
+function model:heat(options) end
+
+---@class hinge.heat_options
+---one of member and group; neither: all members
+---@field member? hinge.member
+---@field group? hinge.group_like
+---degrees Celsius, in the middle of the section: a number, points { { time in s, temperature }, ... } between which it
+---is linear, or a function of the time
+---@field temperature number|number[][]|fun(time: number): number
+---K, how much hotter the side of the section at +y (`up`) is than that at -y. A member that is free bends to the other
+---side. Default 0
+---@field across_y? number|number[][]|fun(time: number): number
+---@field across_x? number|number[][]|fun(time: number): number K, the side at +x and that at -x; default 0
+---@field properties? hinge.heat_properties default: hinge.heat.steel()
+---@field case? hinge.case_like load case that it belongs to; default: none. For a temperature that is a number
+
+---Makes members too short or too long: prestress. Several declarations for one member add up. It grows with the load
+---factor of statics, and in dynamics it is there from the start, as heat is. Its work is in the account `heat` of the
+---energy balance.
+---```lua
+---local tight = hinge.model()
+---local left, right = tight:node { 0, 0, 0 }, tight:node { 4, 0, 0 }
+---local tie = tight:member { left, right, section = square, material = steel }
+---tight:fix(left, "all")
+---tight:fix(right, "all")
+---tight:prestress { member = tie, force = 1e4 } -- N
+---print(tie:forces(tight:static {}:finish()).N) -- 10000.0
+---```
+---@param options hinge.prestress_options
+function model:prestress(options) end
+
+---@class hinge.prestress_options
+---@field member? hinge.member one of member and group
+---@field group? hinge.group_like
+---without force the member is longer by this part of its length; below 0: shorter, so that it pulls. -0.1 to 0.1. One
+---of strain and force
+---@field strain? number
+---@field force? number N, above 0 tension: what the member would have between ends that do not move
+---@field case? hinge.case_like load case that it belongs to; default: none
+
+---Declares which members can touch each other, and how. surface (the default): bars press on each other where their
+---axes come closest. Each bar is round; its radius is half the smaller side of its section. A penetration g stores the
+---energy k g^2 / 2. Only friction dissipates energy. gap (section 2.4, eqs 17-19): four gap elements tie two elements
+---together for a while. The energy that they store is given back when the bars part. Members that share a joint, or
+---that overlap when they are first checked, have no contact until they have parted. A run warns of members of different
+---bodies that overlap where it begins. Each call adds a rule. A rule with groups or between holds for its pairs,
+---wherever a rule for all members is declared. If several such rules fit the groups of both members, the last one
+---counts.
+---```lua
+---local bar = model:member { model:node { 0.5, -0.5, 0.06 }, model:node { 0.5, 0.5, 0.06 }, section = square,
+---  material = steel, group = "bar" }
+---model:velocity("bar", { 0, 0, -5 })
+---model:contact { between = { "bar", "arm" }, friction = 0.3 }
+---local hit = model:dynamic { dt = "auto", duration = 4e-3 }:finish()
+---print(hit.contacts.bound, bar:state())
+---```
+---@param rule? hinge.contact_rule
+function model:contact(rule) end
+
+---@class hinge.contact_rule
+---@field rule? "surface"|"gap" default surface
+---@field groups? hinge.group_like[] only members of these groups; default: all
+---@field between? hinge.group_like[] in place of groups: two groups, one for each member of a pair
+---a function that is called once for two members, when they come near each other. nil or true: the numbers of this
+---rule. false: they never have contact. A table: other numbers (rule, stiffness, friction, binding_time, release,
+---contact_length, coplanarity_tolerance)
+---@field pairs? fun(a: hinge.member, b: hinge.member): boolean|hinge.contact_rule|nil
+---a function that is called at the end of a step in which two elements were tied (gap), or two members began to press
+---on each other (surface: once for each contact, with the elements that were deepest in each other)
+---@field on_contact? fun(event: hinge.contact_event)
+---@field on_release? fun(event: hinge.contact_event) the same, when they were released or parted
+---surface: k of one contact of two members, N/m, wherever their elements end. Default EA / L: EA is the harmonic mean
+---of the two members, L is their mean length, or the sum of their half depths where that is more
+---@field stiffness? number
+---@field friction? number surface: Coulomb's coefficient, default 0; contact_released of run.energy has its heat
+---@field binding_time? number gap: default 0.5e-3 s
+---gap: when a tie is released. parting (default): after the binding time, as soon as the bars part and little energy is
+---stored; this energy is given back as an impulse. time: at the binding time, as in the paper; the stored energy is
+---lost
+---@field release? "parting"|"time"
+---@field contact_length? number gap: C_l of eq 18, default 1.8
+---@field coplanarity_tolerance? number gap: alpha of eq 19, default 3e-4 m^3
+---default true: a pair is checked only when it could have come into contact. false: every pair is checked at every
+---step; the results are the same to the bit, at several times the cost
+---@field sleep? boolean
+---gap: eqs 17-19 as printed, default false. They are checked only at the beginning of a step, so fast members can pass
+---through each other. release is then "time"
+---@field as_printed? boolean
+---with as_printed: how eq 19 takes f of eq 17. absolute (default): |f| <= alpha. as printed: f <= alpha. f is negative
+---on one side of an element, so that eq 19 holds there at any distance. Which side it is depends on the order of the
+---elements and of their ends
+---@field sign_of_f? "absolute"|"as printed"
+
+---@class hinge.contact_event
+---@field time number s
+---@field a hinge.member
+---@field b hinge.member
+---@field element_a integer
+---@field element_b integer

@@ -1,0 +1,220 @@
+---@meta
+-- What accuracy costs -------------------------------------------------------------------------------------------------
+
+---@class hinge
+local hinge = {}
+
+---Runs a scenario with each of its accuracy settings, and compares the answers with a reference. The runs are in
+---this process, each with its own models. The reference is finer than all settings, and a second reference tests it.
+---The error of an answer has a band: from the order of convergence if that is clear (Richardson), else from the
+---scatter of the finest runs. An answer is chaotic if it changes by more than half of `within` under relative
+---changes of 1e-9, or if the two references differ by no more than runs of one setting do. Such runs have their time
+---step, if it is varied, shorter by one to four thousandths, and all other numbers that are not whole changed by
+---1e-9. A chaotic answer has mean and scatter in place of an error. Answers are the numbers and lists of numbers
+---that the scenario returns, and the probes of its runs (as histories). The scenario prints and draws nothing
+---meanwhile. `hinge cost SCRIPT` prints the result. With effects = true the settings do not change. The scenario
+---runs with its parameters, and once more without each effect that its models declare (gravity, large displacement,
+---plasticity, fracture, contact, friction). Where sections can yield it runs with other laws of sections too: the exact
+---interaction in the place of eq 14 or the other way round, without hardening, without the strain rate. `hinge cost
+---SCRIPT --effects` prints this result.
+---```lua
+---local scenario = hinge.scenario {
+---  accuracy = { dt = { 2e-4, 4e-4 } },
+---  run = function(p)
+---    local swing = model:dynamic { dt = p.dt, duration = 0.01 }:finish()
+---    return { sag = select(3, swing:displacement(tip)) }
+---  end,
+---}
+---local cost = hinge.cost(scenario, { within = 0.01, repeats = 1 })
+---for _, setting in ipairs(cost.settings) do print(setting.label, setting.seconds, setting.error) end
+---```
+---@param scenario hinge.scenario
+---@param options? hinge.cost_options
+---@return hinge.cost_result|hinge.effects_result
+function hinge.cost(scenario, options) end
+
+---@class hinge.cost_options
+---@field within? number the largest accepted error, as a part of the value; default 0.01
+---@field quantity? string the answer that is compared; default: the one with the largest error, of those that have one
+---@field case? string
+---changes of the scenario's parameters; an accuracy setting among them stays fixed
+---@field parameters? table<string, any>
+---s, limit of the time. Cheap settings come first. A setting is not begun if the time, by what finished runs took,
+---is too short for it and its references; `left_out` has it. If there is no time for references, the error comes
+---from the settings themselves. The plot takes about a second more. Default: no limit
+---@field budget? number
+---how often each setting is timed, in alternating order; default 3. If it is more than 1, short settings are timed more
+---often, up to 21 times or 0.1 s
+---@field repeats? integer
+---folder for cost.csv, cost.png, summary.json and finished.lua. A second call continues from finished.lua. It has the
+---measurements, by the content of the script and of the files that it has read, the settings and the version of hinge.
+---Default: nothing is written
+---@field out? string
+---in place of the scenario's own. If there is neither, the parameters with names such as dt, elements_per_member and
+---formulation are used
+---@field accuracy? table<string, any[]>
+---for numbers with other names: which side is finer, "smaller" or "larger". A number without this is varied too, but
+---the reference has its default
+---@field finer? table<string, string>
+---for numbers: the order of convergence from theory. Default: 2 for dt and elements, 1 for tolerances and steps
+---@field orders? table<string, number>
+---relative change of every number that is not whole, to look for chaotic answers; default 1e-9
+---@field perturbation? number
+---@field progress? boolean prints lines on stderr; default false
+---true: leave out effects instead; default false. `accuracy` then serves only for one finer run, to show the error of
+---the setting itself. `out` gets effects.csv and laws.csv in place of cost.csv and cost.png
+---@field effects? boolean
+
+---@class hinge.cost_result
+---@field settings hinge.cost_setting[] settings with an answer, the cheapest first
+---@field front hinge.cost_setting[] the Pareto front: no other setting is both cheaper and better
+---@field cheapest? hinge.cost_setting whose error, with its band, is up to `within`
+---the answers that count for the error of a setting: all that are sound; if none is, all that have a band
+---@field compared_by string[]
+---@field finest string label of the finest run: a reference or, if no reference was run, a setting
+---a setting that would be within `within` by the observed order, where none that was run is; seconds: an estimate
+---@field beyond? { values: table, label: string, seconds: number }
+---references that were run, up to two
+---@field finer { values: table, label: string, seconds: number, answers: table, high?: number }[]
+---@field quantities table<string, hinge.cost_quantity> by answer
+---@field orders table<string, hinge.cost_order> by name of the number: the order of convergence
+---for each setting without a finer side (formulation, integrator, ...): the time of its values at equal error, the
+---largest error first. The errors are `within`, that of the cheapest setting, and the smallest one that all values
+---reach, if these differ and are more than rounding
+---@field equal table<string, { error: number, methods: hinge.cost_method[] }[]>
+---the two references, the coarser one first; nil: `notes` says why
+---@field references? { values: table, label: string, seconds: number, answers: table }[]
+---@field failed hinge.cost_setting[] settings without an answer; `failed` says why
+---settings left out by the budget; s for each, and s for its references
+---@field left_out { label: string, values: table, estimate: number, rest: number }[]
+---@field complete boolean nothing is left out
+---@field notes string[]
+---@field inputs table[] what is varied: name, values, and for numbers the finer side
+---@field elapsed number s
+---@field within number
+---@field perturbation number
+---@field quantity? string
+---@field case? string
+
+---@class hinge.cost_quantity
+---"sound"; "chaotic": it changes much under small changes of the input; "unsettled": the references differ by more
+---than half of `within`; "moving": it differs from run to run; "unknown": there are no two references
+---@field state string
+---@field kind string "number" or "history"
+---@field value? number of the finest run
+---@field agreement? number difference between the two references
+---@field scatter? number as a part of the value, or of the largest value of a history
+---where the band of the errors comes from. "order": the observed order of convergence (Richardson); "theory": two
+---values, the order in theory and a safety factor of 3; "scatter": of the finest three runs, and of runs that are
+---changed slightly; "grows": refinements change it in one direction by no less each time, errors are lower bounds;
+---"open": there is one run alone, errors are lower bounds; "exact". nil: it is moving
+---@field by? string
+---@field half? number by so much the best known value may be off, as a part of it; half the width of the bands
+---@field order? number observed, if by = "order"; of all numbers together, in terms of halved steps
+---@field extrapolated? number the value without error by the observed order, if by = "order"
+---@field standard? string if chaotic: label of the finest setting with changed runs
+---@field alike? string[] if chaotic: labels of the settings whose means cannot be told apart from that of `standard`
+
+---@class hinge.cost_order
+---@field observed? number the median over the answers; math.huge: exact
+---@field theory? number
+---@field why? string
+---@field note? string
+---@field quantities table<string, number> by answer
+
+---@class hinge.cost_method
+---@field value any the value of the setting
+---with the best values of all other settings; between two settings by a straight line on logarithmic axes
+---@field seconds number
+---@field ratio number time over the shortest time of those that reach the error
+---@field settings hinge.cost_setting[] the setting with at most this error, or the two settings around it
+---@field more? boolean true: even its best setting does not reach the error; seconds are of that setting
+
+---@class hinge.effects_result
+---@field effects hinge.effect_cost[] effects of the scenario that can be left out
+---@field laws hinge.law_cost[] other laws of its sections; empty if none can yield
+---@field values table<string, number|{ x: number[], y: number[] }> the answers of the scenario as it is
+---@field absent string[] effects that can be left out, and that the scenario does not have
+---@field left_out string[] effects and laws that were not tried, because of the budget
+---for answers that are the same from run to run. scatter: its change when every number changes slightly. error: its
+---difference from the answer of a setting twice as fine
+---@field answers table<string, { scatter?: number, error?: number }>
+---@field finer? string the setting twice as fine; nil: `notes` says why
+---@field seconds number with all effects: time of the steps of all runs, the median of `times`
+---@field times number[]
+---@field energy_error number the energy error, as in hinge.cost_setting
+---@field notes string[]
+---@field complete boolean nothing is left out by the budget
+---@field elapsed number s
+---@field within number
+---@field perturbation number
+---@field quantity? string
+---@field case? string
+
+---@class hinge.effect_cost
+---@field name string
+---change of the answer that changes most without the effect, as a part of its value or of the largest value of a
+---history. The answers that change by more than their scatter come first, else all count
+---@field change? number
+---@field worst? string that answer's name
+---@field changes table<string, number> by answer; math.huge: there is no answer without the effect
+---@field same boolean the effect has no influence: states and answers are the same to the bit without it
+---@field lost boolean the answer changes, but not by more than its scatter
+---part of the time that the effect takes, the median over the rounds; negative: the scenario takes longer without it
+---@field saves? number
+---@field spread? number half the width of the middle half of the rounds, for `saves`
+---@field seconds? number without it, the median of `times`
+---@field times? number[]
+---@field energy_error? number the energy error without it
+---@field answers? table<string, number|{ x: number[], y: number[] }> without it
+---@field failed? string why the scenario has no answer without it: the error's first line
+
+---As hinge.effect_cost, with the change of the law in the place of the effect that is left out.
+---@class hinge.law_cost
+---"exact in the place of eq 14", "eq 14 in the place of exact", "without hardening", "without strain rate"
+---@field name string
+---@field law "eq 14"|"exact"|"hardening"|"strain rate" the law that is left out
+---@field change? number
+---@field worst? string
+---@field changes table<string, number>
+---@field same boolean
+---@field lost boolean
+---@field slower? number time over that of the scenario as it is, less 1; negative: it is faster
+---@field spread? number half the width of the middle half of the rounds, for `slower`
+---@field seconds? number
+---@field times? number[]
+---@field energy_error? number
+---@field answers? table<string, number|{ x: number[], y: number[] }>
+---@field failed? string
+
+---@class hinge.cost_setting
+---@field values table<string, any>
+---@field label string
+---estimated error of the answer with the largest one, as a part of its value. nil: no answer has an error
+---@field error? number
+---@field low? number lower end of the band of that error
+---@field high? number upper end of the bands of all answers that count; math.huge: not known
+---@field worst? string the answer's name
+---@field below? boolean the error may be 0; `error` is the upper end of the band
+---@field above? boolean only a lower bound is known, which is `error`
+---by answer: the difference from the finest run, as a part of its value; for histories, the root mean square
+---difference over the largest value
+---@field errors table<string, number>
+---by answer: the difference again, the estimated error and its band, as parts of the best known value
+---@field estimates table<string, { difference: number, error: number, low: number, high: number }>
+---@field warnings string[] of all its runs
+---by chaotic answer. runs: how many; scatter: standard deviation as a part of the mean; difference: of the mean from
+---that of the finest setting, as a part of it; apart: the scatter does not explain the difference (Welch's test, 95
+---%)
+---@field means? table<string, { mean?: number, runs: integer, scatter: number, difference: number, apart: boolean }>
+---@field answers table<string, number|{ x: number[], y: number[] }>
+---@field seconds number time of the steps of all runs, the median of `times`; for a scenario without runs, of all
+---@field times number[]
+---@field ratio number seconds over those of the cheapest setting
+---@field outside number s outside the steps: making models, and the code of the script
+---@field stages table<string, number> s by stage of a step, of the fastest run
+---@field memory? number bytes, the most memory that it used
+---@field energy_error number the largest energy error of its runs over the energy at the start and the work at the end
+---@field front boolean
+---@field meets boolean
+---@field failed? string

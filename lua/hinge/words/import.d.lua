@@ -1,0 +1,392 @@
+---@meta
+-- Frames of other programs --------------------------------------------------------------------------------------------
+
+---Frames from files of other programs. A reader returns the frame as a plain table, in SI, and notes on what it could
+---not read. import.build makes a model of it, import.write a script.
+---@class hinge.imports
+local import = {}
+
+---Reads text tables of SAP2000 (.s2k): TABLE: "NAME", then rows of Key=Value. ETABS writes such tables too; its frames
+---get the local axes of SAP2000. For its files .e2k there is import.e2k. Read are PROGRAM CONTROL (units), ACTIVE
+---DEGREES OF FREEDOM, JOINT COORDINATES, JOINT RESTRAINT ASSIGNMENTS, CONNECTIVITY - FRAME, FRAME SECTION PROPERTIES 01
+---- GENERAL, FRAME SECTION ASSIGNMENTS, FRAME LOCAL AXES 1 - TYPICAL (angle), FRAME RELEASE ASSIGNMENTS 1 - GENERAL
+---(M2, M3, T), FRAME INSERTION POINT ASSIGNMENTS, FRAME OFFSET ALONG LENGTH ASSIGNMENTS (rigid ends; where they are
+---automatic, to the face of the columns or beams at the joint), FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY (M2, M3,
+---T), FRAME AUTO MESH (at joints), JOINT CONSTRAINT ASSIGNMENTS with CONSTRAINT DEFINITIONS - DIAPHRAGM, - BODY and -
+---EQUAL (where a support holds one of the joints), JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED, JOINT and FRAME ADDED MASS
+---ASSIGNMENTS, MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES, 03A - STEEL DATA (Fy), GROUPS 2 - ASSIGNMENTS,
+---LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, FRAME LOADS - DISTRIBUTED (forces).
+---Sections have the properties that the file states, and the size, the outline and what is left out of
+---their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000
+---times the area. Areas are one note with their size, loads and weight. A file that contradicts itself is an error with
+---its line.
+---```lua
+---local import = hinge.import
+---local name = os.tmpname()
+---local file = assert(io.open(name, "w"))
+---file:write [[
+---TABLE:  "PROGRAM CONTROL"
+---   ProgramName=SAP2000   CurrUnits="Kip, in, F"
+---TABLE:  "JOINT COORDINATES"
+---   Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
+---   Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=144
+---TABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+---   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+---TABLE:  "CONNECTIVITY - FRAME"
+---   Frame=1   JointI=1   JointJ=2
+---TABLE:  "FRAME SECTION ASSIGNMENTS"
+---   Frame=1   AnalSect=PIPE8
+---TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+---   SectionName=PIPE8   Material=A53   Shape=Pipe   t3=8.625   tw=0.322
+---TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
+---   Material=A53   UnitWeight=2.836E-04   UnitMass=7.345E-07   E1=29000   U12=0.3
+---]]
+---file:close()
+---local frame, notes = import.s2k { file = name }
+---os.remove(name)
+---print(#notes, frame.nodes[2].z, frame.sections[1].area) -- 0, 3.6576 m, 0.0054 m^2
+---```
+---@param options hinge.import_s2k_options
+---@return hinge.import_frame frame
+---@return hinge.import_notes notes
+function import.s2k(options) end
+
+---@class hinge.import_s2k_options
+---@field file string path of the file
+---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
+---@field sections? table<string, string>
+
+---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
+---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
+---to OFFSETZJ, RIGIDZONE with LENGTHOFFI and LENGTHOFFJ), POINT ASSIGNS (RESTRAINT, DIAPH, SPRINGPROP), MATERIAL
+---PROPERTIES (E, U, weight, FY), FRAME SECTIONS with their modifiers, LOAD PATTERNS or STATIC LOADS, POINT OBJECT
+---LOADS, and FRAME OBJECT LOADS or LINE OBJECT LOADS. A joint is a point on a storey,
+---"3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes,
+---releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
+---hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Of areas the
+---rigid diaphragm alone is read; a note has their size, loads and weight.
+---```lua
+---local import = hinge.import
+---local name = os.tmpname()
+---local file = assert(io.open(name, "w"))
+---file:write [[
+---$ CONTROLS
+---  UNITS "KN" "M" "C"
+---$ STORIES - IN SEQUENCE FROM TOP
+---  STORY "Storey 1" HEIGHT 3.5
+---  STORY "Base" ELEV 0
+---$ MATERIAL PROPERTIES
+---  MATERIAL "S355" TYPE "Steel" WEIGHTPERVOLUME 76.98
+---  MATERIAL "S355" SYMTYPE "Isotropic" E 210000000 U 0.3
+---  MATERIAL "S355" FY 355000
+---$ FRAME SECTIONS
+---  FRAMESECTION "Column" MATERIAL "S355" SHAPE "Steel I/Wide Flange" D 0.2 B 0.2 TF 0.015 TW 0.009
+---$ POINT COORDINATES
+---  POINT "1" 0 0
+---$ LINE CONNECTIVITIES
+---  LINE "C1" COLUMN "1" "1" 1
+---$ POINT ASSIGNS
+---  POINTASSIGN "1" "Base" RESTRAINT "UX UY UZ RX RY RZ"
+---$ LINE ASSIGNS
+---  LINEASSIGN "C1" "Storey 1" SECTION "Column"
+---]]
+---file:close()
+---local frame, notes = import.e2k { file = name }
+---os.remove(name)
+---print(#notes, frame.members[1].name, frame.nodes[2].name, frame.nodes[2].z) -- 0, C1@Storey 1, 1@Storey 1, 3.5 m
+---```
+---@param options hinge.import_e2k_options
+---@return hinge.import_frame frame
+---@return hinge.import_notes notes
+function import.e2k(options) end
+
+---@class hinge.import_e2k_options
+---@field file string path of the file
+---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
+---@field sections? table<string, string>
+
+---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). What stands at its end is the model; `model` chooses
+---among several, which wipe or remove separate. Read are nodes, supports and masses, the elements of beams and bars,
+---zeroLength and twoNodeLink, sections Elastic, Fiber and Aggregator, equalDOF, rigidLink, rigidDiaphragm, patterns
+---with load and eleLoad, ground motion and damping. A table in the guide (import.md) lists what of each. The script is
+---run: Tcl by tclsh (Debian's package tcl), in a safe interpreter; Python by python3, and only with run_python, since a
+---Python file is a program. Both are behind walls of the kernel: they read the folder of the script and their own
+---library, write nothing, start no program, reach no network, and end after 60 s or 1000 MB. Results of the analysis
+---(nodeDisp, eigen) are made up: where a number of the model hangs on one, notes name the line, and it is not read.
+---What is not read is in the notes, with its line. Load cases are "pattern 1" and so on. A plane frame in x and y
+---becomes one in x and z, held against moving out of that plane. Elements without shear strain get shear areas of 1000
+---times the area. Where all transformations are Linear, the frame has model = { displacement = "small" }; where one is
+---PDelta or Corotational, displacements are large.
+---```lua
+---local import = hinge.import
+---local name = os.tmpname()
+---local file = assert(io.open(name, "w"))
+---file:write [[
+---model BasicBuilder -ndm 2 -ndf 3
+---foreach {tag y} {1 0 2 144} { node $tag 0 $y }
+---fix 1 1 1 1
+---geomTransf Linear 1
+---element elasticBeamColumn 1 1 2 20.0 29000.0 [expr 2*675.0] 1
+---pattern Plain 1 Linear { load 2 10.0 0 0 }
+---]]
+---file:close()
+---local frame, notes = import.tcl { file = name, units = { length = "inch", force = "kip" } }
+---os.remove(name)
+---local model, nodes = import.build(frame)
+---local pushed = model:static { loads = { ["pattern 1"] = 1 } }:finish()
+---print(#notes, nodes["2"]:displacement(pushed)) -- 0, 0.0065 m
+---```
+---@param options hinge.import_tcl_options
+---@return hinge.import_frame frame
+---@return hinge.import_notes notes
+function import.tcl(options) end
+
+---@class hinge.import_tcl_options
+---@field file string path of the script
+---units of the numbers in the script, each by its name in hinge.units, or as a number in SI (m, N, kg, s). mass:
+---default force time^2 / length, which OpenSees needs; time: default s. A unit of another kind is an error: the force
+---of lb, kg and t is lbf, kgf and tonf
+---@field units { length: string|number, force: string|number, mass?: string|number, time?: string|number }
+---which model of the script, from 1: one ends at each wipe, at an analysis after which something is removed, and at the
+---end of the script. Default: the one at the end; if nothing stands there, the last one with elements
+---@field model? integer
+---@field language? "tcl"|"python" default: python for a name that ends in .py, else tcl
+---@field run_python? boolean run a script in Python; default false: it is refused
+
+---Reads tables in CSV, in SI. The first line of each file has the names of its columns, in any order. Cells are
+---separated by commas, semicolons or tabs. With semicolons a comma may be the decimal point. Cells in double quotes may
+---hold anything. Empty lines, and lines that begin with #, are passed over. A column of another name is in the notes.
+---```lua
+---local import = hinge.import
+---local files = { nodes = "name,x,y,z\nfoot,0,0,0\nhead,0,0,3\n", supports = "node,fix\nfoot,all\n",
+---  members = "name,a,b,section,material\ncolumn,foot,head,HEB 300,S355\n",
+---  loads = "case,node,fx\nwind,head,5e3\n" }
+---for table, text in pairs(files) do
+---  files[table] = os.tmpname()
+---  local file = assert(io.open(files[table], "w"))
+---  file:write(text)
+---  file:close()
+---end
+---local frame, notes = import.csv(files)
+---for _, name in pairs(files) do os.remove(name) end
+---print(notes.summary.members, frame.cases[1].name) -- 1, wind
+---```
+---@param options hinge.import_csv_options
+---@return hinge.import_frame frame
+---@return hinge.import_notes notes
+function import.csv(options) end
+
+---@class hinge.import_csv_options
+---@field nodes string path of a file with the columns name, x, y, z (m)
+---path of a file with the columns name, a, b (nodes), section, material; further ones: up_x, up_y, up_z (direction of
+---the section's y axis; default as in model:member), group, release_a, release_b (such as rx ry, about the section's
+---axes)
+---@field members string
+---path of a file with the columns name, and named (a name of hinge.section.named) or area, Ix, Iy, J (m^2, m^4);
+---further ones: shear_area_x, shear_area_y (m^2, default 5/6 of the area), Zx, Zy, Zz (m^3), width, depth (m). A
+---section that is not in the file is one of hinge.section.named
+---@field sections? string
+---path of a file with the columns name, E (Pa); further ones: G (Pa) or nu, density (kg/m^3), yield_stress (Pa), with
+---the defaults of hinge.material. A material that is not in the file is one of hinge.material.steel
+---@field materials? string
+---path of a file with the columns node, and fix (all, or letters as in model:fix) or x, y, z, rx, ry, rz (1: fixed)
+---@field supports? string
+---path of a file with the columns node, fx, fy, fz (N), mx, my, mz (N m), or member, qx, qy, qz (N/m), axes (global,
+---local or projected, as in model:load); further one: case, default "loads"
+---@field loads? string
+---@field masses? string path of a file with the columns node, mass (kg)
+
+---Makes a model of a frame. Names are those of the file. Releases and offsets of members are those of
+---model:member.
+---```lua
+---local import = hinge.import
+---local frame = {
+---  nodes = { { name = "foot", x = 0, y = 0, z = 0, fix = "all" }, { name = "head", x = 0, y = 0, z = 3 } },
+---  materials = { { name = "S355", E = 210e9, density = 7850 } },
+---  sections = { { name = "HEB 300", named = "HEB 300" } },
+---  members = { { name = "1", a = "foot", b = "head", section = "HEB 300", material = "S355" } },
+---  cases = { { name = "dead", self_weight = 1, loads = { { node = "head", force = { 0, 0, -200e3 } } } } },
+---}
+---local column, nodes, members = import.build(frame, { model = { displacement = "small" } })
+---local rest = column:static { loads = "dead" }:finish()
+---print(nodes.head:displacement(rest), members["1"]:forces(rest).N)
+---```
+---@param frame hinge.import_frame
+---@param options? hinge.import_build_options
+---@return hinge.model model
+---@return table<string, hinge.node> nodes by their names
+---@return table<string, hinge.member> members by their names
+function import.build(frame, options) end
+
+---@class hinge.import_build_options
+---@field model? hinge.model_options options of hinge.model, default {}
+---how the self weight of cases acts. gravity: by case:gravity, on members and on point masses, for one case; it stays
+---with members that break and fall. loads: as loads along the members, of the unit weight of the file; they are lost
+---where a member breaks. Default: gravity where both are the same; else it is an error that asks for one of them
+---@field self_weight? "gravity"|"loads"
+---@field gravity? number m/s^2, for the self weight; default 9.80665
+
+---Writes a frame as a script of hinge that builds the same model as import.build: tables with one line for each node,
+---member and load, by their names. The script ends with `return model, nodes, members`, or in a scenario. Returns the
+---path of the file. A file that is there is written over only if import.write has written it. `hinge export FILE` does
+---the same for a file of another program.
+---```lua
+---local import = hinge.import
+---local frame = { nodes = { { name = "a", x = 0, y = 0, z = 0, fix = "all" }, { name = "b", x = 2, y = 0, z = 0 } },
+---  materials = { { name = "steel", E = 210e9, density = 7850 } },
+---  sections = { { name = "IPE 200", named = "IPE 200" } },
+---  members = { { name = "beam", a = "a", b = "b", section = "IPE 200", material = "steel" } } }
+---local script = import.write(frame, "cantilever.lua", { model = { displacement = "small" } })
+---local again, nodes = dofile(script)
+---print(again:counts().members, nodes.b.x)
+---```
+---@param frame hinge.import_frame
+---@param file string ends in .lua; a name without a folder is in the output folder
+---@param options? hinge.import_write_options
+---@return string path
+function import.write(frame, file, options) end
+
+---@class hinge.import_write_options: hinge.import_build_options
+---true: the script ends in a scenario that solves each load case by itself in statics and draws it, so that hinge run,
+---check and plan take it. Default false
+---@field scenario? boolean
+
+---What a reader could not read, by file and line. The list itself has what is not read. print shows everything.
+---@class hinge.import_notes
+---@field [integer] hinge.import_note what is not read
+---@field assumed hinge.import_note[] what the file says otherwise or not at all, and what was taken
+---@field skipped hinge.import_note[] what is no part of a frame: commands of an analysis, tables of design
+---@field summary hinge.import_summary
+
+---@class hinge.import_note
+---@field file string
+---@field line? integer nil: of no single line
+---@field text string the line, without blanks that are not needed, cut after 90 characters
+---@field reason? string
+---@field count? integer how often, if more than once: for lines of one kind, and for lines in a loop
+---@field lines? integer[] all of these lines, the first of them again
+
+---@class hinge.import_summary
+---@field file string
+---@field nodes integer
+---@field members integer
+---@field sections integer
+---@field materials integer
+---@field cases integer
+---@field loads integer with a self weight counted as one
+---@field masses integer
+---@field length number m, of all members
+---@field mass_of_members number kg
+---@field mass_of_nodes number kg
+
+---A frame in SI. Names are texts; each part has each name once.
+---@class hinge.import_frame
+---@field source? string the file that it comes from
+---@field nodes hinge.import_node[]
+---@field materials hinge.import_material[]
+---@field sections hinge.import_section[]
+---@field members hinge.import_member[]
+---@field cases? hinge.import_case[] default: none
+---@field masses? hinge.import_mass[] default: none
+---@field links? hinge.import_link[] rigid links; default: none
+---@field diaphragms? hinge.import_diaphragm[] default: none
+---@field connectors? hinge.import_connector[] springs; default: none
+---@field joints? hinge.import_joint[] joints between nodes; default: none
+---@field motions? hinge.import_motion[] of the ground, in dynamics; default: none
+---@field damping? { alpha: number, beta: number } as in model:damping; default: none
+---@field model? hinge.model_options what the file says of them; the option `model` of import.build goes first
+
+---@class hinge.import_link
+---@field from string name of a node, as in model:rigid_link
+---@field to string
+---@field dofs? "all"|"xyz" default "all"
+
+---@class hinge.import_diaphragm
+---@field nodes string[] as in model:diaphragm
+---@field normal? "x"|"y"|"z" default "z"
+---@field master? string default: the first of `nodes`
+
+---@class hinge.import_connector
+---@field a string name of a node
+---@field b? string nil: the ground
+---@field x vec3 axes, as in model:connector
+---@field y vec3
+---@field stiffness { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number } N/m, N m/rad
+
+---@class hinge.import_joint
+---@field a string name of a node
+---@field b string name of a node at the same place, as in model:joint
+---@field x vec3 axes
+---@field y vec3
+---@field Mx? "rigid"|"free"|hinge.joint_axis as in hinge.joint
+---@field My? "rigid"|"free"|hinge.joint_axis
+---@field Mz? "rigid"|"free"|hinge.joint_axis
+
+---Motion of all nodes that are fixed along an axis, as hinge.ground makes it.
+---@class hinge.import_motion
+---@field axis "x"|"y"|"z"
+---@field dt number s
+---@field acceleration number[] times scale: m/s^2
+---@field scale? number default 1
+
+---@class hinge.import_node
+---@field name string
+---@field x number m
+---@field y number m
+---@field z number m
+---@field fix? string what is fixed, as in model:fix; default: nothing
+
+---@class hinge.import_material
+---@field name string
+---@field E number Pa
+---@field G? number Pa, in place of nu: default E / (2 (1 + nu))
+---@field nu? number default 0.3
+---@field density? number kg/m^3, default 0
+---@field yield_stress? number Pa; default: it never yields
+---@field unit_weight? number N/m^3, of the self weight; default: density times gravity
+---@field hardening? hinge.hardening default: none
+
+---And the fields of hinge.section_options, in place of `named`.
+---@class hinge.import_section
+---@field name string
+---@field named? string a name of hinge.section.named
+
+---@class hinge.import_member
+---@field name string
+---@field a string name of its first node
+---@field b string name of its second node
+---@field section string
+---@field material string
+---@field up? vec3 direction of the section's y axis; default as in model:member
+---@field group? string|string[] default: none
+---rotations about the section's axes that are released at its ends, such as "rx,ry": rx and ry are bending about x and
+---y, rz is torsion; default: none
+---@field release? { a?: string, b?: string }
+---m, from a node to the member's end, in the axes of the frame; rigid and without mass; default: none
+---@field offset? { a?: vec3, b?: vec3 }
+---@field ends? { a?: hinge.joint_options, b?: hinge.joint_options } joints of its ends, as hinge.joint takes them
+
+---@class hinge.import_case
+---@field name string
+---@field self_weight? number factor on the weight of all members; default 0
+---@field loads? hinge.import_load[] default: none
+---@field history? number[][] points { time (s), factor } of all its loads in dynamics; default: constant
+---@field held? boolean true: a scenario of import.write lets it act first, and while the others act; default false
+
+---@class hinge.import_load
+---@field node? string
+---@field member? string in place of node
+---@field force? vec3 N, in space; on a member at the point `at`
+---@field moment? vec3 N m, or N m/m along a member
+---@field q? vec3|{ a?: vec3, b?: vec3 } N/m, along a member; { a =, b = }: at `from` and at `to`, linear between
+---@field at? number 0 to 1, the place of `force` or `moment` on a member
+---@field from? number 0 to 1, where `q` begins on a member; default 0
+---@field to? number 0 to 1, where it ends; default 1
+---@field axes? "global"|"projected"|"local" of a load on a member; default "global"
+
+---@class hinge.import_mass
+---@field node string
+---@field mass number kg
+---@field inertia? vec3 kg m^2, about the x, y and z axes of space, as in model:mass; default 0
+---@field weight? number N, what of it is in the self weight of the file; default: it is in none
+---@field offset? vec3 m, from the node to the mass; default { 0, 0, 0 }

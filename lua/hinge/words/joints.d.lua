@@ -1,0 +1,364 @@
+---@meta
+-- Joints --------------------------------------------------------------------------------------------------------------
+
+---@class hinge
+local hinge = {}
+
+---Makes a joint between the end of a member and its node: pinned, semi-rigid, of partial strength, or one that breaks.
+---The end stays at the node until the joint breaks. Its rotation relative to the node is resisted by a moment about
+---each axis of the section: x and y bend, z twists. The axes rotate with the node. Each of Mx, My and Mz is "rigid"
+---(the default), "free", or a curve. Unloading is elastic, and a cycle follows Masing's rule: a branch is the curve at
+---twice its scale. A joint that reaches a capacity breaks at the end of the step, in dynamics: the member's end is free
+---from then on, and the energy that the joint stored is lost. Statics breaks no joint; the run warns instead. A rigid
+---axis beside a free or soft one is a spring of 1e5 times 4 E I / L (bending) or G J / L (torsion) of the member in
+---statics, 1000 times in dynamics, 100 times in explicit steps: a cantilever with such a joint bends about a rigid
+---axis by 7.5e-6 more than without, in dynamics by 7.5e-4, in explicit steps by 7.5e-3. All members at a node may have
+---joints there, as in a pinned truss. What no joint and no support holds of the node's rotation follows one of the
+---members, without a moment; in explicit steps the node keeps its rotation, with the rotary inertia of half an element.
+---A moment on the node about such an axis is an error. A joint needs no further element; two elements a member are as
+---exact as without it. It does not go with the energy-momentum method. The energy is in run.energy.joint_stored and
+---joint_dissipated. run:hinges and hinge.robustness compare the rotations and forces of joints with limits.
+---```lua
+---local end_plate = hinge.joint { Mx = { points = { { 0.004, 80e3 }, { 0.02, 110e3 } }, capacity = 0.04 }, -- rad, N m
+---  My = "free", tension = 250e3, shear = 180e3 } -- N
+---local post = model:node { 1, 0, -1 }
+---model:fix(post)
+---model:member { tip, post, section = square, material = steel, ends = { a = end_plate } }
+---```
+---@param options hinge.joint_options
+---@return hinge.joint
+function hinge.joint(options) end
+
+---@class hinge.joint_options
+---@field Mx? "rigid"|"free"|hinge.joint_axis moment about the section's x axis: strong-axis bending of a beam
+---@field My? "rigid"|"free"|hinge.joint_axis
+---@field Mz? "rigid"|"free"|hinge.joint_axis torsion
+---N: it breaks at this tension along the member; default: never. The force is that of the member's end, with the
+---inertia of what moves with the node
+---@field tension? number
+---@field shear? number N: it breaks at this force across the member; default: never
+---linear: a tension T leaves the part 1 - T / tension of the strengths of Mx and My (EN 1993-1-8, 6.2.7.1 (3)). In
+---dynamics T follows the force of the member with the delay of an axial wave through it, in statics with that of a
+---step; compression takes nothing. It needs `tension`, and a strength of Mx or My. Default none
+---@field interaction? "none"|"linear"
+
+---Moment over the rotation of the member's end relative to the node: `stiffness`, with `strength` or without, or
+---`points`.
+---@class hinge.joint_axis
+---@field stiffness? number N m/rad
+---@field strength? number N m: elastic up to it, then plastic; default: elastic without end
+---{ rotation (rad), moment (N m) } from { 0, 0 } on, which is not given. The moment rises, each part less steeply than
+---the one before; beyond the last point it stays. The first point ends the elastic part
+---@field points? number[][]
+---@field capacity? number rad: the joint breaks at this rotation, of either sign; default: never
+
+---@class hinge.joint
+
+-- Joints by EN 1993-1-8 ----------------------------------------------------------------------------------------------
+
+---Joints of steel members by EN 1993-1-8:2005, from their sizes. The sections are H; a root radius follows from the
+---area. Each function returns the joint and a table of the numbers behind it. Partial factors are 1 unless they are
+---given, so that strengths are characteristic ones, or expected ones with expected stresses. Welds are taken as
+---stronger than what they join. In the joint of an end plate moment and tension interact; otherwise moment, tension and
+---shear do not know of each other. The standard was not at hand: its formulas were confirmed by public programs, and
+---results compared with published examples as said below.
+---@class hinge.joints
+local joint = {}
+
+---A bolted end plate between a beam and the flange of a column without stiffeners, by the component method (6.2, 6.3,
+---6.4.2). Two bolts a row; one row at most outside of the tension flange. The moment resistance has the column's flange
+---and the end plate in bending (T-stubs, modes 1 to 3, tables 6.4 and 6.6), the column's web in tension, compression
+---and shear, the beam's flange in compression and its web in tension, and the bolts. The stiffness is E z^2 / sum(1 /
+---k) by table 6.11. The curve is elastic up to 2/3 of the resistance, and then follows 6.3.1 (6) with psi = 2.7. Prying
+---is assumed, as table 6.2 allows. alpha of figure 6.11 is from equations of its curves that public programs
+---have. Punching is not checked.
+---Tension is that of the rows without compression; shear that of the bolts (6.2.2). The curve holds for both signs of
+---the moment: it is right for that which pulls at the rows, and for both where the plate has such rows at both flanges.
+---Compared with SCI P398, example C.1: rows within 0.2 %, moment 0.5 %. The stiffness is not compared with a published
+---example. Errors: a web beyond d / t_w = 69 epsilon, a beam of class 3 or 4, rows or edges closer than table 3.3 has
+---them.
+---```lua
+---local ipe, heb = hinge.section.named "IPE 360", hinge.section.named "HEB 240"
+---local moment_joint, numbers = hinge.joint.end_plate {
+---  beam = { section = ipe, yield_stress = 235e6 }, column = { section = heb, yield_stress = 235e6 },
+---  plate = { width = 0.2, thickness = 0.012, yield_stress = 235e6, below = 0.08 },
+---  bolts = { diameter = 0.02, grade = "8.8", rows = { 0.399, 0.296 }, gauge = 0.11, edge = 0.035, shear_rows = 2 },
+---  welds = { flange = 0.007, web = 0.004 }, capacity = 0.035,
+---}
+---print(moment_joint, numbers.moment, numbers.stiffness, numbers.governs) -- N m, N m/rad
+---```
+---@param options hinge.end_plate_options
+---@return hinge.joint joint
+---@return hinge.end_plate_numbers numbers
+function joint.end_plate(options) end
+
+---@class hinge.end_plate_options
+---@field beam { section: hinge.section, yield_stress: number } Pa
+---weld: throat between web and flanges, m, of a section without fillets, which is taken as welded. end_distance: from
+---the first row to the end of the column, m; default: far. stress: compression in its web by axial force and moment,
+---Pa, which lowers the resistance from 0.7 of the yield stress on; default 0
+---@field column { section: hinge.section, yield_stress: number, weld?: number, end_distance?: number, stress?: number }
+---m, Pa. below: length of the plate beyond the outer face of the compression flange, which spreads compression; default
+---0
+---@field plate { width: number, thickness: number, yield_stress: number, below?: number }
+---@field bolts hinge.end_plate_bolts
+---@field welds { flange: number, web: number } throats of the fillet welds between beam and plate, m
+---shear in the column's web, table 5.4: 1 (default) for a beam on one side, 0 for equal moments on both, 2 for opposite
+---@field beta? number
+---rad: the joint breaks at this rotation. It must be given where 6.4.2 does not say that the joint turns enough for a
+---plastic analysis. Default: it does not break by rotation
+---@field capacity? number
+---@field interaction? "linear"|"none" of moment and tension, as in hinge.joint; default linear
+---@field gamma_M0? number default 1
+---@field gamma_M1? number default 1
+---@field gamma_M2? number default 1
+
+---@class hinge.end_plate_bolts
+---@field diameter number m: M12, M16, M20, M22, M24, M27, M30 or M36
+---@field grade "4.6"|"4.8"|"5.6"|"5.8"|"6.8"|"8.8"|"10.9"
+---distances of the rows in tension from the middle of the compression flange, m
+---@field rows number[]
+---@field gauge number m, between the two bolts of a row
+---@field edge? number m, from a row outside of the tension flange to the plate's end; such a row must give it
+---@field head? number m: width of head or washer; then mode 1 is by the alternative of table 6.2
+---@field length? number m: elongation length; default: the plates, a washer, half of head and nut
+---@field shear_rows? integer rows that carry shear alone; default 0. Bolts in tension keep 0.4 / 1.4 of their shear
+---@field shank? boolean true: no thread in the shear plane; default false
+
+---@class hinge.end_plate_numbers
+---@field moment number N m, resistance
+---@field stiffness number N m/rad, S_j,ini
+---@field lever_arm number m, z of the stiffness
+---@field governs string component that limits the moment
+---@field ductile boolean whether 6.4.2 says that it turns enough for a plastic analysis
+---@field ductility string why
+---each row from the top: distance (m), potential (N, alone), force (N, in the joint), governs, components
+---(column_flange, column_web, end_plate, beam_web: resistance, and m, n, lengths, modes, mode or width), k3, k4, k5,
+---k10, k_eff (m)
+---@field rows table[]
+---@field groups table[] from, to, resistance (N), governs, components
+---column_web, beam_flange, panel, column_shear (N), width (m), omega, rho, k_wc, slenderness
+---@field compression table
+---@field coefficients { k1: number, k2: number, k_eq: number, bolt_length: number } m
+---@field alpha number? of figure 6.11
+---@field points number[][] of the curve: rad, N m
+---@field tension number N
+---@field shear number N
+---@field capacity number? rad
+---@field bolt table d, d0 (m), As (m^2), fub, fyb (Pa), tension and shear of one (N), head, nut, washer (m)
+
+---A plate on the column, bolted to the web of a beam with its full section: nearly a pin. Shear is the least of bolts,
+---bearing, the plate's gross and net shear, its bending and sideways buckling, and the beam's web, with blocks (EN
+---1993-1-8, tables 3.3 and 3.4, 3.10.2); tension the least of those in tying, with ultimate stresses. The group of
+---bolts, a long plate and tying are as in Steel buildings in Europe, part 5 (2009), and SCI P358 (2011). The end
+---breaks, unless `capacity` says otherwise, at the rotation at which a flange of the beam meets the column. My is free.
+---Neither weld nor column is checked. Compared with example 3.4 of Steel buildings in Europe, part 5: 1 % (the block of
+---the web is 3 % less: holes are taken off to the middle of the last one), and with two blocks of Wald (Brussels 2014).
+---```lua
+---local ipe = hinge.section.named "IPE 360"
+---local pin, numbers = hinge.joint.fin_plate {
+---  beam = { section = ipe, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.04, top = 0.11 },
+---  plate = { depth = 0.22, thickness = 0.01, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.05 },
+---  bolts = { diameter = 0.02, grade = "8.8", rows = 3, pitch = 0.07 }, gap = 0.01,
+---}
+---print(pin, numbers.shear, numbers.governs_shear, numbers.tension, numbers.contact) -- N, N, rad
+---```
+---@param options hinge.fin_plate_options
+---@return hinge.joint joint
+---@return hinge.fin_plate_numbers numbers
+function joint.fin_plate(options) end
+
+---@class hinge.fin_plate_options
+---edge: from the nearest line of bolts to the end of the beam, m; top: from the first bolt to the beam's top, m
+---@field beam { section: hinge.section, yield_stress: number, ultimate_stress: number, edge: number, top: number }
+---edge: from the farthest line of bolts to the free side of the plate, m. The bolts are in the middle of its depth
+---@field plate { depth: number, thickness: number, yield_stress: number, ultimate_stress: number, edge: number }
+---@field bolts hinge.fin_plate_bolts
+---@field gap number m, from the end of the beam to the column
+---@field stiffness? number N m/rad about the strong axis; default 1000
+---@field capacity? number rad; default: the rotation at which a flange meets the column
+---@field gamma_M0? number default 1
+---@field gamma_M1? number default 1
+---@field gamma_M2? number default 1
+---@field gamma_Mu? number of tying; default 1
+
+---@class hinge.fin_plate_bolts
+---@field diameter number m: M12, M16, M20, M22, M24, M27, M30 or M36
+---@field grade "4.6"|"4.8"|"5.6"|"5.8"|"6.8"|"8.8"|"10.9"
+---@field rows integer bolts above each other
+---@field lines? 1|2 default 1
+---@field pitch? number m, between rows
+---@field gauge? number m, between lines
+---@field shank? boolean true: no thread in the shear plane; default false
+
+---@class hinge.fin_plate_numbers
+---@field shear number N
+---@field governs_shear string
+---@field shear_of table<string, number> N, by what could fail
+---@field tension number N
+---@field governs_tension string
+---@field tension_of table<string, number> N
+---@field contact number? rad: a flange of the beam meets the column
+---@field capacity number rad
+---@field lever_arm number m, from the column to the middle of the bolts
+---@field buckling_stress number? Pa, of a long plate: lever_arm beyond thickness / 0.15
+---@field bolt table as of hinge.end_plate_numbers
+
+---Two angles, bolted to the web of a beam with its full section and to a column: nearly a pin. Each row has one bolt in
+---each leg at the column, at the height of its bolts in the beam's web. Shear is the least of the bolts at the web (in
+---double shear) and at the column (in single shear, less a fifth since they are pulled too), bearing, the angles' gross
+---and net shear, their bending and blocks, and the beam's web. Tension is the least of those in tying, with ultimate
+---stresses; the legs at the column bend like T-stubs (table 6.2). As in Steel buildings in Europe, part 5 (2009). The
+---end breaks, unless `capacity` says otherwise, at the rotation at which a flange of the beam meets the column. My is
+---free. The column is not checked. Compared with example 4.4 of that publication: 1 %.
+---```lua
+---local ipe = hinge.section.named "IPE 360"
+---local pin, numbers = hinge.joint.web_cleats {
+---  beam = { section = ipe, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.04, top = 0.11 },
+---  cleats = { depth = 0.22, thickness = 0.01, r = 0.011, yield_stress = 235e6, ultimate_stress = 360e6, edge = 0.04,
+---    column_edge = 0.04, column_gauge = 0.11 },
+---  bolts = { diameter = 0.02, grade = "8.8", rows = 3, pitch = 0.07 }, gap = 0.01,
+---}
+---print(pin, numbers.shear, numbers.governs_shear, numbers.tension, numbers.contact) -- N, N, rad
+---```
+---@param options hinge.web_cleats_options
+---@return hinge.joint joint
+---@return hinge.web_cleats_numbers numbers
+function joint.web_cleats(options) end
+
+---@class hinge.web_cleats_options
+---edge: from the nearest line of bolts to the end of the beam, m; top: from the first bolt to the beam's top, m
+---@field beam { section: hinge.section, yield_stress: number, ultimate_stress: number, edge: number, top: number }
+---@field cleats hinge.web_cleats_angles
+---@field bolts hinge.web_cleats_bolts
+---@field gap number m, from the end of the beam to the column
+---@field stiffness? number N m/rad about the strong axis; default 1000
+---@field capacity? number rad; default: the rotation at which a flange meets the column
+---@field gamma_M0? number default 1
+---@field gamma_M2? number default 1
+---@field gamma_Mu? number of tying; default 1
+
+---@class hinge.web_cleats_angles
+---@field depth number m, along the beam's depth. The bolts are in its middle
+---@field thickness number m
+---@field r number m, root radius
+---@field yield_stress number Pa
+---@field ultimate_stress number Pa
+---@field edge number m, from the farthest line of bolts in the beam's web to the free side of that leg
+---@field column_edge number m, from the bolts at the column to the free side of that leg
+---@field column_gauge number m, between the bolts at the column, across the web
+
+---@class hinge.web_cleats_bolts
+---@field diameter number m: M12, M16, M20, M22, M24, M27, M30 or M36
+---@field grade "4.6"|"4.8"|"5.6"|"5.8"|"6.8"|"8.8"|"10.9"
+---@field rows integer bolts above each other
+---@field lines? 1|2 default 1
+---@field pitch? number m, between rows
+---@field gauge? number m, between lines
+---@field shank? boolean true: no thread in the shear plane; default false
+---@field head? number m: width of head or washer; then mode 1 of the legs is by the alternative of table 6.2
+
+---@class hinge.web_cleats_numbers
+---@field shear number N
+---@field governs_shear string
+---@field shear_of table<string, number> N, by what could fail
+---@field tension number N
+---@field governs_tension string
+---@field tension_of table<string, number> N
+---@field legs table those at the column, as T-stubs: m, n (m), lengths, modes (N), mode, resistance (N)
+---@field contact number? rad: a flange of the beam meets the column
+---@field capacity number rad
+---@field lever_arm number m, from the column to the middle of the bolts in the beam's web
+---@field bolt table as of hinge.end_plate_numbers
+
+---The base of an H column with a row of two anchor bolts outside of each flange, bent about its strong axis under a
+---given compression: 6.2.5, 6.2.8 and 6.3.4. The concrete bears under the flanges; the plate and the bolts pull as
+---T-stubs, with prying or without it by table 6.2. Moment and stiffness are those at `axial`, and stay where the axial
+---force of the run is another one. Shear is that of friction, 0.2 `axial`, and four bolts (6.2.2). Compared with Wald's
+---example (Brussels 2014): bearing stress, width and axial resistance within 0.3 %. Moment and stiffness are not
+---compared with a published example.
+---```lua
+---local heb = hinge.section.named "HEB 240"
+---local base, numbers = hinge.joint.base_plate {
+---  column = { section = heb, yield_stress = 235e6 },
+---  plate = { length = 0.44, width = 0.34, thickness = 0.03, yield_stress = 235e6 },
+---  bolts = { diameter = 0.024, grade = "8.8", outside = 0.05, gauge = 0.2 },
+---  concrete = { strength = 25e6, spread = 1.5, grout = 0.03 }, weld = 5e-3, axial = 400e3, capacity = 0.05,
+---}
+---print(base, numbers.moment, numbers.stiffness, numbers.governs) -- N m, N m/rad
+---```
+---@param options hinge.base_plate_options
+---@return hinge.joint joint
+---@return hinge.base_plate_numbers numbers
+function joint.base_plate(options) end
+
+---@class hinge.base_plate_options
+---@field column { section: hinge.section, yield_stress: number }
+---length: along the column's depth; m, Pa
+---@field plate { length: number, width: number, thickness: number, yield_stress: number }
+---outside: from a row to the outer face of the column's flange, m. length: elongation length, m; default 8 diameters,
+---the grout, the plate, a washer and half of the nut. anchorage: N that the concrete holds of one bolt; default: more
+---than the bolt
+---@field bolts { diameter: number, grade: string, outside: number, gauge: number, length?: number, anchorage?: number }
+---strength: f_ck, Pa; spread: alpha, 1 (default) to 3; joint_factor: beta_j, default 2/3; grout: its thickness, m,
+---default 0; E: Pa, default that of EN 1992-1-1
+---@field concrete { strength: number, spread?: number, joint_factor?: number, grout?: number, E?: number }
+---@field weld number throat at the flanges, m
+---@field axial number N, compression of 0 or more
+---@field capacity number rad: it breaks at this rotation; EN 1993-1-8 says nothing of it
+---@field gamma_M0? number default 1
+---@field gamma_M2? number default 1
+---@field gamma_c? number default 1
+
+---@class hinge.base_plate_numbers
+---@field moment number N m
+---@field stiffness number N m/rad, S_j,ini
+---@field governs string
+---@field lever_arm number m
+---@field axial number N that the concrete holds in compression alone
+---@field compression table bearing_stress (Pa), reach, width, length (m), area (m^2), concrete, flange, resistance (N)
+---@field tension_row table resistance (N), m, n, lengths, modes, mode, prying, k15, k16, bolt_length (m)
+---@field k13 number m
+---@field points number[][] of the curve: rad, N m
+---@field tension number N
+---@field shear number N
+---@field capacity number rad
+---@field bolt table as of hinge.end_plate_numbers
+
+---The panel zone of a column, in shear between the flanges of beams: for model:joint, between a node of the columns and
+---one of the beams. Three straight lines, by Krawinkler (1978): V_y = 0.55 f_y d_c t at the distortion V_y / (0.95 d_c
+---t G); up to four times that distortion the column's flanges bend as well, with 0.95 G b_c t_cf^2 / d_b; then the
+---shear stays, or hardens (Gupta and Krawinkler 1999 take 0.03). The moment is that of the beams at the middle of the
+---joint, V d_b / (1 - d_b / H), where a storey height H is given; without it the shear of the column is not taken off.
+---AISC 360, J10-11, has the same form with 0.6 in the place of 0.55. The axial force of the column counts for nothing;
+---beyond 0.75 of its yield force AISC 360 reduces the strength. The distortion is not in the size of the node: members
+---reach its middle.
+---```lua
+---local heb = hinge.section.named "HEB 300"
+---local panel, numbers = hinge.joint.panel_zone { column = { section = heb, yield_stress = 235e6 }, beam_depth = 0.45 }
+---print(panel, numbers.moment, numbers.stiffness) -- N m, N m/rad
+---```
+---@param options hinge.panel_zone_options
+---@return hinge.joint joint its Mx is the panel's moment
+---@return hinge.panel_zone_numbers numbers
+function joint.panel_zone(options) end
+
+---@class hinge.panel_zone_options
+---@field column { section: hinge.section, yield_stress: number } an H; Pa
+---@field beam_depth number m, of the deeper beam
+---@field doubler? number m, thickness of plates on the web; default 0
+---@field storey_height? number m, between the points where columns have no moment; default: far
+---@field hardening? number slope beyond the last point over that of the elastic part; default 0
+---@field capacity? number rad: it breaks at this distortion; default: never
+
+---@class hinge.panel_zone_numbers
+---@field thickness number m
+---@field shear number N, at yield
+---@field distortion number rad, at yield
+---@field flanges number N that the column's flanges add, up to four times that distortion
+---@field full_shear number N, both
+---@field lever_arm number m: moment over shear
+---@field stiffness number N m/rad
+---@field moment number N m, with the flanges
+---@field points number[][] of the curve: rad, N m
+---@field capacity number? rad

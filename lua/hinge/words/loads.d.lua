@@ -1,0 +1,274 @@
+---@meta
+-- Loads, masses and imposed motions -----------------------------------------------------------------------------------
+
+---@class hinge.model
+local model = {}
+
+---Adds a load on a node. Three numbers give a force of fixed direction. A function is called once a step with two
+---arguments: the time at the end of the step (s), and the run as it is at the beginning of the step (dynamics only). It
+---returns three numbers, or a table of three. In the first step of a run it is also called with the time at which the
+---run begins.
+---
+---Or a load on a member, or on each member of a group, also on those that come to it later: `q` and `moment` over its
+---whole length, or between `from` and `to`, linear between `a` and `b`, where the load begins and ends; or with `at` a
+---force and moment at that point. The member's
+---end nodes get the fixed-end forces of the whole Timoshenko member, so that end forces in linear statics are exact for
+---any number of elements, and joint displacements are those of the stiffness (closed form with asi-gauss). run:forces
+---includes the load, and yield and a fracture rule's forces go by the same: plastic limit loads under uniform load are
+---exact with two elements in pinned and clamped members. Hinges stand at nodes: a propped member, whose hinge belongs
+---0.414 of the length from the prop, carries 12 M_p / L^2 with two or four elements and 11.73 with eight, where 11.66
+---is right. A fracture rule's strains and limits are those of the elements' own deformation. With large displacement,
+---forces in space keep their direction, those in local axes rotate with each element, and the fixed-end moments are
+---those in the member's present axes, by its elastic stiffness. An element that breaks loses its part of the load. Such
+---a load gives no handle; it can be left out, but not removed.
+---
+---A static run leaves out loads with a history, on nodes and on members, since statics has no time. If `loads` of the
+---run names the load case of such a load, the run takes its numbers in full, whatever the history. It is an error if
+---all loads have a history. A dynamic run that continues another run also continues its time. A history that begins
+---with the second run therefore begins at that time. Warnings name points of a history that are past when the run
+---begins, that change less than 5 % before the end of the run, or that act for less than two steps.
+---```lua
+---model:load { node = tip, force = { 0, 0, -1000 } } -- N
+---model:load { member = beam, q = { 0, 0, -200 } } -- N/m
+---model:load { member = beam, q = { a = { 0, 0, 0 }, b = { 0, 0, -300 } }, from = 0.5, to = 1 } -- a triangle
+---model:load { node = tip, force = { 5e3, 0, 0 }, history = { { 0, 1 }, { 0.01, 0 } } } -- a blast of 10 ms
+---```
+---@param options hinge.load_options
+---@return hinge.load? load of a load on a node
+function model:load(options) end
+
+---@class hinge.load_options
+---@field node? hinge.node
+---@field member? hinge.member in place of node
+---@field group? hinge.group_like in place of node: each member of the group
+---@field q? vec3|table N/m, or { a = vec3, b = vec3 } where the load begins and ends; one left out is zero
+---@field force? vec3|fun(time: number, run: hinge.run): number N, in space; on a member at the point `at`
+---N m, in space. On a member: N m/m, given as `q`, or N m at the point `at`; numbers only, no function
+---@field moment? vec3|fun(time: number, run: hinge.run): number
+---@field at? number on a member: the distance from its first end as a part of its length, 0 to 1
+---@field from? number where `q` and `moment` begin, as a part of the member's length, 0 to 1; default 0
+---@field to? number where they end, more than `from`, up to 1; default 1
+---axes of a load on a member. "global" (default): in space, per length of the member. "projected": in space, per length
+---of the member's projection on the plane normal to the load at the start, as for snow (`q` only). "local": in the
+---member's x, y, z axes
+---@field axes? "global"|"projected"|"local"
+---factor of the numbers over time (s): a function, or points { { time, factor }, ... }. Default 1. Two points at the
+---same time are a jump: the first value holds up to that time, the second from then on. If a step ends at a jump, that
+---step ends with the value before the jump, and the next step begins with the value after it. If the points have a
+---jump, or a slope shorter than 20 steps, then each step with a jump or a kink in it uses the mean of the factor over
+---the step, so no impulse is lost. Times are those of the run, which go on if `from` is a dynamic run. Of a function,
+---only the values at the ends of steps are known
+---@field history? fun(time: number): number|number[][]
+---@field case? hinge.case|string the load case of the load, see model:case; default: none, it acts in every run
+
+---Declares a load case. A load belongs to it if it is declared with this case as `case`, or by case:load or
+---case:gravity. The option `loads` of a run says which cases act, and with which factors. Loads and gravity that belong
+---to no case act in every run. A second call with the same name returns the same case.
+---```lua
+---local live = model:case "live"
+---model:load { node = tip, force = { 0, 0, -500 }, case = live }
+---local half = model:static { loads = { live = 0.5 } }:finish()
+---```
+---@param name string
+---@return hinge.case
+function model:case(name) end
+
+---Declares a combination: a sum of load cases with factors, which `loads` of a run can name. The factors may also name
+---combinations that were declared before.
+---```lua
+---model:case("dead"):gravity { 0, 0, -9.80665 }
+---model:case("live"):load { node = tip, force = { 0, 0, -500 } }
+---model:combination("uls", { dead = 1.35, live = 1.5 })
+---local design = model:static { loads = "uls" }:finish()
+---```
+---@param name string a name that no case and no other combination has
+---@param factors table<string, number>
+function model:combination(name, factors) end
+
+---Attaches a point mass to a node. The mass has inertia, it has weight if the model has gravity, and it rotates with
+---the node. Several masses on one node add up. In a step the mass is a rigid offset mass, like what is left of broken
+---members (paper, fig 5). Its momentum, energy and weight are counted together with those of members. If fracture takes
+---the last member of a node, the node flies on with its mass; if the mass has no rotary inertia, it stops rotating. A
+---mass that is declared after a run is part of the runs that continue from that run. It is an error if the node has no
+---member when a run begins. `hinge check` includes the mass in masses and natural periods. Members between point masses
+---may have density 0. In Newmark's method the nodes without mass, and rotations of masses without `inertia`, are in
+---balance at the end of each step, as in the statically condensed structure: forces that set in at once move them at
+---once, and what that loses of the work is in run.energy.numerical. Such members go neither with the other integrators
+---nor with contact and ground, and they cannot break; model:remove takes them out.
+---```lua
+---model:mass { node = tip, mass = 20, inertia = 0.1 } -- kg, kg m^2
+---```
+---@param options hinge.mass_options
+function model:mass(options) end
+
+---Makes node `to` move with node `from` as a rigid body, however far both rotate. The link has no mass. It does no
+---work: what acts on `to` acts on `from`, with its moment about `from`. Several links may begin at one node, and a node
+---follows one other node. The link keeps the nodes as they are where a run begins. In dynamics `to` begins with the
+---velocity that follows from `from`. Supports may hold `to` where they hold all of `from` that moves it, as in a plane
+---frame that is held out of its plane. It is an error, when a run is made, if `to` is held and `from` could move it
+---there, and if a node has no member. Rigid ends of a member are simpler with its `offset`. If fracture takes the last
+---member of a node, the link keeps the others together. These do not go with it yet, and are errors: integrator =
+---"energy-momentum", a support that moves at one of the nodes, and several links, one with dofs = "xyz", from a node
+---whose members can break.
+---```lua
+---local face = model:node { 0.2, 0, 3 } -- of a column, 0.2 m from its axis
+---local axis = model:node { 0, 0, 3 }
+---model:rigid_link { from = axis, to = face } -- both nodes have members, too
+---```
+---@param options hinge.rigid_link_options
+function model:rigid_link(options) end
+
+---@class hinge.rigid_link_options
+---@field from hinge.node the node that the other one follows; it may be supported
+---@field to hinge.node
+---"all": displacements and rotations of `to` follow. "xyz": its displacements alone, as if the link ended in a ball
+---joint. Default "all"
+---@field dofs? "all"|"xyz"
+
+---Makes nodes of a floor move as one rigid body in their plane: their displacements in the plane, and the rotation
+---about its normal. Out of the plane they are free. The diaphragm has no mass and does no work. A node belongs to one
+---diaphragm, and the rest is as with model:rigid_link. Where floors tilt, the plane stays the one across x, y or z.
+---```lua
+---local corners = { model:node { 0, 0, 3 }, model:node { 4, 0, 3 }, model:node { 4, 4, 3 }, model:node { 0, 4, 3 } }
+---model:diaphragm { nodes = corners } -- a floor, rigid in x and y; the corners are heads of columns
+---```
+---@param options hinge.diaphragm_options
+function model:diaphragm(options) end
+
+---@class hinge.diaphragm_options
+---@field nodes hinge.node[] at least two
+---across which axis of space the plane lies. Default "z"
+---@field normal? "x"|"y"|"z"
+---the node that the others follow. Another node may be supported in the plane only where this one is, too. Default the
+---first of `nodes`
+---@field master? hinge.node
+
+---@class hinge.mass_options
+---@field node hinge.node it may be fixed: then the support carries it
+---@field mass number kg, above 0
+---kg m^2, 0 or above, about axes through the mass. A number is for every axis. { Jx, Jy, Jz } is for the x, y and z
+---axes of space, in the undeformed position. Default 0
+---@field inertia? number|vec3
+---@field offset? vec3 m, from the node to the mass, in the undeformed position; default { 0, 0, 0 }
+
+---Moves supports. The call fixes the given degrees of freedom. In a dynamic run they follow a path, as a displacement
+---or a rotation from the position at the start of the run. Rotations are about the axes of space: their rates are those
+---of the node about these axes, so that a rotation about one axis may be of any size. Velocity and acceleration follow
+---from differences over the last steps. Before the run, the support is taken to move as in the state from which the run
+---begins; without such a state it stands still. A path may start and stop suddenly, which is an impact. The work of the
+---supports is in the energy balance. In statics the supports stand still; model:settle moves them there.
+---```lua
+---model:move { node = wall, z = { { 0, 0 }, { 0.1, 0.01 }, { 0.2, 0 } } } -- up by 10 mm and down again
+---local shaken = model:dynamic { dt = 1e-3, duration = 0.2 }:finish()
+---```
+---@param options hinge.move_options
+function model:move(options) end
+
+---Makes the structure crooked, without stress: it changes the declared places of nodes, and calls add up. Declare
+---nodes, members, joints and supports first: it does not see later ones. No run goes on from one that was made before
+---it. Give one of three. sway: the frame is out of plumb, each node by sway times its height above `base`, along
+---`direction`. bow: columns are bowed by half a sine wave, `bow` times their length in the middle, along the section's
+---axis x or y. Members in line are one column up to a node that is held across the bow: by another member, a support,
+---a link; or to a joint that is free about the axis of bending. By default columns in line bow to opposite sides (sign
+---= "mode"), as they do where they buckle between such nodes: storeys that bow to the same side hold each other, and
+---carry up to half as much again. Columns need eight elements or more; the growth of the moment under compression is
+---then 5 % too small, with sixteen 1.3 %: (pi / n)^2 / 3 with n elements, since the two elements of a pair are in
+---line. mode: the shape of a mode of run:modes or run:buckling of this model, its largest displacement `largest`;
+---members that bend in it need eight elements. sway and bow take numbers, or those of EN 1993-1-1:2005 5.3.2: phi of
+---(5.5) for the height from `base` to the highest node and for `columns` in a row; e0 / L of table 5.1 for a buckling
+---curve.
+---```lua
+---local tower = hinge.model {}
+---local foot, head = tower:node { 0, 0, 0 }, tower:node { 0, 0, 6 }
+---tower:member { foot, head, section = square, material = steel, elements = 8 }
+---tower:imperfection { sway = { standard = "EN 1993-1-1", columns = 3 }, direction = { 1, 0, 0 } }
+---tower:imperfection { bow = { curve = "a", analysis = "plastic" }, axis = "x" }
+---print(head.x) -- 6 m * 1/200 * 2/sqrt(6) * sqrt(0.5 (1 + 1/3)) = 0.0200 m
+---```
+---@param options hinge.imperfection_options
+function model:imperfection(options) end
+
+---@class hinge.imperfection_options
+---horizontal over vertical, between -0.2 and 0.2; columns: default 1
+---@field sway? number|{ standard?: "EN 1993-1-1", columns?: integer }
+---@field direction? vec3 of the sway, horizontal; default { 1, 0, 0 }
+---@field base? number m, the height z that stays; default that of the lowest node
+---part of the member's length, between -0.1 and 0.1; curve: "a0", "a", "b", "c", "d"; analysis: default "plastic"
+---@field bow? number|{ curve: string, analysis?: "plastic"|"elastic" }
+---@field axis? "x"|"y" of the bow; default "x"
+---"mode" (default): columns in line bow to opposite sides, the lowest one of a line along the axis of its lowest
+---member; "same": all bow along the axis of their sections. How columns beside each other bow is not in it: each line
+---begins along its axis; for another pattern give the shape of a buckling mode
+---@field sign? "mode"|"same"
+---@field member? hinge.member of the bow; default: all members, or those of `group`
+---@field group? hinge.group_like
+---@field mode? hinge.mode
+---@field largest? number m, of a mode: its largest displacement; below 0: the other way
+
+---Displaces supports in statics: a settlement, an error of fit, or an end that is rotated. The call fixes the given
+---degrees of freedom. A static run moves them in proportion to its load factor, from where it finds them to the given
+---displacement at factor 1, whatever `control` it has. A run that goes on from one that has settled moves nothing. The
+---work of the supports is in the account `work`. In dynamics the supports stay where they are. It is an error if the
+---node belongs to a rigid link, a diaphragm or a joint, and if one of its degrees of freedom has a displacement
+---already.
+---```lua
+---model:settle { node = wall, z = -0.02 } -- m, down
+---local settled = model:static { steps = 4 }:finish()
+---```
+---@param options hinge.settle_options
+function model:settle(options) end
+
+---@class hinge.settle_options
+---@field node hinge.node|hinge.node[]
+---@field x? number m, along x, from the declared position; y and z likewise
+---@field y? number
+---@field z? number
+---rad, component of the rotation vector along x, from the declared position; ry and rz likewise
+---@field rx? number
+---@field ry? number
+---@field rz? number
+
+---@class hinge.move_options
+---@field node hinge.node|hinge.node[]
+---displacement along x, m, over time, s: a function, or points { { time, displacement }, ... }
+---@field x? fun(time: number): number|number[][]
+---@field y? fun(time: number): number|number[][] the same along y
+---@field z? fun(time: number): number|number[][] the same along z
+---@field rx? fun(time: number): number|number[][] rotation about x, rad, over time
+---@field ry? fun(time: number): number|number[][] the same about y
+---@field rz? fun(time: number): number|number[][] the same about z
+
+---Gravity on every member's mass and on point masses. The weight of members acts along them, as `weight` of hinge.model
+---says, and a clamped member of two elements has end moments of w L^2 / 12 and w L^2 / 24 in the middle. Yield goes by
+---these, as with loads `q` (model:load). Called again, the last call counts, for runs made after it; it is an error to
+---call it for another load case. A dynamic run that goes on from a run without this gravity warns: the weight acts at
+---once there.
+---```lua
+---model:gravity { 0, 0, -9.80665 }
+---local rest = model:static():finish()
+---```
+---@param acceleration vec3 m/s^2, such as { 0, 0, -9.80665 }
+---@param load_case? hinge.case|string the load case that it belongs to; default: none
+function model:gravity(acceleration, load_case) end
+
+---Gives an initial velocity to a node alone, or to a member or a group as a rigid body. A member between two joints
+---that were given a velocity, by one call or by several, moves with them over its whole length, in proportion between
+---the two. The inner nodes of a member with a velocity at one end alone begin at rest. The kinetic energy of a node
+---alone is that of its point masses and of the part of the elements that is at the node (density * area * length of an
+---element / 3, for each one): it becomes smaller with shorter elements. So give a node that is struck the mass that
+---strikes it (model:mass), or give the velocity to a member. `hinge plan` and `hinge check` print the kinetic energy
+---that a run begins with, and warn of such a node. If several calls give a velocity to a node, the last one counts.
+---Statics does not change velocities. A run that continues another run (`from`) begins with the velocities at the end
+---of that run. The exceptions are targets whose velocity was declared after that run was made: they begin with it, as
+---a rigid body in their present position. So a velocity may be given before or after statics. Fixed degrees of freedom
+---stay at rest. It is an error if the target has no others.
+---Members that come to a group later bring it their joints, which get its velocity too, unless a later call gave them
+---another one. With `angular` they would move the point about which the group turns: then that member is an error.
+---```lua
+---model:velocity(tip, { 0, 0, -3 }) -- m/s
+---local swing = model:dynamic { dt = 1e-4, duration = 0.01 }:finish()
+---```
+---@param target hinge.node|hinge.member|hinge.group_like of a group: its joints
+---@param linear vec3 m/s, at the mean position of the target's joints
+---@param angular? vec3 rad/s, about that point
+function model:velocity(target, linear, angular) end

@@ -1,0 +1,210 @@
+---@meta
+-- Robustness ----------------------------------------------------------------------------------------------------------
+
+---@class hinge
+local hinge = {}
+
+---What a frame does when it loses a column, one column after the other. It has the three procedures of the alternate
+---path method of UFC 4-023-03, which are those of GSA's guidelines of 2016 too. Each case begins with a model that
+---`build` makes anew. nonlinear dynamic: statics of the whole frame, then the column goes in one step, and the run goes
+---on until the joint above has been no deeper for a period, or something has fallen. nonlinear static: the frame
+---without the column; the joint above is pushed down until the loads, times Omega_N, are carried or have had their
+---largest value. linear static: elastic moments of the frame without the column under the loads times Omega_LD, over
+---the plastic moments. The column leaves a model at rest by `model:remove` within a step of 1e-6 s, and statics goes on
+---from there; `build` does not have to leave it out. Half of its weight stays at its head. Vertical is z. The factors
+---are for steel and come from digitised tables of both documents; the originals were not at hand. That a column must go
+---within a tenth of the period of the vertical vibration is recalled and was not confirmed. Wrong input is an error.
+---What goes wrong in a run is the verdict "failed" of its row, which is never "holds", and an error at the end (see
+---allow_failed). Joints (hinge.joint, model:joint) are rated beside the hinges: by `limit` and by their own limits, in
+---linear statics by their strength. One that turns and has no limit makes a row "not rated" that would hold.
+---```lua
+---local function build(options)
+---  local portal, heads = hinge.model(), {}
+---  for i = 1, 3 do
+---    local foot = portal:node { 4 * i, 0, 0 }
+---    heads[i] = portal:node { 4 * i, 0, 3 }
+---    portal:fix(foot)
+---    portal:fix(heads[i], "y,rx,rz")
+---    portal:member { foot, heads[i], section = square, material = steel, group = "columns" }
+---    if i > 1 then
+---      local floor = steel:with { density = 10e3 * options.scale(4 * i - 2, 0, 3) } -- kg/m^3
+---      portal:member { heads[i - 1], heads[i], section = square, material = floor, group = "beams" }
+---    end
+---  end
+---  portal:gravity { 0, 0, -9.80665 }
+---  return portal
+---end
+---local loss = hinge.robustness { build = build, limit = 0.03, m = 2, quiet = true } -- rad
+---print(loss:table())
+---for _, row in ipairs(loss.rows) do print(row.name, row.procedure, row.deflection, row.verdict) end
+---```
+---@param options hinge.robustness_options
+---@return hinge.robustness_result
+function hinge.robustness(options) end
+
+---@class hinge.robustness_options
+---makes the model with its supports and loads. It is called several times for each case, and must make the same nodes
+---and members each time
+---@field build fun(options: hinge.robustness_build): hinge.model
+---"columns" (default): each column, found by geometry: members within 15 degrees of the vertical, from one joint with
+---other members or a support to the next. Or a list with an item for each case: the name of a group, a member or its
+---index, or a list of these that go together
+---@field remove? "columns"|(string|integer|hinge.group|hinge.member|table)[]
+---of "columns": "lowest" (default) are those whose foot is held in z or stands at the lowest height
+---@field storeys? "lowest"|"all"
+---"nonlinear dynamic", "nonlinear static", "linear static", in the order in which they are wanted; default: all three
+---@field procedures? string[]
+---plastic rotation that is allowed, rad, or what run:hinges takes as limit; of levels the largest counts. Of joints the
+---whole rotation is compared, with its elastic part; their own capacity counts where it is smaller. Without it the
+---nonlinear procedures need a function as criterion, and nonlinear static needs omega_n. UFC 4-023-03 takes CP of
+---ASCE 41 for beams and LS for the rest, GSA CP for all (digitised tables). For Omega_N a function is also called for
+---the ends of beams that have not yielded, with zeros
+---@field limit? hinge.hinge_limit
+---"UFC 4-023-03" (default) or "GSA": the same factors; GSA allows linear statics up to ten storeys. A function gets
+---each row whose run has not failed, with the verdict by the rules above in it, and returns a verdict of its own (a
+---text that is not empty) and, if it likes, a reason
+---@field criterion? "UFC 4-023-03"|"GSA"|fun(row: hinge.robustness_row): string, string?
+---load cases with factors, as in static_options, such as { dead = 1.2, live = 0.5 }; needed if the model has cases, and
+---all loads and gravity must then belong to cases. Combination of both standards: 1.2 D + (0.5 L or 0.2 S)
+---@field loads? table<string|hinge.case, number>|string|hinge.case
+---s; the longest that a dynamic run may follow; default: ten periods. The period is that of a mass on a spring with the
+---sag of linear statics, 2 pi sqrt(sag / g). A run that has not turned by then is "failed"
+---@field duration? number
+---@field dt? number s, of dynamics, at most a fiftieth of the period; default: a thousandth
+---s, in which the forces of what is removed fall to nothing in nonlinear dynamic, as `over` of model:remove; default 0:
+---at once. Both standards ask for a tenth of the period or less
+---@field over? number
+---how long the run goes on after the joint has been deepest, in periods, or in times of the way down where that is
+---longer; default 1. Undamped frames with several slow vibrations may come deeper later: more shows that
+---@field follow? number
+---ratio of critical damping at the period and a tenth of it, in the place of what the model declares; default: as the
+---model declares it
+---@field damping? number
+---@field fall? number m; a fall of a joint beyond it is a collapse; default: a tenth of the distance to the next column
+---@field steps? integer of the push of nonlinear static over `fall`, 10 to 1000; default 40
+---factor on the loads of nonlinear static; default: Omega_N = 1.08 + 0.76 / (r + 0.83), with r the smallest allowed
+---rotation over the rotation at yield, Mp L / (6 E I), of the beams in the bays next to the removal and above. The
+---capacity of a joint at an end of the beam is the allowed rotation where it is smaller. L goes from column to column,
+---also where a beam is made of several members
+---@field omega_n? number
+---m-factor of linear static: what the DCR is compared with. The smallest of the beams next to the removal. Default 1,
+---which is on the safe side: no end may come to its plastic moment
+---@field m? number
+---@field omega_ld? number factor on the loads of linear static; default: Omega_LD = 0.9 m + 1.1
+---default false; true: linear static is "not allowed" where a DCR is above 2
+---@field irregular? boolean
+---a plain name: report.md, robustness.csv and robustness.png are written into this folder of the output folder.
+---Default: nothing is written
+---@field folder? string
+---a result with failed rows is returned; default false: it is an error, after the report is written
+---@field allow_failed? boolean
+---@field quiet? boolean default false; true: no line on stderr for each case (its verdicts, seconds, and what is left)
+
+---@class hinge.robustness_build what `build` gets
+---"geometry", "nonlinear dynamic", "nonlinear static" or "linear static"
+---@field procedure string
+---@field case? integer number of the case; nil at the first call, which reads the structure
+---@field name? string of the case
+---the factor on a load at the point x, y, z (m): Omega of the static procedures in the bays next to the removal, at its
+---level and above, else 1. A `build` that multiplies its loads with it (or the masses that make them) has them where
+---the standards put them. If build never calls it, the static procedures increase all loads by the factor, which is on
+---the safe side, but for loads elsewhere that hold against those next to the removal. A bay reaches to the next column
+---on the same line, or as far as the structure goes; loads on its edges count as in it
+---@field scale fun(x: number, y: number, z: number): number
+
+---@class hinge.robustness_result
+---@field rows hinge.robustness_row[] a row for each case and procedure
+---@field counts table<string, table<string, integer>> by procedure and verdict: how many
+---@field cases integer
+---@field criterion string
+---@field procedures string[]
+---@field seconds number wall time
+---The rows as text, by case. What is to be said of a row stands below. print(result) gives the same.
+---@field table fun(self: hinge.robustness_result): string
+---The rows as a table of Markdown.
+---@field markdown fun(self: hinge.robustness_result): string
+---Writes the rows with all their numbers, into the folder that the option `folder` names, else into the output folder.
+---@field csv fun(self: hinge.robustness_result, filename?: string): hinge.robustness_result
+---Draws a plan of the frame, or the elevation of a plane one, into the same folder, by hinge.plot. What was removed is
+---coloured by its verdict: green holds, orange exceeds, purple loses members or joints, red collapses, black failed,
+---grey not allowed or not rated, blue a verdict of your own. There is a panel for each procedure, and in a plan for
+---each height at which removed columns begin.
+---@field picture fun(self: hinge.robustness_result, filename?: string): hinge.robustness_result
+---Writes report.md, robustness.csv and robustness.png into the same folder: counts, method, table, reasons, picture,
+---sources, warnings of the runs.
+---@field report fun(self: hinge.robustness_result): hinge.robustness_result
+
+---A row: one procedure of one case. Numbers that a procedure does not have are nil.
+---@class hinge.robustness_row
+---@field case integer from 1
+---@field name string place of a column, such as "x = 6 m, y = 0 m, z = 0 to 4 m", or the items with their place
+---@field group? string first group of its first member
+---@field members integer[] indices of the members that go
+---@field x number m, of the joint above; y likewise
+---@field y number
+---@field z_low number m, of what is removed; z_high likewise
+---@field z_high number
+---@field storey? integer of a column: how many stand below it in its line, and 1
+---@field procedure string
+---"holds", "exceeds the limit of rotation", "exceeds the capacity" (statics: by the force at which a joint breaks),
+---"loses members" (others break), "loses joints", "collapses"; of linear static "holds", "exceeds the capacity",
+---"exceeds the limit of rotation" (of joints) or "not allowed"; "not rated": nothing is beyond a limit, and joints turn
+---that have none (without a strength, or beyond yield); "failed": there is no result; or what the function `criterion`
+---returned
+---@field verdict string
+---@field reason string what to know of the verdict; "" if nothing
+---@field span? number m, to the next column at the level of the joint above
+---@field fall? number m, beyond which it is a collapse
+---@field period? number s, estimated as said at `duration`
+---m, of the joint above: dynamics from rest on all columns, statics from the frame without loads. nonlinear static:
+---under the loads times Omega_N, between two steps of the push on a straight line, as are the rotations
+---@field deflection? number
+---m, nonlinear dynamic: the same by statics without the column, from rest as well; nil where statics has no equilibrium
+---@field static_deflection? number
+---@field increase? number deflection over static_deflection
+---@field static_limit? number nonlinear dynamic: load factor that statics without the column comes to
+---rad, the largest plastic rotation of members that are no columns, or rotation of their joints
+---@field beam_rotation? number
+---@field column_rotation? number rad, of columns
+---@field beam_ratio? number over the limit, of those that have one
+---@field column_ratio? number
+---@field ratio? number the larger one; of linear static the DCR over what is allowed
+---@field worst? integer index of the member with it
+---@field worst_joint? string the joint with it, as run:hinges names it; nil: it is no joint
+---@field joint_rotation? number rad, the largest rotation of a joint
+---rotation of a joint over its limit, or force over that at which it breaks; of linear static the rotation
+---@field joint_ratio? number
+---linear static: moment of a joint over its strength, the sum of its axes (and of tension, where it weakens the joint)
+---@field joint_dcr? number
+---@field joints_broken? integer joints that broke by a limit of their own; in statics: that are beyond one
+---@field joints_unrated? integer joints that turn and have no limit
+---@field pins? integer axes that are free
+---@field pin_rotation? number rad, the largest about one of them at the end of the run
+---@field limit? number rad, its limit
+---@field hinges? integer plastic hinges and axes of joints that have yielded; without_limit of them have no limit
+---@field without_limit? integer
+---@field omega? number factor on the loads of a static procedure
+---@field smallest_ratio? number r of Omega_N
+---@field loads_scaled? "next to the removal"|"all" which loads have the factor
+---nonlinear static: the largest load over the given one, in the bays next to the removal; omega is needed
+---@field load_factor? number
+---@field limit_reached? boolean true: the load has had its largest value; false: it still grew when the push ended
+---linear static: the largest demand over capacity of joints (joint_dcr) and of member ends, by the form of AISC 360,
+---H1: n / 2 + m below n = 0.2, else n + 8 m / 9; n is N / N0 and m the sum of both moments over Mx0 and My0.
+---Instability is not in it
+---@field dcr? number
+---@field dcr_limit? number m
+---of columns with more than half of N0, which are controlled by force: the same under the loads times Omega_LF = 2,
+---with a DCR of 1 allowed; nil: there are none
+---@field force_dcr? number
+---@field broken? integer other members that broke
+---@field time? number s, when the joint was deepest
+---@field followed? number s, until when the run was followed
+---@field dt? number s
+---of the run itself; "stopped" where the joint had turned or something had fallen, which is as it should be
+---@field run_verdict? string
+---@field energy_error? number of the run at its end, as a part of the largest account of the energy balance
+---@field seconds number wall time
+---of its own runs alone (not of those that find the period or the static deflection), and of loads that have no mass
+---and so no inertia
+---@field warnings string[]

@@ -1,0 +1,188 @@
+---@meta
+-- How a model is run --------------------------------------------------------------------------------------------------
+
+---@class hinge.model
+local model = {}
+
+---Makes a static run. Loads and gravity are brought to equilibrium in steps. In large displacement the run reports
+---where it passes a limit point or a branching point: run.instability. This is the buckling of the model with its
+---elements. Two asi-gauss elements show that a pinned member buckles at 1.000 times Euler's load. With p_delta =
+---"chord", two do so at 2.27 times, four at 1.10, eight at 1.024, sixteen at 1.005. A member of two elements that is
+---compressed beyond Euler's load between clamped ends cannot bend out; it counts as unstable. Under load control, an
+---elastic step that took many iterations is reversed as a trial. If the trial does not lead back to the start, the step
+---has jumped over a snap-through, and the run ends before it. Take several steps all the same, since no trial finds
+---every jump. In large displacement a structure may have a plateau of plastic hinges, after which it carries more load
+---again. The size of the steps decides whether the run stops at the plateau or passes over it. run.warnings says where
+---one may have been passed. displacement = "small" gives a plastic limit load for any steps. Lateral-torsional
+---instability of beams is included. Beams resist it by bending and torsion (G J) only, and not by warping. A floor
+---holds them only if the model has one.
+---```lua
+---local rest = model:static():finish()
+---local pushed = model:static { control = { node = tip, "uz", to = -0.1 }, steps = 20 }:finish() -- down by 0.1 m
+---print(pushed.verdict, pushed.factor) -- the load that takes, as a factor of those of the model
+---```
+---@param options? hinge.static_options
+---@return hinge.run
+function model:static(options) end
+
+---@class hinge.static_options
+---number of steps, default 10. For arc length it is the largest number; run.reason says if that is too few to reach the
+---load factor. A step without equilibrium is halved, down to 1e-5 of the whole way. It is still one step for
+---run:steps(), run.index and history.csv. A limit load may make the last step shorter. A try is given up before its
+---last iteration if Newton's method makes no more progress
+---@field steps? integer
+---equal steps of load (default), arc length, or one degree of freedom driven to a value (m, rad): to the displacement
+---that run:displacement gives, which goes on from that of `from`; an error where it has it already. Driven, a step that
+---leads to an equilibrium that cannot be held there is halved: it would have leapt to another branch. Where no step is
+---short enough, the path itself has come past a branching point: the run goes on, and run.reason says so. Heat,
+---prestress and settlements follow the load factor as loads do, and may be all that acts
+---@field control? "load"|"arc"|{ node?: hinge.node, [1]: hinge.component|"arc", to: number }
+---load control after the structure has become unstable (large displacement). fail (default): the run ends. Its state is
+---the last stable equilibrium. A step that ends on another branch of equilibria is no instability: it is shortened,
+---down to 1e-3 of the load factor and further, and the run goes on. continue: the run goes on past the instability.
+---run.instability says where it was unstable, run.reason says
+---whether the state at the end is stable, and run.warnings says where it may have jumped to another branch. The steps
+---decide to which branch it comes. A step that jumps over a whole snap-through at once, at many times the limit load,
+---may still go unnoticed: use short steps
+---@field unstable? "fail"|"continue"
+---the shape of a mode, as run:buckling or run:modes gives it: the first step sets off along it, to the side of `to`,
+---and so onto the branch that a perfect structure has beside its straight path. It goes with control = { node =, ... },
+---which drives a displacement that is large in the shape, and is best from a state near the branching point. Default:
+---none
+---@field branch? hinge.mode
+---true: load control up to the limit load. If the run finds no further equilibrium, or if the structure becomes
+---unstable, the verdict is "completed" and run.limit = true. run.factor is then the factor of the limit load. Default
+---false
+---@field to_limit? boolean
+---@field fixed_group? hinge.group_like a group that does not move during this run
+---the run whose state this run begins from. A run that has not ended must be finished or stopped first. In a model with
+---load cases, the loads at the end of that run stay; the factor of this run, from 0 to 1, adds the difference to
+---`loads`. So a push-over under dead load is two runs. In a model without load cases, all loads are applied again from
+---0
+---@field from? hinge.run
+---true: this run may complete although `from` failed, or ended at a limit load or before its load factor. Default
+---false: a run that goes on from such a state counts as failed when it has ended, and run.reason says from which run
+---@field allow_failed? boolean
+---the load cases that act, as { dead = 1.35, live = 1.5 }, or the name of a combination or a case. It is needed if the
+---model has cases. A case that is not named has its factor in `from`, else 0
+---@field loads? table<string|hinge.case, number>|string|hinge.case
+---@field iterations? integer the most iterations of a step before it is halved; default 30
+---@field tolerance? number largest unbalanced force, as a part of the acting forces; default 1e-9
+---@field record? integer|false steps between rows of history.csv; default 1; false: this run writes no history.csv
+
+---Makes a dynamic run. Damping comes only from model:damping and rho_infinity. The default is Newmark's beta method (eq
+---15). The explicit method uses central differences with lumped masses: a pair of elements has 1/6, 4/6 and 1/6 of its
+---mass on its three nodes, so that every member has its mass, its centre and its moment of inertia m L^2 / 12. The
+---members of an odd number of elements, three or more, have them too; a member of one element has half of its mass on
+---each node, and m L^2 / 4. The rotary inertia is the section's polar one. Explicit steps solve no system of equations.
+---These options are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance, predictor,
+---geometric, rebuild_angle and those of the solver.
+---
+---The energy-momentum method (Simo and Tarnow 1992, Simo and Wong 1991, Gonzalez 1996) is for structures that rotate
+---far in long steps. With displacements x, momenta p, mean forces f and F of a step: (p' - p)/dt + f = F, x' - x = dt
+---(v + v')/2. The work of the mean forces of the elements is exactly the change of their strain energy and the
+---dissipation in their hinges, (p + p')/2 of dd_p. These forces are in balance at the middle of the step. So energy and
+---both momenta are kept, to the tolerance of the iterations, for steps of any length. Forces of effects, and loads, are
+---the mean of the two ends of a step. Connectors therefore keep the energy to second order only. With rigid offset
+---masses it is kept to some 1e-3. The method is of second order, and takes some 5 to 10 iterations a step. The rotary
+---inertia of the sections rotates with the nodes. Accelerations and reactions are the means of the last step. A step
+---that does not converge is undone and halved (step_control, here 0.01 by default). The method does not work with
+---contact, fracture, ground, moving supports, displacement = "small" and shift = "elastic_and_plastic". These options
+---are errors with it: beta, rho_infinity, predictor, precision.
+---```lua
+---model:velocity(tip, { 0, 0, -3 })
+---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.02 }:finish()
+---print(swing.verdict, swing.energy_error)
+---```
+---@param options hinge.dynamic_options
+---@return hinge.run
+function model:dynamic(options) end
+
+---@class hinge.dynamic_options
+---s. "auto" with newmark: twelve steps in the time that an axial wave needs to cross the shortest element; where
+---members can yield up to four times as many, if the shear vibration of an element needs them (with more, Newton's
+---method takes their place). The steps are eight times longer while nothing yields, breaks or touches and the
+---accelerations hardly change. "auto" with explicit: 0.9 of the stability limit, 0.45 if members can yield, 0.35 with
+---surface contact, 0.2 with gap contact. A number above the limit is an error, which names the element. Stiff
+---connectors, and a given stiffness of a ground, shorten both
+---@field dt number|"auto"
+---@field duration number s; rounded to whole steps if dt is a number
+---@field integrator? "newmark"|"energy-momentum"|"explicit" default newmark
+---the run whose state this run begins from, such as rest under gravity. A static run must be finished or stopped first.
+---Every such run must have done at least one step. If it failed, its last good state is used (see allow_failed).
+---From a dynamic run of which nothing but the duration has changed (model, loads, dt, integrator, settings; no new
+---velocity) this run goes on to the bit as that one would have. Its energies, warnings and hinges count from its own
+---start. Two things hang on the duration and may tell a run from its halves: dt = "auto", and step control once it has
+---undone a step (each step has its share of the duration). Where something has changed, the acceleration and the
+---stiffness are found anew: the motion differs by 1e-12 to 1e-5 of itself, and where members yield or touch by what a
+---hinge or a contact makes of that
+---@field from? hinge.run
+---true: this run may complete although `from` failed, or ended at a limit load or before its load factor. Default
+---false: a run that goes on from such a state counts as failed when it has ended, and run.reason says from which run
+---@field allow_failed? boolean
+---the load cases that act, as in static_options. Default: those of `from`, with the factors at its end. A case that was
+---declared after that run must be named
+---@field loads? table<string|hinge.case, number>|string|hinge.case
+---the largest energy error, as a part of the largest energy (see run.energy_error). Beyond it the run ends with the
+---verdict "failed". It also ends if the error grows between two checks by more than half of energy_tolerance (1 % where
+---that is more). Default 0.01; 0.1 with explicit steps, whose energy swings with the fastest vibrations; 0 with shift =
+---"elastic_and_plastic", whose energy balance cannot close. 0: no check. A run that completes with more than 0.01, at
+---its end or at an earlier check, says so in run.warnings, whatever energy_tolerance is. The error is checked every 100
+---steps, or 20 times in a short run, and at the end. With explicit steps it is also checked, for the warning alone, at
+---every step in which the fastest vibrations may make it large. The state of a failed run is that of the last check at
+---which the balance closed (models of up to 200 000 elements); run.energy_error and the last row of history.csv are
+---those of the check that failed. run.reason ends with a setting that held from that state to 20 steps beyond the
+---failure, in a short trial that calls no function of the script and recovers the forces of at most 1.5 million
+---elements, some 1 to 3 s. If the model has such functions, it names a setting that was not tried
+---@field energy_tolerance? number
+---0..1, the energy error that the whole run may have, as a part of the largest energy (see energy_tolerance). A step is
+---undone if its error is more than its share of this, if it would rotate a node by more than 0.5 rad, or if it cannot
+---be solved. It is tried again with half the length, down to dt / 1024; below this the run fails. The script never sees
+---a step that was undone. After steps with small errors the step becomes longer again, up to dt. A number checks the
+---energy balance every step, which takes half to three quarters of the time of a step more. It is an error with shift =
+---"elastic_and_plastic", whose energy balance cannot close. 0: every step is kept, and a step that cannot be solved
+---ends the run. Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly
+---(contact, ground, fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form.
+---The balance is checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at
+---any time. Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). While the energy of the run still comes in,
+---the error may come to 0.005. What dt / 64 still loses is kept, up to an energy error of 0.01; beyond that the run
+---fails, whatever energy_tolerance is. While no step is undone, no bit changes. Default with energy-momentum: 0.01,
+---every step
+---@field step_control? number
+---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
+---threads that share the work of a step; default 1; results are the same to the bit for any number
+---@field threads? integer
+---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
+---0..1, the part of the amplitude of the highest frequencies that a step keeps. Below 1 it is Newmark's method with
+---alpha of Wood, Bossak and Zienkiewicz (1980): alpha = (rho - 1)/(rho + 1), beta = 1/(1 + rho)^2 and gamma = 1/2 -
+---alpha. The method is of second order. The energy that it takes out of slow motion is of third order.
+---run.energy.numerical counts this energy, which costs a third of a step. Over millions of steps, 0.99 keeps rounding
+---errors from growing in vibrations that are too fast for the step. Default 1: no dissipation
+---@field rho_infinity? number
+---1: one solution a step, as in the paper. More than 1: Newton's method, until the correction is below tolerance of the
+---first one of the step. 0 (default): one solution a step. Newton's method is used if hinges form or displacements are
+---large, in steps that are too long for one solution; the fastest vibration decides which steps are too long
+---@field iterations? integer
+---@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-8
+---the start of the solution of a step: the last acceleration, or the last displacement (eq 15 as printed). auto
+---(default): "acceleration" if dt is shorter than an axial wave needs to cross the shortest element, else
+---"displacement"
+---@field predictor? "auto"|"acceleration"|"displacement"
+---@field geometric? boolean include initial stress in the effective stiffness; default true
+---rad; an element's stiffness is computed anew after a rotation by this angle; default 0.01, energy-momentum 0.002
+---@field rebuild_angle? number
+---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
+---2e-10. Double is used in any case if steps are longer than the fastest waves need
+---@field precision? "single"|"double"
+---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or a direct solver
+---@field solver_tolerance? number of the residual; default 1e-8
+---@field solver_iterations? integer the most iterations of a solution; default 500
+---steps between rows of history.csv; default: a 500th of all steps; false: this run writes no history.csv
+---@field record? integer|false
+---file in which the state of the run is saved: at its beginning, then at intervals of `every` seconds of wall time
+---(default 60), when Ctrl-C or SIGTERM ends the program `hinge run`, and at its end. A name without a folder is in the
+---output folder. Each run of a script has its own file. `hinge run SCRIPT --resume` continues from there. If a later
+---checkpoint cannot be written, this is no error: the last one stays, and hinge prints a line about it. keep: a table
+---of the script. Its values (booleans, numbers, strings, tables of them) are saved too. They are back in it when the
+---run continues
+---@field checkpoint? string|{ file: string, every?: number, keep?: table }

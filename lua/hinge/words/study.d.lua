@@ -1,0 +1,92 @@
+---@meta
+-- Studies -------------------------------------------------------------------------------------------------------------
+
+---@class hinge
+local hinge = {}
+
+---Runs a scenario with many values of its parameters. Each case runs in a process of its own, `jobs` at a time. A
+---crash, a hang or too much memory costs one case. `hinge study SCRIPT` does the same from the command line. Cases are
+---the product of all values, the first name in alphabetical order varying slowest; draws are the same for each
+---combination of the others. Writes results.csv, times.csv, summary.json, pictures, and a folder a case into `out`.
+---Linux only.
+---```lua
+---local pushed = hinge.scenario { parameters = { force = 1000 }, run = function(p)
+---  model:load { node = tip, force = { 0, 0, -p.force } }
+---  local run = model:static():finish()
+---  return { tip_mm = 1000 * select(3, tip:displacement(run)) }
+---end }
+---local study = hinge.study(pushed, { vary = { force = { 1000, 2000, 3000 } }, pictures = false, restart = true })
+---for _, case in ipairs(study.cases) do print(case.parameters.force, case.results.tip_mm) end
+---```
+---@param scenario hinge.scenario
+---@param options? hinge.study_options
+---@return hinge.study_result
+function hinge.study(scenario, options) end
+
+---@class hinge.study_options
+---what varies, by name: a list of values; { from =, to =, by = }; or a distribution as text: "normal(mean,deviation)",
+---"lognormal(median,deviation of the logarithm)", "uniform(lowest,highest)", "triangular(lowest,likeliest,highest)",
+---"weibull(scale,shape)", "choice(a,b,...)" of texts or numbers. A single value holds for all cases
+---@field vary? table<string, any>
+---@field cases? string[] names of the scenario's cases, each with all values
+---@field case? string the one case of the scenario that all cases of the study start from
+---@field table? string CSV file with names in its first line, and a combination of values a row
+---@field samples? integer how many draws, default 100
+---"lhs" (default): a Latin hypercube; "sobol": Sobol's sequence with a random digital shift, up to 21 parameters;
+---"plain": independent draws
+---@field method? "lhs"|"sobol"|"plain"
+---@field seed? integer the same one gives the same draws on every machine; default 1
+---proposes what runs next: gets the cases that have ended, in order; returns a table of parameters, a list of such
+---tables, or nil at the end. It is asked when all that it proposed before has ended. Single values of vary hold for all
+---cases then; several values of one name, cases, table, samples, method and seed are errors
+---@field propose? fun(cases: hinge.study_case[]): table|nil
+---@field jobs? integer cases at a time; default: the cores that there are
+---@field timeout? number s, the most that a case may take
+---@field memory? number bytes, the most that a case may take beyond what the script has when the study begins
+---folder, default out/study. An error if another process writes to it
+---@field out? string
+---@field resume? boolean keep finished cases whose script, modules, data files and engine are the same; default false
+---@field restart? boolean run all again, also what the folder holds; default false: an error where it holds cases
+---@field progress? boolean a line on stderr, default false
+---@field pictures? boolean default true
+
+---@class hinge.study_case
+---@field number integer its place in the study, from 1
+---@field case? string the scenario's case
+---@field parameters table<string, any> those that the study set
+---"completed", "stopped" by the script, "failed", "wrong" (an error of the script or of its input), "crashed",
+---"timed out", "out of memory"
+---@field verdict string
+---@field reason? string
+---of a case with the verdict "failed": run.failure.cause of the run that failed
+---@field cause? hinge.failure_cause|"not_written"
+---what the scenario returned, names in tables joined by dots. The names of columns that results.csv has of its own are
+---errors: number, case, verdict, reason, steps, energy_error. So is that of a parameter that varies, if the value is
+---another
+---@field results table<string, number|string|boolean>
+---@field energy_error? number of the last run, as a part of its largest energy
+---@field steps? integer of the last run
+---@field warnings? string[] run.warnings of its last run; nil: none. `hinge study` prints the first of all
+---@field seconds number from start to end
+---@field memory number bytes, the most that its process held
+---@field folder string its folder, within the study's
+
+---The chance that a result is true, as a normal distribution of a parameter, or of its logarithm where all its values
+---are positive; by maximum likelihood. It takes three values of the parameter and eight cases whose outcomes overlap
+---and show a trend beyond chance (95 %); else `notes` say why there is none.
+---@class hinge.fragility
+---@field quantity string
+---@field parameter string
+---@field median number half of the cases are true there
+---@field dispersion number standard deviation of the parameter, or of its logarithm
+---@field of_logarithm boolean
+
+---@class hinge.study_result
+---@field cases hinge.study_case[] in order
+---@field varied string[] names that vary, as in results.csv
+---@field folder string
+---@field pictures string[] their file names in the folder
+---@field fragility? hinge.fragility[] curves of true and false results, as far as the cases tell
+---@field correlations? { quantity: string, parameter: string, correlation: number, cases: integer }[]
+---@field notes? string[]
+---@field interrupted boolean
