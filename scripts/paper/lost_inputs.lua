@@ -77,7 +77,7 @@ local function at_rest(p, case, aside)
     building = building_of(p), aircraft = aircraft_of(p),
     fracture = function(m) m:fracture(limits(p)) end,
   })
-  return model, frame, model:static { hold = plane }:finish()
+  return model, frame, model:static { fixed_group = plane }:finish()
 end
 
 -- The impact. dt: s, nil for the explicit scheme's own. Also returns when the first column that was compressed carries

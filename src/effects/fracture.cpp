@@ -9,6 +9,7 @@
 #include "core/errors.h"
 #include "effects/curvature_limits.h"
 #include "effects/fracture.h"
+#include "effects/fracture_reach.h"
 #include "effects/hinge_limits.h"
 #include "effects/idle_rules.h"
 #include "effects/kinds.h"
@@ -25,106 +26,8 @@ int joint_at(const Structure& s, const Element& e, int end) { return s.declared_
 
 bool rules_call_functions(const Model& model) {
     const auto& rules = fracture_rules(model);
-    return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return r.hook || r.batch; });
+    return std::any_of(rules.begin(), rules.end(), [](const FractureRule& r) { return bool(r.hook); });
 }
-
-double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limits<double>::infinity(); }
-
-/// Part of EI that stays: no section bends by four times its yield curvature without flowing.
-constexpr double least_bending = 0.25;
-
-/// What an element's elastic strains cannot exceed: curvatures, 1/m, axial and shear strain.
-struct ElasticBound {
-    double curvature[2], axial, shear;
-};
-
-/// Whether limits alone could be reached by elastic strain within `bound` on top of the plastic one.
-bool within_reach(const FractureRule& rule, double length, const Vec6& plastic, const ElasticBound& bound) {
-    const auto out_of_reach = [&](const beam::FractureStrains& stays) {
-        return rule.curvature_x > std::abs(stays.curvature_x) + bound.curvature[0] &&
-               rule.curvature_y > std::abs(stays.curvature_y) + bound.curvature[1] &&
-               rule.axial_strain > std::abs(stays.axial) + bound.axial && rule.shear_strain > bound.shear;
-    };
-    if (rule.strain_measure == FractureRule::StrainMeasure::element)
-        return !out_of_reach(beam::fracture_strains(plastic, length));
-    return !(out_of_reach(beam::section_strains(Vec6::Zero(), plastic, length, 1)) &&
-             out_of_reach(beam::section_strains(Vec6::Zero(), plastic, length, 2)));
-}
-
-/// The elastic shear force is at most that between two fully plastic moments.
-double most_shear(const Element& e) {
-    return 2 * (1 + 1e-6) / e.length *
-           std::max(resultant(e.yield.x) / e.rigidity.GAy, resultant(e.yield.y) / e.rigidity.GAx);
-}
-
-/// Whether a limit can ever be reached with this plastic deformation. Elastic curvature is a mean of the two end
-/// moments over EI, and neither is above the fully plastic one. Where bending follows N (`p_delta`), S and A of
-/// beam/beam_column.h at the fully plastic compression take from EI, and the chord shortens by bowing.
-bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, bool p_delta) {
-    if (rule.no_strains() && !rule.hook) return false;
-    if (e.yield.elastic()) return !rule.plastic_only;
-    if (rule.plastic_only) return false;
-    const auto elastic = [](double w, double rigidity) { return (1 + 1e-6) * resultant(w) / rigidity; };
-    ElasticBound bound = {{elastic(e.yield.x, e.rigidity.EIx), elastic(e.yield.y, e.rigidity.EIy)},
-                          elastic(e.yield.n, e.rigidity.EA),
-                          most_shear(e)};
-    if (p_delta) {
-        const beam::PairKind<double> pair = pair_kind_of(e);
-        for (int plane : {0, 1}) {
-            const beam::StabilityFunctions<double> of = beam::stability_functions(pair, plane, -resultant(e.yield.n));
-            bound.curvature[plane] /= std::max(least_bending, std::min(of.S, of.A));
-            bound.axial += 0.5 * std::abs(of.S1) * std::pow(bound.curvature[plane] * e.length, 2);
-        }
-    }
-    return within_reach(rule, e.length, plastic, bound);
-}
-
-/// The same for a pair's element with its forces of now, which spares most elements the search for their deformation.
-/// `force`, `of_partner`: forces p of the two elements. S and A fall ever faster with p' (beam/beam_column.h) and are
-/// above the straight line from 1 at p' = 0 to 0.58 at p' = 2.
-bool now_within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, const Vec6& force,
-                      const Vec6& of_partner) {
-    constexpr double near = 2, fall = 0.21, slope = 0.28;  // |dS/dp| up to p = 2
-    const auto larger = [](double a, double b) { return std::max(std::abs(a), std::abs(b)); };
-    const double P = std::max(0.0, -std::min(force[4], of_partner[4]));
-    const double shear = std::isfinite(rule.shear_strain) ? most_shear(e) : 0;
-    ElasticBound bound = {{0, 0}, larger(force[4], of_partner[4]) / e.rigidity.EA, shear};
-    for (int plane : {0, 1}) {
-        const double EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy,
-                     GA = plane == 0 ? e.rigidity.GAy : e.rigidity.GAx, softer = 1 / (1 - std::min(P / GA, 0.9)),
-                     p = softer * P * e.length * e.length / EI;
-        if (!(p <= near)) return true;
-        const double moment = std::max(larger(force[2 * plane], force[2 * plane + 1]),
-                                       larger(of_partner[2 * plane], of_partner[2 * plane + 1]));
-        bound.curvature[plane] = (1 + 1e-6) * moment / EI / (1 - fall * p);
-        bound.axial += 0.5 * slope * std::pow(softer * bound.curvature[plane] * e.length, 2);
-    }
-    return within_reach(rule, e.length, plastic, bound);
-}
-
-/// Calls a rule of the script's own; where it fails, the message says which rule, and asked of whom.
-template <class Whom, class Ask>
-void saying_which(const FractureRule& rule, Whom whom, Ask ask) {
-    try {
-        ask();
-    } catch (const HookError& e) {
-        throw HookError(std::string(e.what()) + " (fracture rule" +
-                        (rule.asked_at.empty() ? "" : " of " + rule.asked_at) + ", " + whom() + ")");
-    }
-}
-
-/// The flow of an element, where it flows: `yielding` rises, and so must the elements asked for.
-class Flows {
-public:
-    explicit Flows(const std::vector<PlasticIncrement>& yielding) : next_(yielding.begin()), end_(yielding.end()) {}
-    const beam::ReturnMapResult* of(int element) {
-        while (next_ != end_ && next_->element < element) ++next_;
-        return next_ != end_ && next_->element == element ? &next_->flow : nullptr;
-    }
-
-private:
-    std::vector<PlasticIncrement>::const_iterator next_, end_;
-};
 
 /// An element that has flowed and has a rule of the script's own: its strains as factors of its forces.
 struct Watched {
@@ -165,7 +68,6 @@ public:
     }
 
 private:
-    class Asked;
     void take_up(int element);
     void add_candidate(int element);
     void check_element(int element, const beam::ReturnMapResult* flow, bool news);
@@ -195,7 +97,6 @@ private:
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,
                       const beam::ReturnMapResult* flow);
     void ask_sections();
-    void ask_batch(int rule);
 
     int rule_of(const Element& e) const { return rule_of_member_[e.member]; }  ///< its index, -1: none
 
@@ -205,12 +106,11 @@ private:
     Step* step_ = nullptr;         ///< the one that is decided on
     std::vector<int> candidates_;  ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
-    std::vector<SectionView> asked_;               ///< in this step, of one rule
-    std::vector<Watched> watched_;                 ///< rising
-    std::vector<int> newly_strained_;              ///< of those, strained in this step as never before
-    std::vector<std::vector<int>> rule_elements_;  ///< of each rule; filled when a batch asks
-    std::size_t kept_a_section_ = 0;               ///< numbers that rules keep of a section
-    std::vector<long> called_;                     ///< of each rule: how often its function was
+    std::vector<SectionView> asked_;   ///< in this step, of one rule
+    std::vector<Watched> watched_;     ///< rising
+    std::vector<int> newly_strained_;  ///< of those, strained in this step as never before
+    std::size_t kept_a_section_ = 0;   ///< numbers that rules keep of a section
+    std::vector<long> called_;         ///< of each rule: how often its function was
     // for a step that is taken back
     struct Kept {
         double* at;
@@ -338,8 +238,6 @@ void Fracture::decide(Step& step) {
         candidate += c == e, news += n == e, flowing += f == e;
     }
     ask_sections();
-    for (std::size_t rule = 0; rule < rules_.size(); ++rule)
-        if (rules_[rule].batch) ask_batch(int(rule));
     std::sort(step_->breaks.begin(), step_->breaks.end(),
               [](const Break& a, const Break& b) { return a.element < b.element; });
 }
@@ -485,141 +383,21 @@ void Fracture::ask_sections() {
     for (const SectionView& v : asked_)
         for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
     std::size_t at = 0;
-    const auto whom = [&] {
-        return w_.structure.element_name(asked_[at].element) + ", end " + std::to_string(asked_[at].end);
-    };
     while (at < asked_.size()) {
-        saying_which(rule, whom, [&] { rule.hook.ask(asked_, at); });
+        try {
+            rule.hook.ask(asked_, at);
+        } catch (const HookError& e) {
+            const SectionView& at_error = asked_[at];
+            throw HookError(
+                std::string(e.what()) + " (fracture rule" + (rule.asked_at.empty() ? "" : " of " + rule.asked_at) +
+                ", " + w_.structure.element_name(at_error.element) + ", end " + std::to_string(at_error.end) + ")");
+        }
         if (at >= asked_.size()) break;
         const SectionView& breaks = asked_[at];
         if (!is_breaking(breaks.element)) step_->breaks.push_back({breaks.element, breaks.end});
         while (at < asked_.size() && asked_[at].element == breaks.element) ++at;
     }
     asked_.clear();
-}
-
-/// A rule's elements, read where the step has ended.
-class Fracture::Asked : public ElementList {
-public:
-    Asked(const Fracture& of, const std::vector<int>& elements) : of_(of), elements_(elements) {}
-    int count() const override { return int(elements_.size()); }
-    double time() const override { return of_.step_->end(); }
-    double dt() const override { return of_.step_->dt; }
-    long step() const override { return of_.w_.state.step + 1; }
-    void read(SectionField field, int end, double* out) const override;
-
-private:
-    enum Part { total, plastic, rate };
-    using Strains = std::array<double, 4>;
-    const std::vector<Strains>& strains(Part part) const;
-    const Fracture& of_;
-    const std::vector<int>& elements_;
-    mutable std::vector<Strains> strains_[3];  ///< of each element, once asked for
-};
-
-const std::vector<Fracture::Asked::Strains>& Fracture::Asked::strains(Part part) const {
-    std::vector<Strains>& list = strains_[part];
-    if (!list.empty()) return list;
-    list.reserve(elements_.size());
-    Flows flows(of_.w_.yielding);
-    for (int index : elements_) {
-        const Element& e = of_.w_.structure.elements()[index];
-        const State& state = of_.w_.state;
-        if (state.broken[index]) {
-            list.push_back({});
-            continue;
-        }
-        const beam::ReturnMapResult* flow = flows.of(index);
-        Vec6 d = Vec6::Zero();
-        if (part != rate || of_.w_.structure.p_delta()) {
-            Vec6 whole = flowed(state, index);
-            if (flow) whole += flow->plastic;
-            d = of_.without_slack(whole, index, flow);
-            if (part != plastic) d += of_.elastic_deformation(index, whole, flow);
-            if (part == rate) d = (d - of_.deformation_before(index)) / of_.step_->dt;
-        } else {
-            d = stiffness_now(of_.w_.structure, state, index).solve(of_.w_.force[index] - state.force[index]) /
-                of_.step_->dt;
-            if (flow) d += flow->plastic / of_.step_->dt, d[4] -= flow->slack / of_.step_->dt;
-        }
-        const beam::FractureStrains s = beam::fracture_strains(d, e.length);
-        list.push_back({s.curvature_x, s.curvature_y, s.axial, s.twist});
-    }
-    return list;
-}
-
-void Fracture::Asked::read(SectionField field, int end, double* out) const {
-    if (field <= SectionField::twist_rate) {
-        for (const Strains& s : strains(Part(int(field) / 4))) *out++ = s[int(field) % 4];
-        return;
-    }
-    Flows flows(of_.w_.yielding);
-    const double r = end == 2 ? 1 : -1;
-    for (int index : elements_) {
-        const beam::ReturnMapResult* flow = flows.of(index);
-        const Element& e = of_.w_.structure.elements()[index];
-        const Vec6 p = of_.resultants_at(index, r);
-        const bool broken = of_.w_.state.broken[index];
-        const auto shear = [&] {
-            beam::FractureStrains s{};
-            of_.add_shear(s, index, p);
-            return s;
-        };
-        const auto rotation = [&](int plane) { return of_.hinges_.rotation(index, end, plane); };
-        const auto value = [&]() -> double {
-            switch (field) {
-                case SectionField::member: return e.member + 1;
-                case SectionField::element: return index + 1;
-                case SectionField::end: return end;
-                case SectionField::node: return joint_at(of_.w_.structure, e, end) + 1;
-                case SectionField::broken: return broken;
-                case SectionField::plastic_work:
-                    return of_.w_.state.plastic_work[index] + (flow ? flow->dissipation : 0);
-                case SectionField::time: return time();
-                case SectionField::dt: return dt();
-                case SectionField::step: return double(step());
-                default: break;
-            }
-            if (broken) return 0;
-            switch (field) {
-                case SectionField::Mx: return beam::moment_at(p[0], p[1], r);
-                case SectionField::My: return beam::moment_at(p[2], p[3], r);
-                case SectionField::N: return p[4];
-                case SectionField::Mz: return p[5];
-                case SectionField::shear_x: return shear().shear_x;
-                case SectionField::shear_y: return shear().shear_y;
-                case SectionField::hinge_rotation_x: return rotation(0);
-                case SectionField::hinge_rotation_y: return rotation(1);
-                case SectionField::plastic:
-                    return flow && (of_.w_.structure.conventional() || flow->lambda[end - 1] > 0);
-                default: return of_.yield_at(index, r);
-            }
-        };
-        *out++ = value();
-    }
-}
-
-void Fracture::ask_batch(int rule) {
-    if (rule_elements_.empty()) {
-        rule_elements_.resize(rules_.size());
-        for (std::size_t i = 0; i < w_.structure.elements().size(); ++i)
-            if (const int r = rule_of(w_.structure.elements()[i]); r >= 0) rule_elements_[r].push_back(int(i));
-    }
-    const FractureRule& declared = rules_[rule];
-    const std::vector<int>& elements = rule_elements_[rule];
-    called_[rule] += !elements.empty();
-    std::vector<int> places;
-    saying_which(
-        declared, [] { return std::string("all its elements"); },
-        [&] { declared.batch(Asked(*this, elements), places); });
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    Flows flows(w_.yielding);
-    for (int place : places) {
-        const int e = elements[place];
-        const beam::ReturnMapResult* flow = flows.of(e);
-        if (!w_.state.broken[e] && !is_breaking(e)) step_->breaks.push_back({e, weaker_end(e, flow)});
-    }
 }
 
 std::vector<PlanLine> fracture_plan(const Structure& s, const RunKind&) {

@@ -8,8 +8,6 @@
 namespace hinge {
 namespace {
 
-bool is_function(const FractureRule& r) { return r.hook || r.batch; }
-
 /// Of two rules for the same members the later one holds. Refuses one that would so take the place of another without a
 /// word: limits that of a function, and a group's that of a group within it.
 void refuse_replacing(const Model& model, const FractureRule& rule) {
@@ -18,7 +16,7 @@ void refuse_replacing(const Model& model, const FractureRule& rule) {
     const std::vector<FractureRule>& rules = fracture_rules(model);
     const auto same =
         std::find_if(rules.rbegin(), rules.rend(), [&](const FractureRule& r) { return r.group == rule.group; });
-    if (same != rules.rend() && is_function(*same) && !is_function(rule))
+    if (same != rules.rend() && same->hook && !rule.hook)
         throw InputError(std::string("model:fracture: this would replace the function") + at(*same) + " for " +
                          (rule.group < 0 ? "all members" : "the members of group " + name(rule)) +
                          "; where both are meant to hold, give the limits and the function in one call");
@@ -86,7 +84,6 @@ const std::vector<std::string> section_field_names = {"curvature_x",
                                                       "end",
                                                       "node",
                                                       "plastic",
-                                                      "broken",
                                                       "time",
                                                       "dt",
                                                       "step"};
@@ -120,18 +117,11 @@ double value_of(const SectionView& v, SectionField field) {
         case SectionField::end: return v.end;
         case SectionField::node: return v.node + 1;
         case SectionField::plastic: return v.plastic;
-        case SectionField::broken: return 0;
         case SectionField::time: return v.time;
         case SectionField::dt: return v.dt;
         case SectionField::step: return v.step;
     }
     return 0;
-}
-
-bool at_ends(SectionField field) {
-    return field == SectionField::Mx || field == SectionField::My || field == SectionField::f_y ||
-           field == SectionField::node || field == SectionField::plastic || field == SectionField::hinge_rotation_x ||
-           field == SectionField::hinge_rotation_y;
 }
 
 }  // namespace hinge

@@ -82,7 +82,6 @@ enum class SectionField : int {
     end,
     node,
     plastic,
-    broken,
     time,
     dt,
     step
@@ -90,24 +89,6 @@ enum class SectionField : int {
 extern const std::vector<std::string> section_field_names;
 /// Value of a field as a script counts: member, element and node from 1 (0: no node), plastic 1 or 0.
 double value_of(const SectionView& view, SectionField field);
-
-/// All elements to which a fracture rule applies, with the sections at both ends, always in the same order.
-class ElementList {
-public:
-    virtual ~ElementList() = default;
-    virtual int count() const = 0;
-    virtual double time() const = 0;
-    virtual double dt() const = 0;
-    virtual long step() const = 0;
-    /// Writes one number for each element to `out`, 0 for a broken one; `end` is 1 or 2 and matters for fields that
-    /// differ at the two ends (at_ends).
-    virtual void read(SectionField field, int end, double* out) const = 0;
-};
-/// True for fields that differ at the two ends: Mx, My, f_y, hinge rotations, node, plastic.
-bool at_ends(SectionField field);
-/// A fracture rule for all elements at once: fills `breaks` with the indices in the list of the elements that break.
-/// They break at the section that flows, else at the one closer to yielding.
-using FractureBatch = std::function<void(const ElementList&, std::vector<int>& breaks)>;
 
 /// Fracture rule of a group of members: eq 16 or a variant of it. The paper's 0.0004 has no unit: 0.4 1/m if it is
 /// 1/mm.
@@ -126,15 +107,13 @@ struct FractureRule : beam::FractureLimits {
         all
     } where = Where::plastic;  ///< sections for which hook is called. plastic: fully plastic in the step, or once
                                ///< before and the element strained as never before; yielded: ever fully plastic; all
-    FractureBatch batch;       ///< replaces hook; called once a step
     std::vector<std::string> keep;  ///< names of the numbers it keeps of each section
     int group = -1;                 ///< -1: all members
     std::string asked_at;           ///< line of the script
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.curvature_x, s.curvature_y, s.axial_strain, s.shear_strain, s.tension_only, s.strain_measure,
-          s.plastic_only, bool(s.hook), s.where, bool(s.batch), s.keep, s.group, s.hinge_rotation_x, s.hinge_rotation_y,
-          s.elongation);
+          s.plastic_only, bool(s.hook), s.where, s.keep, s.group, s.hinge_rotation_x, s.hinge_rotation_y, s.elongation);
     }
 };
 

@@ -17,7 +17,7 @@ void name_idle_rules(const Structure& structure, const std::vector<long>& called
         }
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const FractureRule& rule = rules[i];
-        const bool function = rule.hook || rule.batch;
+        const bool function = bool(rule.hook);
         const bool replaced = std::any_of(rules.begin() + long(i) + 1, rules.end(),
                                           [&](const FractureRule& r) { return r.group == rule.group; });
         if (replaced || (function ? called[i] > 0 : members[i] > 0 || rule.group < 0)) continue;

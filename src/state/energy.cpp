@@ -28,7 +28,7 @@ double Accounts::operator[](std::string_view name) const {
 }
 
 double Energy::operator[](std::string_view name) const {
-    return name == "initial" ? initial : name == "energy_error" || name == "remainder" ? error : accounts[name];
+    return name == "initial" ? initial : name == "energy_error" ? error : accounts[name];
 }
 
 Energy balance(const AccountList& list, double initial, const Accounts& sums) {

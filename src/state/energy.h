@@ -58,7 +58,7 @@ struct Energy {
     Accounts accounts;    ///< those registered, parts included; an account with parts is their sum
     double error = 0;     ///< of the energy balance, J
     double rounding = 0;  ///< J, that the accounts may be off by for the digits of a number alone
-    /// An account, or "initial"; "energy_error": the error ("remainder" up to 0.2).
+    /// An account, or "initial"; "energy_error": the error.
     double operator[](std::string_view name) const;
     template <class Self, class A>
     static void fields(Self& s, A& a) {

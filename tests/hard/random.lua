@@ -66,7 +66,7 @@ local function supply(energy) return energy.initial + largest_of(0, energy.work)
 -- What the balance does not explain: its error, and what has come out of accounts that can only take energy in.
 local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping" }
 local function made(energy)
-  local sum = energy.remainder
+  local sum = energy.energy_error
   for _, name in ipairs(taking) do
     local account = energy[name] or 0
     if not (account >= 0) then sum = sum < 0 and sum + account or sum - account end

@@ -333,11 +333,11 @@ end
 
 local function fracture(s, group)
   local d = s.d
-  local kind = d.weighted { { 4, "strain" }, { 3, "limits" }, { 3, "work" }, { 2, "rotation" }, { 1, "batch" } }
+  local kind = d.weighted { { 4, "strain" }, { 3, "limits" }, { 3, "work" }, { 2, "rotation" }, { 1, "all" } }
   local rule = { group = group }
   if kind == "limits" then
     rule.curvature_x, rule.curvature_y, rule.axial_strain = d.log(0.02, 0.4), d.log(0.02, 0.4), d.log(0.01, 0.3)
-    if d.chance(0.3) then rule.reading = "section" end
+    if d.chance(0.3) then rule.strain_measure = "section" end
   elseif kind == "strain" then
     rule.axial_strain, rule.tension_only = d.log(0.005, 0.2), d.chance(0.5)
     if d.chance(0.3) then rule.plastic_only = true end
@@ -354,13 +354,8 @@ local function fracture(s, group)
     end
   else
     local most = d.log(0.005, 0.1)
-    function rule.batch(elements)
-      local list, strain, broken = {}, elements.axial_strain, elements.broken
-      for i = 1, elements.count do
-        if broken[i] == 0 and math.abs(strain[i]) > most then list[#list + 1] = i end
-      end
-      return list
-    end
+    rule.where = "all"
+    function rule.rule(now) return math.abs(now.axial_strain) > most end
   end
   if s.changed.fracture == "hinges" then -- limits of sections in place of what was drawn: 0.01 to 0.2 rad and m
     kind = "hinges"
@@ -826,7 +821,7 @@ function scenes.scene(seed, class)
       while more.dt > 1e-5 and s.speed * more.dt > 0.02 do more.dt = more.dt / 2 end
     end
     if s.rest then
-      local o = { record = false, hold = s.held }
+      local o = { record = false, fixed_group = s.held }
       for k, v in pairs(s.rest) do o[k] = v end
       local rest = s.model:static(o):finish()
       if rest.verdict == "completed" then

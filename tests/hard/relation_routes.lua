@@ -74,7 +74,7 @@ list[#list + 1] = { name = "slow dynamics",
     -- from rest under what is there at once; what the steps do not resolve is damped by the method
     local b = built.make(hinge, slow, built.way())
     local more = { dt = T / 40, duration = 6 * T, iterations = 30, rho_infinity = 0.5, record = false,
-      energy_tolerance = 0, precision = "double", solver_tolerance = 1e-12 }
+      energy_tolerance = 0, precision = "double", internals = { solver_tolerance = 1e-12 } }
     local at_once = has(s, "gravity", "heat", "prestress")
     for _, p in ipairs(s.parts) do at_once = at_once or p.kind == "link" and p.dofs == "all" end
     if at_once then

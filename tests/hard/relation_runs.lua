@@ -27,13 +27,13 @@ local function dynamic_options(s)
   for _, member in ipairs(s.members) do shortest = support.smallest_of(shortest, member.length) end
   local dt = (s.class == "collision" and 0.02 or 0.5) * shortest / 5100
   return { dt = dt, duration = (s.class == "collision" and 4 or 1) * runs.steps * dt, precision = "double",
-    solver_tolerance = 1e-12, record = false, energy_tolerance = 0 }
+    internals = { solver_tolerance = 1e-12 }, record = false, energy_tolerance = 0 }
 end
 local function dynamic(hinge, s, way, more)
   local b = built.make(hinge, s, way)
   local o = dynamic_options(s)
   for k, v in pairs(more or {}) do o[k] = v end
-  if o.integrator == "explicit" then o.precision, o.solver_tolerance = nil, nil end
+  if o.integrator == "explicit" then o.precision, o.internals = nil, nil end
   return b, b.model:dynamic(o), o
 end
 local function run_of(hinge, s, way, more)

@@ -115,7 +115,7 @@ return {
       local prop = model:node { 4.5, 0, 0 } -- a strut, its far end held until the run begins
       model:member { joints[1][1], prop, section = parts.square(0.1), material = parts.steel(), group = "prop" }
       model:gravity { 0, 0, -9.80665 }
-      return model, { from = model:static { steps = 2, hold = "prop" }:finish() }
+      return model, { from = model:static { steps = 2, fixed_group = "prop" }:finish() }
     end },
   { "a load that jumps every third step", energy_error = 2e-2, dt = 1e-4, steps = 1000,
     make = function(hinge)

@@ -145,8 +145,6 @@ const std::vector<Field> fields = {
     CHANGE(
         "fracture", "a function", d.fracture.hook = [](const SectionView&) { return false; }),
     CHANGE("fracture", "where", d.fracture.where = FractureRule::Where::all),
-    CHANGE(
-        "fracture", "a function of all", d.fracture.batch = [](const ElementList&, std::vector<int>&) {}),
     CHANGE("fracture", "keep", d.fracture.keep = {"damage"}),
     CHANGE("fracture", "group", d.fracture.group = 0),
     CHANGE("contact", "rule", d.contact.settings.rule = contact::ContactRuleKind::gap),

@@ -328,7 +328,7 @@ TEST_CASE("moving the integration point changes no nodal force (1e-12)") {
     for (bool large : {false, true}) {
         ModelOptions options;
         options.displacement = large ? Displacement::large : Displacement::small;
-        options.p_delta = PDelta::chord;  // points move with shift = "whole" alone, which has no other
+        options.p_delta = PDelta::chord;  // points move with shift = "elastic_and_plastic" alone, which has no other
         Frame frame(options);
         frame.material = steel(245e6);
         const int a = frame.node(0, 0, 0), b = frame.node(0.6, 0.3, 0.2), c = frame.node(0.1, 0.9, -0.3);

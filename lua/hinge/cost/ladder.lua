@@ -12,8 +12,6 @@ local sides = {
     why = "linear elements; asi-gauss is exact in elastic statics" },
   { "^steps$", finer = "larger", ratio = 2, order = 1, work = 1, why = "backward steps of load, where members yield" },
   { "tolerance$", finer = "smaller", ratio = 10, order = 1, work = 0.05, why = "what is left out of balance" },
-  { "^rebuild_angle$", finer = "smaller", ratio = 2, order = 1, work = 0.2,
-    why = "stiffness of elements that have rotated" },
 }
 
 -- Words, the finest first: the reference has the first one that is compared. For other words it has the default of the

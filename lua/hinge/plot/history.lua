@@ -122,7 +122,7 @@ local function source_of_folder(where, folder)
       unit = energy and "J" or units[columns[i]] or unit_of(columns[i]), x = lists[static and 2 or 1], y = lists[i] }
     source.curves[curve.name] = curve
     source.names[#source.names + 1] = curve.name
-    energy = energy and columns[i] ~= "energy_error" and columns[i] ~= "remainder"
+    energy = energy and columns[i] ~= "energy_error"
   end
   return source
 end
@@ -229,7 +229,7 @@ local function over_time(source, group, time_factor, x_label)
   local factor, unit = scale_of(group[1].unit, lists_of(group, "y"))
   local series = {}
   for i, curve in ipairs(group) do
-    local error = (curve.name == "energy_error" or curve.name == "remainder")
+    local error = curve.name == "energy_error"
     series[i] = { name = (#group > 1 or group.small) and curve.name or nil, y = scaled(curve.y, factor),
       x = source.static and curve.x or scaled(curve.x, time_factor), dashed = error, colour = error and "black" or nil }
   end

@@ -59,10 +59,6 @@ function model:fracture(rule) end
 ---names of numbers that are kept for each section, such as { "damage" }. They are fields of the section that the rule
 ---can set, 0 at the start. They belong to the state of the run
 ---@field keep? string[]
----in place of `rule`: a function that is called once a step with all elements of the members. It returns a list with
----the positions of those that break. It has no memory: `keep` and `where` beside it are an error, since they belong to
----single sections
----@field batch? fun(elements: hinge.element_list): integer[]?
 ---@field group? hinge.group_like only its members, default all
 
 ---The section that a fracture rule gets, with the values at the end of the step. Strains are those of the element: the
@@ -102,19 +98,6 @@ function model:fracture(rule) end
 ---two elements meet in the section
 ---@field hinge_rotation_x number
 ---@field hinge_rotation_y number rad
----@field broken number 0
-
----All elements of the members of a fracture rule, always in the same order. `count` is their number (also `#elements`).
----Every field of a section has an array with one number for each element. Mx, My, f_y, hinge_rotation_x,
----hinge_rotation_y, node and plastic have one array for each end (Mx1, Mx2, ...); node is 0 inside a member, plastic is
----1 or 0. Loads along a member change N and Mz along it; the arrays have those of end 1. Broken elements keep their
----positions, with broken = 1 and zeros. An array is the same table at every step; it is filled when the function reads
----it.
----@class hinge.element_list
----@field count integer
----@field time number s
----@field dt number s
----@field step integer
 
 ---Takes a member, or all members of a group, out of the structure at a time of the run: the sudden loss of a column.
 ---All elements of it break at the end of the first step that reaches the time, as by a fracture rule, whatever their

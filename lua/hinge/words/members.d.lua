@@ -85,12 +85,9 @@ function model:member(options) end
 ---@field up? vec3
 ---@field group? string|hinge.group|(string|hinge.group)[] the first one sets its colour
 ---@field elements? integer|"auto" default: elements_per_member of the model; "auto" is described there
----strength of its ends over their plastic rotation; default: constant. Not with the conventional element. A function
----gets the largest plastic rotation of the end so far (rad), its plastic rotations about x and y (rad) and its plastic
----work at the full strength (J), as they are where a step may end, and returns the strength over the fully plastic one,
----0.01 or more. It is called often, in every step in which the end flows, and must depend on these four alone. A run
----with such a function has one thread
----@field backbone? hinge.backbone|fun(largest: number, x: number, y: number, work: number): number
+---strength of its ends over their plastic rotation; default: constant. Not with the conventional element. For a
+---function of your own take law
+---@field backbone? hinge.backbone
 ---what the flow of its sections does to their strength, as a function of yours. It is asked for each end of an element
 ---that flows, some hundred times a step, and must depend on its arguments alone. Hardening and rate of the material,
 ---and a backbone, act beside it. A run with such a function has one thread. A function alone has no history variables
@@ -160,6 +157,7 @@ function model:defaults(options) end
 ---@field N number[]
 ---@field z number[]
 ---@field strain number[]
+---@field at_end boolean of all of them
 
 ---plastic flow of a section in a step
 ---@class hinge.section_flow
@@ -170,3 +168,4 @@ function model:defaults(options) end
 ---growth of the mean plastic strain of the part of the element that yields with the section (half of its length; with
 ---the conventional formulation all of it): plastic work at the full strength over N0 times that length
 ---@field strain number
+---@field at_end boolean true at the two ends of the member; false within it, where two of its elements meet

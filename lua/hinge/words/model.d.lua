@@ -144,7 +144,7 @@ function node:position(run) end
 ---@field group string? name of its first group, which sets its colour; nil: none
 ---@field section hinge.section
 ---@field material hinge.material
----@field backbone hinge.backbone|string? nil: none; "a function"
+---@field backbone hinge.backbone? nil: none
 ---@field law string? nil: none; "a function"
 ---@field up vec3 direction of the section's y axis, as given
 ---@field elements integer|"auto" the number of its elements; "auto" until the first run decides

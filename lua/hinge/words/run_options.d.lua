@@ -75,8 +75,7 @@ function model:static(options) end
 ---mass on its three nodes, so that every member has its mass, its centre and its moment of inertia m L^2 / 12. The
 ---members of an odd number of elements, three or more, have them too; a member of one element has half of its mass on
 ---each node, and m L^2 / 4. The rotary inertia is the section's polar one. Explicit steps solve no system of equations.
----These options are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance, predictor,
----geometric, rebuild_angle and those of the solver.
+---These options are therefore errors with them: precision, beta, rho_infinity, iterations, tolerance and solver.
 ---
 ---The energy-momentum method (Simo and Tarnow 1992, Simo and Wong 1991, Gonzalez 1996) is for structures that rotate
 ---far in long steps. With displacements x, momenta p, mean forces f and F of a step: (p' - p)/dt + f = F, x' - x = dt
@@ -88,7 +87,7 @@ function model:static(options) end
 ---inertia of the sections rotates with the nodes. Accelerations and reactions are the means of the last step. A step
 ---that does not converge is undone and halved (step_control, here 0.01 by default). The method does not work with
 ---contact, fracture, ground, moving supports, displacement = "small" and shift = "elastic_and_plastic". These options
----are errors with it: beta, rho_infinity, predictor, precision.
+---are errors with it: beta, rho_infinity, precision.
 ---```lua
 ---model:velocity(tip, { 0, 0, -3 })
 ---local swing = model:dynamic { from = run, dt = 1e-4, duration = 0.02 }:finish()
@@ -164,19 +163,10 @@ function model:dynamic(options) end
 ---large, in steps that are too long for one solution; the fastest vibration decides which steps are too long
 ---@field iterations? integer
 ---@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-8
----the start of the solution of a step: the last acceleration, or the last displacement (eq 15 as printed). auto
----(default): "acceleration" if dt is shorter than an axial wave needs to cross the shortest element, else
----"displacement"
----@field predictor? "auto"|"acceleration"|"displacement"
----@field geometric? boolean include initial stress in the effective stiffness; default true
----rad; an element's stiffness is computed anew after a rotation by this angle; default 0.01, energy-momentum 0.002
----@field rebuild_angle? number
 ---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
 ---2e-10. Double is used in any case if steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
 ---@field solver? "cg"|"direct" conjugate gradients (default) as in the paper, or a direct solver
----@field solver_tolerance? number of the residual; default 1e-8
----@field solver_iterations? integer the most iterations of a solution; default 500
 ---steps between rows of history.csv; default: a 500th of all steps; false: this run writes no history.csv
 ---@field record? integer|false
 ---file in which the state of the run is saved: at its beginning, then at intervals of `every` seconds of wall time

@@ -145,29 +145,6 @@ int same_backbone(lua_State* L) {
     return 1;
 }
 
-}  // namespace
-
-std::shared_ptr<const beam::MaterialLaw> own_backbone(const LuaFunction& f) {
-    return beam::backbone_law([f](const beam::HingePast& past) {
-        lua_State* L = f.running();
-        const std::string who = "model:member: the function in field 'backbone'";
-        f.push(L);
-        for (const double x : {past.largest, past.x, past.y, past.work}) lua_pushnumber(L, x);
-        call_hook(L, f, 4, 1, who);
-        const double strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
-        const std::string shown = show(L, -1);
-        lua_pop(L, 1);
-        if (!(std::isfinite(strength) && strength >= least))
-            throw HookError(f.place() + ": " + who + " returned " + shown + " at a largest plastic rotation of " +
-                            show(past.largest) +
-                            " rad; it must return a number of 0.01 or more, the strength over the "
-                            "fully plastic one");
-        return strength;
-    });
-}
-
-namespace {
-
 constexpr int most_variables = 32;  ///< of the history of a law
 
 /// Numbers of the list at the top of the stack, which is taken off; `names`: in the place of 1, 2, ...
@@ -231,8 +208,9 @@ std::vector<beam::SectionAnswer> ask_law(const LuaFunction& f, int variables, st
     std::vector<beam::SectionAnswer> answers;
     for (const beam::SectionFlow& flow : flows) {
         f.push(L);
-        lua_createtable(L, 0, int(std::size(flow_fields)));
+        lua_createtable(L, 0, int(std::size(flow_fields)) + 1);
         for (const auto& [name, field] : flow_fields) lua_pushnumber(L, flow.*field), lua_setfield(L, -2, name);
+        lua_pushboolean(L, flow.at_end), lua_setfield(L, -2, "at_end");
         push_history(L, variables, history);
         call_hook(L, f, 2, 3, who_law);
         beam::SectionAnswer answer;
@@ -244,15 +222,16 @@ std::vector<beam::SectionAnswer> ask_law(const LuaFunction& f, int variables, st
     return answers;
 }
 
-/// One call for all flows: `count`, and an array for each field. It returns an array of strengths, and nil or an array
-/// of back resultants, and of history variables.
+/// One call for all flows: `count`, `at_end`, and an array for each other field. It returns an array of strengths, and
+/// nil or an array of back resultants, and of history variables.
 std::vector<beam::SectionAnswer> ask_batch(const LuaFunction& f, int variables,
                                            std::span<const beam::SectionFlow> flows, const double* history) {
     lua_State* L = f.running();
     const int count = int(flows.size());
     f.push(L);
-    lua_createtable(L, 0, int(std::size(flow_fields)) + 1);
+    lua_createtable(L, 0, int(std::size(flow_fields)) + 2);
     lua_pushinteger(L, count), lua_setfield(L, -2, "count");
+    lua_pushboolean(L, flows[0].at_end), lua_setfield(L, -2, "at_end");
     for (const auto& [name, field] : flow_fields) {
         lua_createtable(L, count, 0);
         for (int i = 0; i < count; ++i) lua_pushnumber(L, flows[std::size_t(i)].*field), lua_rawseti(L, -2, i + 1);

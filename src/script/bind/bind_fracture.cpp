@@ -1,6 +1,5 @@
-// model:fracture: limits, or a rule of the script that checks sections, one by one or all at once.
+// model:fracture: limits, or a rule of the script that checks sections.
 #include <algorithm>
-#include <bitset>
 #include <cmath>
 
 #include "effects/fracture.h"
@@ -24,13 +23,6 @@ struct SectionViewBox {
     const SectionView* now = nullptr;
     std::vector<SectionField> read = {};  ///< what the rule reads, none twice
 };
-struct ElementListBox {
-    static constexpr const char* lua_name = "hinge.element_list";
-    const ElementList* now;
-    std::bitset<3 * field_count> filled;  ///< arrays that hold what is now
-    std::vector<double> room;
-};
-
 /// The field that the key at 2 names, -1 for none. Upvalue 1: numbers of the fields by name.
 int field_at(lua_State* L) {
     lua_pushvalue(L, 2);
@@ -118,54 +110,10 @@ int view_text(lua_State* L) {
     return 1;
 }
 
-ElementListBox& list_in_use(lua_State* L) {
-    auto& box = self<ElementListBox>(L, "elements");
-    if (!box.now)
-        throw InputError("elements: read after their rule has returned; take the numbers you need while the rule runs");
-    return box;
-}
-
-int list_get(lua_State* L) {
-    auto& box = list_in_use(L);
-    const int place = field_at(L);
-    const std::string key = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
-    if (key == "count") return lua_pushinteger(L, box.now->count()), 1;
-    if (key == "time") return lua_pushnumber(L, box.now->time()), 1;
-    if (key == "dt") return lua_pushnumber(L, box.now->dt()), 1;
-    if (key == "step") return lua_pushinteger(L, box.now->step()), 1;
-    if (place < 0)
-        no_field(L, "elements",
-                 {"count", "Mx1", "Mx2", "My1", "My2", "f_y1", "f_y2", "node1", "node2", "plastic1", "plastic2"});
-    lua_getiuservalue(L, 1, 1);  // the arrays, by place
-    const bool there = lua_rawgeti(L, -1, place + 1) == LUA_TTABLE;
-    if (there && box.filled[place]) return 1;
-    const int n = box.now->count();
-    if (!there) {
-        lua_pop(L, 1);
-        lua_createtable(L, n, 0);
-        lua_pushvalue(L, -1);
-        lua_rawseti(L, -3, place + 1);
-    }
-    box.room.resize(n);
-    box.now->read(SectionField(place % field_count), place / field_count, box.room.data());
-    protect(L, 1, 1, [&](lua_State* inner) {
-        for (int i = 0; i < n; ++i) lua_pushnumber(inner, box.room[i]), ::lua_rawseti(inner, 1, i + 1);
-    });
-    box.filled.set(place);
-    return 1;
-}
-
-int elements_in_list(lua_State* L) { return lua_pushinteger(L, list_in_use(L).now->count()), 1; }
-
-/// Pushes the table of the fields' numbers by name; `by_end`: what differs between the ends has a name for each.
-void push_field_numbers(lua_State* L, bool by_end) {
+/// Pushes the table of the fields' numbers by name.
+void push_field_numbers(lua_State* L) {
     lua_createtable(L, 0, field_count);
-    for (int i = 0; i < field_count; ++i)
-        if (by_end && at_ends(SectionField(i)))
-            for (int end : {1, 2})
-                lua_pushinteger(L, end * field_count + i),
-                    lua_setfield(L, -2, (section_field_names[i] + std::to_string(end)).c_str());
-        else lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
+    for (int i = 0; i < field_count; ++i) lua_pushinteger(L, i), lua_setfield(L, -2, section_field_names[i].c_str());
 }
 
 /// Pushes a section and the table of its fields that are put there (SectionViewBox). Upvalues of all its functions:
@@ -175,7 +123,7 @@ SectionViewBox* push_section(lua_State* L, const std::shared_ptr<Model>& model, 
     lua_pushcclosure(L, collect<SectionViewBox>, 0);
     lua_setfield(L, -2, "__gc");
     lua_pop(L, 1);
-    push_field_numbers(L, false);
+    push_field_numbers(L);
     const int numbers = lua_gettop(L), userdata = numbers + 1, section = numbers + 2, meta = numbers + 3,
               fields = numbers + 4, others = numbers + 5;
     auto* box = push<SectionViewBox>(L, model, keep);
@@ -270,60 +218,6 @@ FractureHook read_rule(lua_State* L, int index, const std::shared_ptr<Model>& mo
     return hook;
 }
 
-/// The metatable of lists, made once.
-void ready_list_metatable(lua_State* L) {
-    luaL_newmetatable(L, ElementListBox::lua_name);
-    const bool made = lua_getfield(L, -1, "__gc") != LUA_TNIL;  // the last of it: memory may have run out half way
-    lua_pop(L, 1);
-    if (!made) {
-        static const luaL_Reg others[] = {
-            {"__len", guarded<elements_in_list>}, {"__gc", collect<ElementListBox>}, {nullptr, nullptr}};
-        push_field_numbers(L, true);
-        lua_pushcclosure(L, guarded<list_get>, 1);
-        lua_setfield(L, -2, "__index");
-        luaL_setfuncs(L, others, 0);
-    }
-    lua_pop(L, 1);
-}
-
-FractureBatch read_batch(lua_State* L, int index, const std::shared_ptr<Model>& model) {
-    const LuaFunction f(L, index, *model);
-    ready_list_metatable(L);
-    auto* box = push<ElementListBox>(L);
-    lua_newtable(L);
-    lua_setiuservalue(L, -2, 1);
-    const LuaValue view(L, -1, *model);
-    lua_pop(L, 1);
-    return [f, view, box](const ElementList& elements, std::vector<int>& breaks) {
-        lua_State* running = f.running();
-        f.push(running);
-        view.push(running);
-        box->filled.reset();
-        struct Shown {
-            ElementListBox& box;
-            ~Shown() { box.now = nullptr; }
-        } shown{*box};
-        box->now = &elements;
-        call_hook(running, f, 1, 1);
-        std::string wrong = lua_istable(running, -1) || lua_isnil(running, -1) ? "" : show(running, -1);
-        if (lua_istable(running, -1))
-            for (lua_Integer i = 1, n = lua_rawlen(running, -1); i <= n && wrong.empty(); ++i) {
-                lua_rawgeti(running, -1, i);
-                int whole = 0;
-                const lua_Integer place = lua_tointegerx(running, -1, &whole);
-                if (!whole || place < 1 || place > elements.count())
-                    wrong = show(running, -1) + " as item " + std::to_string(i);
-                else breaks.push_back(int(place) - 1);
-                lua_pop(running, 1);
-            }
-        lua_pop(running, 1);
-        if (!wrong.empty())
-            throw HookError(f.place() + ": model:fracture: the batch rule returned " + wrong +
-                            "; it must return nil, or a list of the elements that break, whole numbers from 1 to " +
-                            std::to_string(elements.count()));
-    };
-}
-
 std::vector<std::string> read_keep(Options& o) {
     std::vector<std::string> keep;
     lua_State* L = o.L();
@@ -375,10 +269,8 @@ int fracture_rule(lua_State* L) {
         if (!lua_istable(L, 2))
             throw InputError("model:fracture: takes a table of limits or a function, got " + show(L, 2));
         Options o(L, 2, "model:fracture");
-        o.former_name("strain_measure", "reading");
         o.expect({"hinge_rotation_x", "hinge_rotation_y", "elongation", "curvature_x", "curvature_y", "axial_strain",
-                  "shear_strain", "tension_only", "strain_measure", "plastic_only", "rule", "batch", "where", "keep",
-                  "group"});
+                  "shear_strain", "tension_only", "strain_measure", "plastic_only", "rule", "where", "keep", "group"});
         const auto take = [&](const char* field, const char* unit, double& limit) {
             if (const auto v = o.maybe_number(field, unit, Range::positive)) limit = *v;
         };
@@ -396,26 +288,16 @@ int fracture_rule(lua_State* L) {
         else if (type != LUA_TNIL)
             o.complain("rule", show(L, -1), "must be a function of a section that returns true where it breaks");
         lua_pop(L, 1);
-        const int batch = o.push_field("batch");
-        if (batch == LUA_TFUNCTION) rule.batch = read_batch(L, -1, m);
-        else if (batch != LUA_TNIL)
-            o.complain("batch", show(L, -1),
-                       "must be a function of all elements that returns a list of those that break");
-        lua_pop(L, 1);
-        if (rule.hook && rule.batch)
-            o.complain("batch", "given beside rule",
-                       "a rule is asked section by section or of all at once; give one of the two");
         const std::string where = o.word("where", {"plastic", "yielded", "all"}, "plastic");
         rule.where = where == "all"       ? FractureRule::Where::all
                      : where == "yielded" ? FractureRule::Where::yielded
                                           : FractureRule::Where::plastic;
         for (const char* field : {"where", "keep"})
             if (!rule.hook && o.has(field))
-                o.complain(field, "given",
-                           "belongs to a rule that is asked section by section; give rule = a function");
+                o.complain(field, "given", "belongs to a rule of the script; give rule = a function");
         if (o.push_field("group") != LUA_TNIL) rule.group = group_argument(L, -1, "model:fracture: field 'group'", *m);
         lua_pop(L, 1);
-        if (!rule.hook && !rule.batch && rule.none())
+        if (!rule.hook && rule.none())
             throw InputError(
                 "model:fracture: no limit is given; give hinge_rotation_x, hinge_rotation_y (rad), elongation (m), "
                 "curvature_x, curvature_y (1/m), axial_strain, shear_strain, or a function");

@@ -85,15 +85,16 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
             "give hinge.material.steel 'S355' or the like, or one made by hinge.material{ E =, density =, ... }");
     if (o.push_field("backbone") != LUA_TNIL) {
         const auto* backbone = find<BackboneBox>(L, -1);
-        if (!backbone && lua_type(L, -1) != LUA_TFUNCTION)
-            o.complain("backbone", show(L, -1), "give one made by hinge.backbone{ ... }, or a function");
+        if (!backbone)
+            o.complain("backbone", show(L, -1),
+                       "give one made by hinge.backbone{ ... }; a function is given as law = function(flow, history)");
         if (m->options().formulation == Formulation::conventional)
             o.complain("backbone", "given",
                        "needs hinges at the ends of elements: hinge.model{ formulation = 'asi-gauss' } or 'asi'");
         const auto& outline = data.section->outline;
         if (!std::isfinite(data.material->yield_stress) && !(outline && outline->concrete()))
             o.complain("backbone", "given", "needs a material with yield_stress (Pa), or a section of concrete");
-        data.backbone = backbone ? backbone->value : own_backbone(LuaFunction(L, -1, *m));
+        data.backbone = backbone->value;
     }
     lua_pop(L, 3);
     data.law = read_own_law(o, m);

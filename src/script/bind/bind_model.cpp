@@ -43,7 +43,6 @@ int model(lua_State* L) {
                                                   : Formulation::asi_gauss;
     m.displacement =
         o.word("displacement", {"small", "large"}, "large") == "small" ? Displacement::small : Displacement::large;
-    o.former_word("shift", "elastic_and_plastic", "whole");
     m.shift = o.word("shift", {"plastic", "elastic_and_plastic"}, "plastic") == "plastic" ? Shift::plastic
                                                                                           : Shift::elastic_and_plastic;
     m.mass = o.word("mass", {"linear", "cubic"}, "linear") == "cubic" ? MassShape::cubic : MassShape::linear;

@@ -238,10 +238,7 @@ int member_fields(lua_State* L) {
     else if (key == "offset") push_offsets_of(L, *m.model, m.index);
     else if (key == "section") push<SectionBox>(L, data.section);
     else if (key == "material") push<MaterialBox>(L, data.material);
-    else if (key == "backbone")
-        !data.backbone                  ? lua_pushnil(L)
-        : data.backbone->calls_script() ? (void)push_text(L, "a function")
-                                        : (void)push<BackboneBox>(L, data.backbone);
+    else if (key == "backbone") data.backbone ? (void)push<BackboneBox>(L, data.backbone) : lua_pushnil(L);
     else if (key == "law") data.law ? (void)push_text(L, "a function") : lua_pushnil(L);
     else if (key == "ends") push_joints_of(L, *m.model, m.index);
     else if (key == "up") push_triple(L, data.up);

@@ -242,7 +242,7 @@ int probe(lua_State* L) {
     if (r->started)
         throw InputError("run:probe: the run has begun (step " + std::to_string(r->run->steps_done()) +
                          "); ask for probes before its first step");
-    std::vector<std::string> columns = {"time", "factor", "remainder"};
+    std::vector<std::string> columns = {"time", "factor", "energy_error"};
     for (const AccountInfo& account : r->run->accounts()) columns.emplace_back(account.name);
     for (const auto& other : r->probes) columns.push_back(other->name);
     if (std::find(columns.begin(), columns.end(), p->name) != columns.end())

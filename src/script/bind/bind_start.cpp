@@ -182,7 +182,6 @@ void read_branch(lua_State* L, Options& o, std::size_t nodes, StaticSettings& s)
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
     Options o(L, 2, "model:static", true);
-    o.former_name("fixed_group", "hold");
     o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "fixed_group", "record", "from",
               "allow_failed", "loads", "branch"});
     const ScriptRun* before = run_before(o, m);
@@ -304,29 +303,9 @@ MassKind mass_kind(IntegratorKind integrator) {
 }
 
 void expect_dynamic_fields(Options& o) {
-    o.expect({"dt",
-              "duration",
-              "beta",
-              "from",
-              "iterations",
-              "tolerance",
-              "predictor",
-              "geometric",
-              "rebuild_angle",
-              "solver",
-              "solver_tolerance",
-              "solver_iterations",
-              "record",
-              "integrator",
-              "precision",
-              "threads",
-              "rest",
-              "energy_tolerance",
-              "step_control",
-              "rho_infinity",
-              "checkpoint",
-              "allow_failed",
-              "loads"});
+    o.expect({"dt", "duration", "beta", "from", "iterations", "tolerance", "solver", "internals", "record",
+              "integrator", "precision", "threads", "rest", "energy_tolerance", "step_control", "rho_infinity",
+              "checkpoint", "allow_failed", "loads"});
 }
 
 /// Likely mistakes in what the model has where a dynamic run begins. `before`: the run that it goes on from, or null.

@@ -38,7 +38,8 @@ public:
         read_newton();
         read_rest();
         refuse_idle_fields();
-        read_solver();
+        s_.solver.direct = o_.word("solver", {"cg", "direct"}, "cg") == "direct";
+        read_internals();
         return s_;
     }
 
@@ -51,7 +52,7 @@ private:
     void read_newton();
     void read_rest();
     void refuse_idle_fields();
-    void read_solver();
+    void read_internals();
 
     Options& o_;
     const Model& model_;
@@ -63,7 +64,7 @@ private:
 /// What the energy-momentum method does not go with, effects aside.
 void Reading::refuse_what_cannot_be_conserved() const {
     const std::string with = "model:dynamic: integrator = 'energy-momentum' ";
-    for (const char* field : {"beta", "rho_infinity", "predictor", "precision"})
+    for (const char* field : {"beta", "rho_infinity", "precision"})
         if (o_.has(field))
             throw InputError("model:dynamic: field '" + std::string(field) +
                              "' has no meaning with integrator = 'energy-momentum'; leave it out");
@@ -154,13 +155,6 @@ void Reading::read_step_control() {
 void Reading::read_newton() {
     s_.iterations = o_.integer("iterations", 0, 0);
     s_.tolerance = o_.number("tolerance", "", Range::positive, conserving_ ? tolerance_of_conserving : s_.tolerance);
-    const std::string predictor = o_.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
-    s_.predictor = predictor == "acceleration"   ? Predictor::acceleration
-                   : predictor == "displacement" ? Predictor::displacement
-                                                 : Predictor::by_step;
-    s_.geometric = o_.flag("geometric", s_.geometric);
-    s_.rebuild_angle = o_.number("rebuild_angle", "rad", Range::positive,
-                                 conserving_ ? rebuild_angle_of_conserving : s_.rebuild_angle);
 }
 
 void Reading::read_rest() {
@@ -173,8 +167,8 @@ void Reading::read_rest() {
 
 void Reading::refuse_idle_fields() {
     if (explicit_)
-        for (const char* field : {"beta", "rho_infinity", "iterations", "tolerance", "predictor", "geometric",
-                                  "rebuild_angle", "solver", "solver_tolerance", "solver_iterations", "precision"})
+        for (const char* field :
+             {"beta", "rho_infinity", "iterations", "tolerance", "solver", "precision", "internals"})
             if (o_.has(field))
                 throw InputError(std::string("model:dynamic: field '") + field +
                                  "' has no meaning with integrator = 'explicit', which solves nothing; leave it out");
@@ -185,14 +179,30 @@ void Reading::refuse_idle_fields() {
                     "is that of Newton's method, and iterations = 1 is one solution; leave one of them out");
 }
 
-void Reading::read_solver() {
-    s_.solver.direct = o_.word("solver", {"cg", "direct"}, "cg") == "direct";
-    s_.solver.tolerance = o_.number("solver_tolerance", "", Range::positive, s_.solver.tolerance);
-    s_.solver.max_iterations = o_.integer("solver_iterations", 1, s_.solver.max_iterations);
+/// The field `internals`, for tests: what tests/README.md says of it.
+void Reading::read_internals() {
+    if (conserving_) s_.rebuild_angle = rebuild_angle_of_conserving;
+    if (!o_.has("internals")) return;
+    if (o_.push_field("internals") != LUA_TTABLE) o_.complain("internals", show(o_.L(), -1), "must be a table");
+    Options in(o_.L(), lua_gettop(o_.L()), "model:dynamic: field 'internals'");
+    in.expect({"predictor", "geometric", "rebuild_angle", "solver_tolerance", "solver_iterations"});
+    const auto refuse = [&](const char* field, const char* beside) {
+        if (in.has(field))
+            throw InputError(in.function() + ": field '" + field + "' has no meaning with " + beside +
+                             "; leave it out");
+    };
+    if (conserving_) refuse("predictor", "integrator = 'energy-momentum'");
     for (const char* field : {"solver_tolerance", "solver_iterations"})
-        if (s_.solver.direct && o_.has(field))
-            throw InputError(std::string("model:dynamic: field '") + field +
-                             "' has no meaning with solver = 'direct'; leave it out");
+        if (s_.solver.direct) refuse(field, "solver = 'direct'");
+    const std::string predictor = in.word("predictor", {"auto", "acceleration", "displacement"}, "auto");
+    s_.predictor = predictor == "acceleration"   ? Predictor::acceleration
+                   : predictor == "displacement" ? Predictor::displacement
+                                                 : Predictor::by_step;
+    s_.geometric = in.flag("geometric", s_.geometric);
+    s_.rebuild_angle = in.number("rebuild_angle", "rad", Range::positive, s_.rebuild_angle);
+    s_.solver.tolerance = in.number("solver_tolerance", "", Range::positive, s_.solver.tolerance);
+    s_.solver.max_iterations = in.integer("solver_iterations", 1, s_.solver.max_iterations);
+    lua_pop(o_.L(), 1);
 }
 
 }  // namespace

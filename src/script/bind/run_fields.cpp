@@ -36,14 +36,13 @@ void push_list(lua_State* L, const List& list, Fill fill) {
     }
 }
 
-/// J, by account. `remainder` is the name that the energy error had up to version 0.2.
+/// J, by account.
 void push_energy(lua_State* L, const ScriptRun& r) {
     const Energy e = r.run->energy();
-    lua_createtable(L, 0, int(r.run->accounts().size()) + 3);
+    lua_createtable(L, 0, int(r.run->accounts().size()) + 2);
     put(L, "initial", e.initial);
     for (const AccountInfo& account : r.run->accounts()) put(L, std::string(account.name).c_str(), e[account.name]);
     put(L, "energy_error", e.error);
-    put(L, "remainder", e.error);
 }
 
 /// { name = factor } of the load cases.
@@ -230,20 +229,14 @@ constexpr RunField run_field_list[] = {
     {"warnings", push_warnings},
 };
 
-/// Names of fields up to version 0.2.
-constexpr std::pair<const char*, const char*> former_names[] = {{"wakings", "state_changes"},
-                                                                {"worst_remainder", "worst_energy_error"}};
-
 }  // namespace
 
 int run_fields(lua_State* L) {
     if (push_method(L)) return 1;
-    std::string key = key_argument(L);
+    const std::string key = key_argument(L);
     const auto& r = *self<RunBox>(L, "run." + key).value;
     if (r.number > 0 && (key == "verdict" || key == "reason" || key == "failure"))
         context(L)->runs.asked.insert(r.number);
-    for (const auto& [before, now] : former_names)
-        if (key == before) key = now;
     const auto* field = std::ranges::find_if(run_field_list, [&](const RunField& f) { return key == f.name; });
     if (field == std::end(run_field_list)) refuse_field(L, "run", key);
     field->push(L, r);

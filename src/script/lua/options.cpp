@@ -21,22 +21,7 @@ int Options::push_field(const char* field) {
     known_.push_back(field);
     if (index_ == 0) return lua_pushnil(L_), LUA_TNIL;
     lua_pushstring(L_, field);
-    if (const int type = lua_rawget(L_, index_); type != LUA_TNIL) return type;
-    for (const auto& [name, before] : former_)
-        if (name == field) return lua_pop(L_, 1), lua_pushstring(L_, before.c_str()), lua_rawget(L_, index_);
-    return LUA_TNIL;
-}
-
-void Options::former_name(const char* field, const char* before) {
-    if (index_ == 0) return;
-    const bool now = has(field);
-    lua_pushstring(L_, before);
-    const bool then = lua_rawget(L_, index_) != LUA_TNIL;
-    lua_pop(L_, 1);
-    if (now && then)
-        throw InputError(function_ + ": field '" + before + "' is the older name of '" + field +
-                         "', and both are given; leave it out");
-    former_.emplace_back(field, before);
+    return lua_rawget(L_, index_);
 }
 
 int Options::push_item(int i) {
@@ -144,15 +129,9 @@ std::string Options::word(const char* field, const std::vector<std::string>& all
     const auto value = text(field);
     if (!value) return fallback;
     if (std::find(allowed.begin(), allowed.end(), *value) != allowed.end()) return *value;
-    const auto former = former_words_.find(field);
-    if (former != former_words_.end() && former->second.second == *value) return former->second.first;
     std::string list;
     for (const auto& a : allowed) list += (list.empty() ? "'" : ", '") + a + "'";
     complain(field, "'" + *value + "'", "must be one of " + list + did_you_mean(*value, allowed));
-}
-
-void Options::former_word(const char* field, const char* word, const char* before) {
-    former_words_[field] = {word, before};
 }
 
 void Options::finish(int items_allowed) {
@@ -163,9 +142,7 @@ void Options::finish(int items_allowed) {
         lua_pop(L_, 1);
         if (lua_type(L_, -1) == LUA_TSTRING) {
             const std::string key = lua_tostring(L_, -1);
-            const bool former =
-                std::any_of(former_.begin(), former_.end(), [&](const auto& f) { return f.second == key; });
-            if (!former && std::find(known_.begin(), known_.end(), key) == known_.end()) {
+            if (std::find(known_.begin(), known_.end(), key) == known_.end()) {
                 std::string list;
                 for (const auto& k : known_) list += (list.empty() ? "" : ", ") + k;
                 problem =

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <initializer_list>
-#include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/suggestion.h"
@@ -41,10 +39,6 @@ public:
     void expect(std::vector<std::string> fields, int items_allowed = 0) {
         known_ = std::move(fields), finish(items_allowed);
     }
-    /// `before` is an older name of `field`: it is read in its place. Both at once are an error.
-    void former_name(const char* field, const char* before);
-    /// `before` is an older word for `word` in this field.
-    void former_word(const char* field, const char* word, const char* before);
     /// Raises an error for a field that was never read.
     void finish(int items_allowed = 0);
 
@@ -58,8 +52,6 @@ private:
     int index_;  // 0: absent
     std::string function_;
     std::vector<std::string> known_;
-    std::vector<std::pair<std::string, std::string>> former_;                  ///< field, its older name
-    std::map<std::string, std::pair<std::string, std::string>> former_words_;  ///< of a field: word, its older name
 };
 
 /// Reads {x, y, z} at `index`, or throws naming `what`.

@@ -51,20 +51,11 @@ struct Backbone {
 };
 /// Raises InputError unless the rotations begin at 0 and rise, and all strengths are 0.01 or more.
 std::shared_ptr<const MaterialLaw> backbone_law(const Backbone& backbone);
-/// What a hinge at the end of a member has gone through.
-struct HingePast {
-    double largest = 0;   ///< largest plastic rotation, rad
-    double work = 0;      ///< plastic work at the fully plastic resultants, J
-    double x = 0, y = 0;  ///< plastic rotations about x and y, rad
-};
-/// Factor on the fully plastic resultants, above 0, after such a past (section/laws/own_backbone.cpp).
-using BackboneRule = std::function<double(const HingePast& past)>;
-/// It is called by one thread, in every round of the return of an element that flows.
-std::shared_ptr<const MaterialLaw> backbone_law(BackboneRule rule);
 /// Plastic flow of a section in a step, and what it makes of the section (section/laws/own_law.cpp).
 struct SectionFlow {
     double x = 0, y = 0, N = 0, z = 0;  ///< rotations about x and y (rad), elongation (m), twist (rad)
     double strain = 0;                  ///< growth of the mean plastic strain of the part that yields, >= 0
+    bool at_end = true;                 ///< at an end of the member; false: within it
 };
 struct SectionAnswer {
     double strength = 1;               ///< factor on all fully plastic resultants, above 0

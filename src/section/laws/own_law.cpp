@@ -26,7 +26,10 @@ public:
     bool calls_script() const override { return true; }
 
     int history_size() const override { return first + variables_; }
-    void start(bool, double* history) const override { keep(one({}, history + first), history); }
+    void start(bool end_of_member, double* history) const override {
+        history[at_end] = end_of_member;
+        keep(one({.at_end = end_of_member}, history + first), history);
+    }
     bool moves_surface() const override { return true; }
     double initial() const override { return initial_; }
 
@@ -64,18 +67,19 @@ public:
     }
 
 private:
-    /// History variables: the strength and the back resultants (N m, N) at the end of the step before, then those of
-    /// the function.
-    enum { strength, moved, first = moved + 4 };
+    /// History variables: the strength and the back resultants (N m, N) at the end of the step before, 1 at the ends of
+    /// the member, then those of the function.
+    enum { strength, moved, at_end = moved + 4, first };
 
     SectionAnswer one(const SectionFlow& flow, const double* history) const {
         return rule_(std::span(&flow, 1), history)[0];
     }
 
-    /// What was asked, and the answers. A round asks again what the round before has found.
-    struct Asked {
+    /// A call of the function, and its answers. A round asks again what the round before has found.
+    struct Question {
         Vec4 e = Vec4::Zero();
         double work = 0;
+        bool at_end = true;
         std::vector<double> history;
         std::vector<SectionAnswer> answers;
     };
@@ -85,18 +89,20 @@ private:
                                           double work) const {
         std::vector<double> start(std::size_t(variables_), 0.0);
         if (history) std::copy_n(history + first, variables_, start.begin());
-        for (const Asked& a : asked_)
-            if (a.work == work && a.e == e && a.history == start && !a.answers.empty()) return a.answers;
+        const bool end = !history || history[at_end] > 0;
+        for (const Question& q : asked_)
+            if (q.work == work && q.e == e && q.at_end == end && q.history == start && !q.answers.empty())
+                return q.answers;
         std::array<SectionFlow, parts.size()> flows;
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Vec4 d = parts[i] * e.cwiseProduct(zone.per_strength);
-            flows[i] = {d[0], d[1], d[2], d[3], parts[i] * work / zone.energy};
+            flows[i] = {d[0], d[1], d[2], d[3], parts[i] * work / zone.energy, end};
         }
-        Asked& a = asked_[next_++ % asked_.size()];
-        a.answers.clear();
-        a.answers = rule_(flows, start.data());
-        a.e = e, a.work = work, a.history = std::move(start);
-        return a.answers;
+        Question& q = asked_[next_++ % asked_.size()];
+        q.answers.clear();
+        q.answers = rule_(flows, start.data());
+        q.e = e, q.work = work, q.at_end = end, q.history = std::move(start);
+        return q.answers;
     }
     void keep(const SectionAnswer& answer, double* history) const {
         history[strength] = answer.strength;
@@ -107,7 +113,7 @@ private:
     SectionRule rule_;
     int variables_;
     double initial_ = 1;
-    mutable std::array<Asked, 4> asked_;  ///< the last ones; a run that calls the script has one thread
+    mutable std::array<Question, 4> asked_;  ///< the last ones; a run that calls the script has one thread
     mutable std::size_t next_ = 0;
 };
 

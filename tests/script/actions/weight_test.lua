@@ -164,7 +164,7 @@ case("gravity in load cases carries in proportion to its factor", function()
   local function check(run, part, what)
     close(math.abs((m:forces(run)).Mx), part * wall, what .. ": moment")
     close(math.abs(select(5, run:reaction(a))), part * wall, what .. ": moment of the support")
-    near(run.energy.remainder, 0, 1e-9 * run.energy.elastic, what .. ": energy balance")
+    near(run.energy.energy_error, 0, 1e-9 * run.energy.elastic, what .. ": energy balance")
   end
   local half = finished(model:static { loads = { dead = 0.5 }, steps = 2 })
   check(half, 0.5, "half of gravity")
@@ -258,8 +258,8 @@ case("a released beam swings far and keeps its energy", function()
     local nodes, fell = swing "nodes"
     local e = run.energy
     expect(down < -1.2, "%s: the tip goes down by %g m", how[1], -down)
-    near(e.remainder / e.gravity, 0, how[3], how[1] .. ", swing: energy balance")
-    near(nodes.energy.remainder / nodes.energy.gravity, 0, how[3], how[1] .. ", swing at nodes: energy balance")
+    near(e.energy_error / e.gravity, 0, how[3], how[1] .. ", swing: energy balance")
+    near(nodes.energy.energy_error / nodes.energy.gravity, 0, how[3], how[1] .. ", swing at nodes: energy balance")
     expect(run.hash ~= nodes.hash and math.abs(down - fell) < 0.05, "%s: swing along members %g, at nodes %g m", how[1],
       down, fell)
   end
@@ -270,7 +270,7 @@ case("gravity is accounted for as the height of the mass", function()
   local s = straight({ "all" }, {})
   local run = solve(s, { steps = 3 })
   local e = run.energy
-  near(e.remainder, 0, 1e-12 * math.abs(e.gravity), "statics: energy balance")
+  near(e.energy_error, 0, 1e-12 * math.abs(e.gravity), "statics: energy balance")
   expect(e.gravity < 0 and math.abs(e.elastic + e.gravity - e.work) < 1e-9 * e.elastic,
     "statics: gravity %g, work %g J", e.gravity, e.work)
 end)
@@ -296,7 +296,7 @@ case("an element that breaks keeps the energy balance of its weight", function()
     local rest = solve({ model = model }, { steps = 1 })
     local run = finished(model:dynamic(merged(how[2], { from = rest, duration = 0.02 })), how[1] .. ": break")
     equal(m[1]:state(run), "broken", how[1] .. ": a member is broken")
-    near(run.energy.remainder, 0, 2e-3 * run.energy.initial, how[1] .. ", break: energy balance")
+    near(run.energy.energy_error, 0, 2e-3 * run.energy.initial, how[1] .. ", break: energy balance")
     broken = false
     local half = finished(model:dynamic(merged(how[2], { from = rest, duration = 0.01 })))
     local on = finished(model:dynamic(merged(how[2], { from = half, duration = 0.01 })))

@@ -161,7 +161,7 @@ case("rules that take each other's place are warned of", function()
   idle(nil, asks(), 4e6) -- pulled until it yields
   idle("the function of model:fracture at ... was called 0 times, for it holds for no member of group 'columns'; ...",
     function(model)
-      model:fracture { group = "columns", batch = function() end }
+      model:fracture { group = "columns", where = "all", rule = function() end }
       remove(model)
       model:fracture { group = "right", where = "all", rule = function() return false end }
     end)

@@ -35,8 +35,8 @@ case("every option that cost varies is declared, and has its finer side", functi
     for name in declared:gmatch "\n%- `([%w_]+)%??`: " do found = found or name:find(pattern) ~= nil end
     expect(found, "a rule of hinge cost is for '%s', and no call has such an option", pattern)
   end
-  local inputs = ladder.inputs("here", { parameters = { rebuild_angle = 0.01 }, accuracy = {} }, {}, {})
-  equal(inputs[1] and inputs[1].side.finer, "smaller", "finer side of rebuild_angle")
+  local inputs = ladder.inputs("here", { parameters = { dt = 0.01 }, accuracy = {} }, {}, {})
+  equal(inputs[1] and inputs[1].side.finer, "smaller", "finer side of dt")
   equal(inputs[1] and inputs[1].values[3], 0.04, "its coarsest value, where the script has no list")
 end)
 

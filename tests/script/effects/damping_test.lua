@@ -55,7 +55,7 @@ case("a damped oscillator decays as exp(-z w t), with Newmark and explicit steps
         local what = ("%s, %s, %s"):format(explicit and "explicit" or "implicit", displacement, kind)
         expect(worst < 2e-3, "%s: off the closed form by %.3g of the amplitude", what, worst)
         local e = run.energy
-        local open = math.abs(e.remainder) / e.initial
+        local open = math.abs(e.energy_error) / e.initial
         local lost = (e.initial - e.kinetic - e.elastic) / e.initial
         near(e.damping / e.initial, lost, not explicit and displacement == "small" and 1e-12 or 1e-4, what
           .. ": account")
@@ -77,7 +77,7 @@ case("the error of explicit damped steps falls with their square", function()
     local T = 2 * math.pi / w
     local run = model:dynamic { dt = T / n, duration = 3 * T, integrator = "explicit", record = false, rest = false }
     run:finish()
-    open[i] = math.abs(run.energy.remainder) / run.energy.initial
+    open[i] = math.abs(run.energy.energy_error) / run.energy.initial
   end
   expect(open[1] / open[2] > 3 and open[1] < 1e-2, "explicit balance: %.3g, %.3g at half the step", open[1], open[2])
 end)
@@ -127,7 +127,7 @@ local function mode(number, explicit)
   local ratio = (sum[1] / steps[1] - sum[3] / steps[3]) / (4 * w[number] * T)
   local what = ("%s, mode %d"):format(explicit and "explicit" or "implicit", number)
   near(ratio / z[number], 1, explicit and 0.06 or 0.02, what .. ": ratio") -- of lumped masses, mode 2 is lower
-  near(run.energy.remainder / run.energy.initial, 0, explicit and 1e-3 or 1e-6, what .. ": balance")
+  near(run.energy.energy_error / run.energy.initial, 0, explicit and 1e-3 or 1e-6, what .. ": balance")
 end
 case("the first two modes of a cantilever lose 2 z w T of energy a period", function()
   mode(1, false)
@@ -158,7 +158,7 @@ case("a free bar that spins is slowed by alpha and not by beta", function()
   near(spin / sooner, 1, 1e-8, "spin under beta")
   near(spin, 30 * (1 - 2 * 7850 * 30 ^ 2 * 2 / 5 / 206e9), 1e-4, "by as much as it stretches")
   for i = 1, 3 do near(momentum[i], i, 1e-8, "momentum under beta, axis " .. i) end
-  near(run.energy.remainder / run.energy.initial, 0, 1e-5, "its balance")
+  near(run.energy.energy_error / run.energy.initial, 0, 1e-5, "its balance")
   expect(run.energy.damping >= 0 and run.energy.damping < 1e-4 * run.energy.initial, "lost %.3g", run.energy.damping)
   local slower, slow_spin = spinning { alpha = 2 }
   near(slow_spin, 30 * math.exp(-0.4), 0.01, "spin under alpha")
@@ -208,8 +208,8 @@ end)
 case("damping of a group changes no bit of the other members", function()
   -- A group's members alone: the other portal has the same bits as without.
   local function declare(m) m:damping { ratio = 0.1, periods = { 0.3, 0.1 }, group = "near" } end
-  local run, again = ended { declare = declare, run = { solver = "direct", predictor = "displacement" } }
-  local bare, bare_tops = ended { run = { solver = "direct", predictor = "displacement" } }
+  local run, again = ended { declare = declare, run = { solver = "direct", internals = { predictor = "displacement" } } }
+  local bare, bare_tops = ended { run = { solver = "direct", internals = { predictor = "displacement" } } }
   local damped, free = run:displacement(again[1]), run:displacement(again[2])
   local of_near, of_far = bare:displacement(bare_tops[1]), bare:displacement(bare_tops[2])
   expect(math.abs(damped / of_near - 1) > 0.01, "the damped portal is another: %.6g, %.6g", damped, of_near)
@@ -258,7 +258,7 @@ for what, run_options in pairs {
     local speed = run_options.integrator == "explicit" and 30 or 20
     local run = ended { yield = 100e6, speed = speed, declare = strong, run = run_options }
     local e = run.energy
-    expect(math.abs(e.remainder) < 1e-2 * e.initial, "%s, yielding: open by %.3g", what, e.remainder / e.initial)
+    expect(math.abs(e.energy_error) < 1e-2 * e.initial, "%s, yielding: open by %.3g", what, e.energy_error / e.initial)
     expect(e.plastic > 0 and e.damping > 0.1 * e.initial, "%s: plastic %.3g, damping %.3g of %.3g", what,
       e.plastic, e.damping, e.initial)
   end)
@@ -282,14 +282,15 @@ for what, options in pairs {
     watched:finish()
     for name, run in pairs { resumed = other, watched = watched } do
       equal(run.hash, whole.hash, ("%s, %s: state"):format(what, name))
-      for _, account in ipairs { "damping", "plastic", "remainder" } do
+      for _, account in ipairs { "damping", "plastic", "energy_error" } do
         equal(run.energy[account], whole.energy[account], ("%s, %s: %s"):format(what, name, account))
       end
     end
     if options.run.step_control then
       expect(whole.counts.rejected_steps > 2, "steps taken back: %d", whole.counts.rejected_steps)
       local e = whole.energy
-      expect(math.abs(e.remainder) <= 1e-4 * e.initial, "step control holds the balance: %.3g", e.remainder / e.initial)
+      expect(math.abs(e.energy_error) <= 1e-4 * e.initial, "step control holds the balance: %.3g",
+        e.energy_error / e.initial)
     end
   end)
 end
@@ -325,7 +326,7 @@ case("members that break are damped no more and keep the balance", function()
   end, run = { dt = 2e-5 } }
   expect(run:count { state = "broken" } > 0, "nothing breaks")
   local e = run.energy
-  expect(math.abs(e.remainder) < 1e-2 * e.initial, "breaking: open by %.3g", e.remainder / e.initial)
+  expect(math.abs(e.energy_error) < 1e-2 * e.initial, "breaking: open by %.3g", e.energy_error / e.initial)
 end)
 
 case("damping and contact impulses keep the energy balance", function()
@@ -342,7 +343,7 @@ case("damping and contact impulses keep the energy balance", function()
     model:damping(damping)
     local run = model:dynamic { dt = 2e-5, duration = 2e-3, record = false }:finish()
     expect(run.verdict == "completed" and run.contacts.bound > 0, "an impact that is damped: %s", run.reason)
-    near(run.energy.remainder / run.energy.initial, 0, 1e-5, "balance of an impact that is damped")
+    near(run.energy.energy_error / run.energy.initial, 0, 1e-5, "balance of an impact that is damped")
     expect(run.energy.damping > 0.03 * run.energy.initial, "it takes %g J", run.energy.damping)
   end
 end)

@@ -131,19 +131,6 @@ end)
 
 local weak = hinge.material { E = E, nu = 0.3, density = 7850 } -- as stiff as steel, and it never yields
 
-case("a rule asked for all elements at once reads the same", function()
-  -- The same by a rule that is asked once for all elements.
-  local batch = {}
-  moved_bar({ batch = function(all)
-    for _, field in ipairs { "hinge_rotation_x1", "hinge_rotation_x2", "hinge_rotation_y1", "shear_x", "shear_y" } do
-      batch[field] = all[field][1]
-    end
-  end }, { most = 0.02 })
-  near(batch.hinge_rotation_x1, seen[1].rotation, 1e-12, "hinge_rotation_x1 of a batch")
-  near(batch.hinge_rotation_x2, seen[2].rotation, 1e-12, "hinge_rotation_x2 of a batch")
-  near(batch.shear_y, seen[1].shear, 1e-12, "shear_y of a batch")
-end)
-
 case("a bar breaks by the shear strain of its load alone, elastic or with hinges", function()
   -- Shear: Q / (G A), here 2 M_p / (L G A) when both hinges have formed.
   local most = 2 * M / length / (G * bar.shear_area_y)

@@ -29,7 +29,7 @@ local function flat(height, ground, options)
 end
 
 -- What the energy balance misses, of the largest energy.
-local function error_of(run, turned_over) return math.abs(run.energy.remainder) / turned_over end
+local function error_of(run, turned_over) return math.abs(run.energy.energy_error) / turned_over end
 
 -- Falls: a bar dropped flat meets the ground after sqrt(2 h / g), with sqrt(2 g h), and comes back to e^2 h.
 local h = 0.05
@@ -514,7 +514,7 @@ case("elements that break under pressure leave the energy balance closed", funct
         local before, change, stored
         for step in run:steps() do
           local now = run.energy
-          if step.index == 100 then change, stored = now.remainder - before.remainder, before.ground_stored end
+          if step.index == 100 then change, stored = now.energy_error - before.energy_error, before.ground_stored end
           before = now
         end
         equal(run:count { state = "broken" }, 1, name .. ": it breaks")

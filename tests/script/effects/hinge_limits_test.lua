@@ -243,18 +243,8 @@ case("a function that reads the rotation breaks the same element at the same ste
     local run = struck({ hinge_rotation_x = 0.04 }, { elements = n }):finish()
     local by_rule = struck({ rule = function(s) return math.abs(s.hinge_rotation_x) >= 0.04 end },
       { elements = n }):finish()
-    local by_batch = struck({ batch = function(all)
-      local list = {}
-      for i = 1, #all do
-        if math.abs(all.hinge_rotation_x1[i]) >= 0.04 or math.abs(all.hinge_rotation_x2[i]) >= 0.04 then
-          list[#list + 1] = i
-        end
-      end
-      return list
-    end }, { elements = n }):finish()
     equal(run:count { state = "broken" }, 1, "it breaks")
     equal(by_rule.hash, run.hash, n .. " elements: rule")
-    equal(by_batch.hash, run.hash, n .. " elements: batch")
   end
 end)
 

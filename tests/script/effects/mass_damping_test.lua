@@ -54,10 +54,10 @@ case("a heavy mass on a light cantilever is damped as a single degree of freedom
     options.integrator = row[1]
     local ratio, run = on_cantilever(options)
     local what = options.integrator .. (options.offset and ", beside its node, with rotary inertia" or "")
-    print(("%-55s %.4f %%, open by %.2g"):format(what, 100 * ratio, run.energy.remainder / run.energy.initial))
+    print(("%-55s %.4f %%, open by %.2g"):format(what, 100 * ratio, run.energy.energy_error / run.energy.initial))
     near(ratio / 0.02, 1, 0.01, what .. ": ratio")
     local e = run.energy
-    near(e.remainder / e.initial, 0, 1e-4, what .. ": balance")
+    near(e.energy_error / e.initial, 0, 1e-4, what .. ": balance")
     near(e.damping / (e.initial - e.kinetic - e.elastic), 1, 1e-3, what .. ": account")
   end
 end)
@@ -93,9 +93,9 @@ case("a tumbling body is damped in its momenta alone", function()
     local after, off = momenta(run), {}
     for i = 1, 6 do off[i] = after[i] - before[i] * math.exp(-0.6) end
     print(("%-55s off by %.2g, open by %.2g"):format("tumbling, " .. integrator, size(off) / size(before),
-      run.energy.remainder / run.energy.initial))
+      run.energy.energy_error / run.energy.initial))
     near(size(off) / size(before), 0, 1e-4, integrator .. ": momenta")
-    near(run.energy.remainder / run.energy.initial, 0, 1e-3, integrator .. ": balance of what tumbles")
+    near(run.energy.energy_error / run.energy.initial, 0, 1e-3, integrator .. ": balance of what tumbles")
   end
 end)
 

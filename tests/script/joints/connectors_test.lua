@@ -36,7 +36,7 @@ for _, displacement in ipairs { "small", "large" } do
     near(c:deformation(run), F / k, 1e-7 * F / k, displacement .. ": its deformation")
     near(run.energy.connector_stored, F ^ 2 / (2 * k), 1e-6 * F ^ 2 / k, displacement .. ": its energy")
     near(run.energy.connectors, run.energy.connector_stored, 0, displacement .. ": the account is the sum of its parts")
-    near(run.energy.remainder, 0, 1e-6 * run.energy.work, displacement .. ": energy balance")
+    near(run.energy.energy_error, 0, 1e-6 * run.energy.work, displacement .. ": energy balance")
   end)
 end
 
@@ -161,7 +161,7 @@ case("a bar on a spring and a dashpot swings and decays as theory has it", funct
     for step in run:steps() do
       local u = math.exp(-ratio * omega * step.time) * math.sin(damped * step.time) / damped
       worst = largest_of(worst, math.abs(run:displacement(a) - u) * damped)
-      worst_balance = largest_of(worst_balance, math.abs(run.energy.remainder))
+      worst_balance = largest_of(worst_balance, math.abs(run.energy.energy_error))
     end
     return worst, worst_balance / (0.5 * m), run, c
   end
@@ -207,7 +207,7 @@ for _, integrator in ipairs { "newmark", "explicit" } do
     end
     equal(run.verdict, "completed", integrator .. ", friction: " .. tostring(run.reason))
     near((at[3] - at[2]) / (4 * F * amplitude / 2), 1, 3e-3, integrator .. ": friction takes 4 F u in a cycle")
-    near(run.energy.remainder / run.energy.connector_dissipated, 0, 1e-3, integrator .. ", friction: energy balance")
+    near(run.energy.energy_error / run.energy.connector_dissipated, 0, 1e-3, integrator .. ", friction: energy balance")
   end)
 end
 
@@ -239,7 +239,7 @@ for _, integrator in ipairs { "newmark", "explicit" } do
       near(after.angular[i] / scale, before.angular[i] / scale, 2e-4, integrator .. ": angular momentum " .. i)
     end
     expect(most > 1e-3, "%s: the connector takes part: %g of the energy", integrator, most)
-    near(run.energy.remainder / run.energy.initial, 0, 1e-4, integrator .. ": energy of two bars that spin")
+    near(run.energy.energy_error / run.energy.initial, 0, 1e-4, integrator .. ": energy of two bars that spin")
   end)
 end
 
@@ -260,7 +260,7 @@ case("checkpoints and steps taken back change no bit of connectors", function()
     local other = spinning(options, all_of_it):resume(folder .. "/one.checkpoint"):finish()
     equal(other.hash, whole.hash, what .. "state after a checkpoint")
     equal(other.energy.connector_dissipated, whole.energy.connector_dissipated, what .. "account after a checkpoint")
-    near(whole.energy.remainder / whole.energy.initial, 0, 2e-3, what .. "energy balance")
+    near(whole.energy.energy_error / whole.energy.initial, 0, 2e-3, what .. "energy balance")
   end
 end)
 

@@ -98,7 +98,7 @@ local a, b = other:node { 0, 0, 0 }, other:node { 1, 0, 0 }
 other:fix(a)
 other:member { a, b, section = bar, material = steel }
 other:load { node = b, force = { 0, 0, -1e5 } }
-other:fracture { batch = function(all) seen = seen + #all.Mx1 + all.count end }
+other:fracture { where = "all", rule = function(s) seen = seen + s.element end }
 other:dynamic { dt = 1e-4, duration = 5e-4 }:finish()
 assert(seen > 0 and #other:members() == 1 and #model:loads() == 2 and #model:nodes() == 2)
 for _, wrong in ipairs {

@@ -390,7 +390,7 @@ case("wrong statics is refused, and a model that can move freely", function()
   wrong("model:static, control: 'uz' of node 1 is fixed by a support and cannot be driven",
     function(s) s.model:static { control = { node = s.wall, "uz", to = 1 } } end)
   wrong("model:static: field 'fixed_group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
-    function(s) s.model:static { hold = "amrs" } end)
+    function(s) s.model:static { fixed_group = "amrs" } end)
   wrong("model:static: field 'from' is a hinge.model; must be a run, whose state this one goes on from",
     function(s) s.model:static { from = s.model } end)
 end)
@@ -440,7 +440,7 @@ case("wrong dynamics is refused", function()
   wrong("model:dynamic: field 'step_control' needs an energy balance that closes, "
     .. "and that of a model with shift = 'elastic_and_plastic' cannot; leave it out",
     function()
-      local model = hinge.model { shift = "whole" }
+      local model = hinge.model { shift = "elastic_and_plastic" }
       model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 },
         section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1, density = 1 } }
       model:dynamic { dt = 1e-3, duration = 1, step_control = 0.01 }
@@ -460,8 +460,8 @@ case("wrong dynamics is refused", function()
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, precision = "singel" } end)
   wrong("model:dynamic: field 'solver' is 'lu'; must be one of 'cg', 'direct'...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, solver = "lu" } end)
-  wrong("model:dynamic: field 'predictor' is 'acceleraton'; must be one of ... (did you mean 'acceleration'?)",
-    function(s) s.model:dynamic { dt = 1e-3, duration = 1, predictor = "acceleraton" } end)
+  wrong("model:dynamic: field 'internals': field 'predictor' is 'acceleraton'; must be one of ... (did you mean 'acceleration'?)",
+    function(s) s.model:dynamic { dt = 1e-3, duration = 1, internals = { predictor = "acceleraton" } } end)
   wrong("model:dynamic: member 2 has density 0 kg/m^3; integrator = 'explicit' needs a mass at each node...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, integrator = "explicit" } end,
     function(s) s.model:member { s.tip, s.far, section = bar, material = hinge.material { E = 206e9 } } end)
@@ -537,7 +537,7 @@ case("handles of another model are refused by every call that takes one", functi
   wrong("model:group: name is group 'arms' of another model; use one of this model",
     function(s) s.model:group(other.group) end)
   wrong("model:static: field 'fixed_group' is group 'arms' of another model; use one of this model",
-    function(s) s.model:static { hold = other.group } end)
+    function(s) s.model:static { fixed_group = other.group } end)
   wrong("model:static, control: field 'node' is node 2 of another model; use one of this model",
     function(s) s.model:static { control = { node = other.tip, "uz", to = 1 } } end)
   wrong("run:probe: field 'node' is node 2 of another model; use one of this model",

@@ -156,8 +156,8 @@ case("in dynamics a part presses as much as in statics, and its history counts",
       expect(math.abs(beam:forces(run).Mx - before.Mx) < math.abs(before.Mx), "%s: Mx from %g to %g", integrator,
         before.Mx, beam:forces(run).Mx)
       -- explicit steps: their kinetic energy swings
-      expect(math.abs(run.energy.remainder) < 1e-2 * math.abs(run.energy.work), "energy error %g of %g J",
-        run.energy.remainder, run.energy.work)
+      expect(math.abs(run.energy.energy_error) < 1e-2 * math.abs(run.energy.work), "energy error %g of %g J",
+        run.energy.energy_error, run.energy.work)
     end
   end
 end)

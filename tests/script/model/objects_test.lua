@@ -215,18 +215,13 @@ end)
 case("a fracture rule reads which joint its section is at", function()
   -- A fracture rule is told which joint a section is at; inside a member there is none.
   local ruled, _, members = portal()
-  local at, lists = {}, {}
+  local at = {}
   ruled:fracture { where = "all", group = "posts", rule = function(section)
     if section.member == members[1].index then at[#at + 1] = tostring(section.node) end
-  end }
-  ruled:fracture { group = "beams", batch = function(elements)
-    lists = { elements.node1[1], elements.node2[1], elements.node1[2], elements.node2[elements.count] }
   end }
   ruled:dynamic { dt = 1e-5, duration = 1e-5 }:finish()
   table.sort(at)
   checks.equal(table.concat(at, " "), "1 2 nil nil", "the joints of a post's sections")
-  checks.equal(table.concat({ lists[1], lists[2], lists[3], lists[4] }, " "), "2.0 0.0 0.0 3.0",
-    "the joints of a beam's elements, as arrays")
 end)
 
 checks.done()

@@ -23,7 +23,7 @@ local function balanced(run, within, what)
   local e = run.energy
   local most = support.largest_of(e.elastic, e.kinetic, e.initial)
   expect(most > 0, "%s: the energy balance has nothing to close", what)
-  expect(math.abs(e.remainder) <= within * most, "%s: energy error %g of %g J", what, e.remainder, most)
+  expect(math.abs(e.energy_error) <= within * most, "%s: energy error %g of %g J", what, e.energy_error, most)
 end
 
 -- Statics -------------------------------------------------------------------------------------------------------------
@@ -306,7 +306,7 @@ for _, integrator in ipairs { "newmark", "explicit" } do
       local apart = math.sqrt((q[1] + 0.8 - p[1]) ^ 2 + (q[2] + 0.1 - p[2]) ^ 2 + (q[3] + 0.2 - p[3]) ^ 2)
       near(apart, math.sqrt(0.8 ^ 2 + 0.1 ^ 2 + 0.2 ^ 2), 1e-11, "the link keeps its length")
       for c = 4, 6 do near(p[c], q[c], 1e-11, "its ends rotate alike") end
-      return angular, math.abs(run.energy.remainder) / first, run.dt
+      return angular, math.abs(run.energy.energy_error) / first, run.dt
     end
     -- second order: (w dt)^2 / 12 = 3e-7 of a turn for dt = 2e-4, and the turns of the bars' own vibration
     local angular, energy = errors(explicit and "auto" or 2e-4)
@@ -370,8 +370,8 @@ for _, integrator in ipairs { "newmark", "explicit" } do
       near(after.angular[c], before.angular[c], 1e-4 * before.angular[3], "angular momentum " .. c)
     end
     -- what a break takes counts as fracture; the rest is the error
-    expect(math.abs(run.energy.remainder) < 1e-4 * run.energy.initial, "energy error %g of %g J", run.energy.remainder,
-      run.energy.initial)
+    expect(math.abs(run.energy.energy_error) < 1e-4 * run.energy.initial, "energy error %g of %g J",
+      run.energy.energy_error, run.energy.initial)
     local p, q = place(run, n[3], { -0.5, 0.5, 0.1 }), place(run, n[5], { -0.5, -0.5, 0 })
     local apart = math.sqrt((p[1] - q[1]) ^ 2 + (p[2] - q[2]) ^ 2 + (p[3] - q[3]) ^ 2)
     near(apart, math.sqrt(1.01), 1e-10, "the length of the link that is left")
@@ -424,7 +424,7 @@ case("a run that goes on from a checkpoint has the same bits", function()
     resumed:finish()
     os.remove(path)
     equal(resumed.hash, whole.hash, integrator .. ": state")
-    equal(resumed.energy.remainder, whole.energy.remainder, integrator .. ": energy")
+    equal(resumed.energy.energy_error, whole.energy.energy_error, integrator .. ": energy")
     expect(steps and whole.index > steps, "%s: it went on from the middle", integrator)
   end
 end)

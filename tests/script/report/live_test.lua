@@ -40,7 +40,7 @@ model:velocity(bar, { 90, 0, 0 })
 model:contact {}
 model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
 model:gravity { 0, 0, -9.81 }
-local loaded = model:static { hold = evil, steps = 4 }
+local loaded = model:static { fixed_group = evil, steps = 4 }
 loaded:finish()
 local record = tonumber(how.record)
 if how.record == "no" then record = false end

@@ -28,7 +28,8 @@ local function folding(group)
 end
 local function fold(group, options)
   options = options or {}
-  options.dt, options.duration, options.predictor, options.record = 0.0155, 0.31, "acceleration", false
+  options.dt, options.duration, options.record = 0.0155, 0.31, false
+  options.internals = { predictor = "acceleration" }
   return folding(group):dynamic(options):finish()
 end
 
@@ -84,7 +85,7 @@ end)
 case("the reason of a run that goes on from a failed one is not cut at a group's name", function()
   local function chain(group)
     local model = folding(group)
-    local one = model:dynamic { dt = 0.0155, duration = 0.31, predictor = "acceleration", step_control = 0,
+    local one = model:dynamic { dt = 0.0155, duration = 0.31, internals = { predictor = "acceleration" }, step_control = 0,
       record = false }:finish()
     local two = model:dynamic { from = one, dt = 1e-5, duration = 1e-4, record = false }:finish()
     return one, two

@@ -313,12 +313,13 @@ subject("sway and bow", { of = { "imperfection_options" },
 -- Runs
 local function plain() return (scene()) end
 subject("run", { of = { "dynamic_options" }, build = plain, with = function(o)
-    return o.solver == "direct" and without(o, "solver_tolerance solver_iterations") or o
+    return o.solver == "direct" and without(o, "internals") or o
   end,
   options = { dt = 1e-4, duration = 0.01, integrator = "newmark", energy_tolerance = 0.01, step_control = 0.001,
-    rest = true, beta = 0.3, iterations = 3, tolerance = 1e-9, predictor = "acceleration", geometric = true,
-    rebuild_angle = 0.02, precision = "single", solver = "cg", solver_tolerance = 1e-8, solver_iterations = 500 },
-  other = { integrator = "keep", predictor = "displacement", precision = "double", solver = "direct",
+    rest = true, beta = 0.3, iterations = 3, tolerance = 1e-9, precision = "single", solver = "cg",
+    internals = { predictor = "acceleration", geometric = true, rebuild_angle = 0.02, solver_tolerance = 1e-8,
+      solver_iterations = 500 } },
+  other = { integrator = "keep", ["internals.predictor"] = "displacement", precision = "double", solver = "direct",
     duration = 0.02 } })
 subject("run with dissipation", { of = { "dynamic_options" }, build = plain, with = function(o)
     return o.integrator == "energy-momentum" and without(o, "rho_infinity") or o
@@ -344,7 +345,7 @@ local left_out = {
   heat_options = words "case",
   prestress_options = words "case",
   imperfection_options = words "member mode largest", -- moved nodes, as of the others
-  fracture_rule = words "rule batch", -- functions, of which only their presence is known
+  fracture_rule = words "rule", -- a function, of which only its presence is known
   contact_rule = words "pairs on_contact on_release",
   connector_options = words "law",
   -- where it begins is part of its state; what does not change bits; the file itself

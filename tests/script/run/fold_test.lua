@@ -73,7 +73,7 @@ case("hinges stop a spinning end after several turns and take its energy", funct
     local name = row[1]
     local run = spun(row[2], row[3])
     local worst = 0
-    for _ in run:steps() do worst = largest_of(worst, math.abs(run.energy.remainder)) end
+    for _ in run:steps() do worst = largest_of(worst, math.abs(run.energy.energy_error)) end
     equal(run.verdict, "completed", name .. ": " .. run.reason)
     expect(worst < 1e-3 * run.energy.initial, "%s: energy error %g", name, worst / run.energy.initial)
     -- five turns and more of plastic rotation
@@ -85,10 +85,12 @@ end)
 case("the hinge rotations that a rule reads add up to the turns of the end", function()
   -- What a rule of the script reads as a hinge's rotation goes on growing: all hinges together have turned the end.
   local rotation = {}
-  local run = spun { fracture = { batch = function(all)
-    for _, name in ipairs { "hinge_rotation_x1", "hinge_rotation_x2", "hinge_rotation_y1", "hinge_rotation_y2" } do
-      -- where two elements meet there is one hinge, which both of them read
-      for i = 1, name:find "1$" and 1 or all.count do rotation[name .. i] = all[name][i] end
+  local run = spun { fracture = { where = "all", rule = function(now)
+    -- where two elements meet there is one hinge, which both of them read
+    for _, about in ipairs { "x", "y" } do
+      if now["end"] == 2 or now.element == 1 then
+        rotation[about .. now["end"] .. now.element] = now["hinge_rotation_" .. about]
+      end
     end
   end } }
   run:finish()

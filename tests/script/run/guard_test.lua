@@ -46,12 +46,12 @@ case("the error that is named is that of the moment of failure", function()
   local percent = tonumber(run.reason:match "its error is (%S+) %%")
   checks.expect(percent and math.abs(run.energy_error) > 0.1 and math.abs(100 * run.energy_error / percent - 1) < 0.01,
     "energy_error %g, and the reason says %s %%", run.energy_error, percent)
-  checks.near(run.energy_error_of_state, run.energy.remainder / run.energy.initial, 0.01,
+  checks.near(run.energy_error_of_state, run.energy.energy_error / run.energy.initial, 0.01,
     "energy_error_of_state")
   checks.expect(math.abs(run.energy_error_of_state) <= 0.1, "energy_error_of_state %g", run.energy_error_of_state)
-  checks.expect(run.worst_remainder >= math.abs(run.energy_error) * run.energy.initial * 0.99, "worst_remainder %g",
-    run.worst_remainder)
-  checks.expect(run.time < last and math.abs(run.energy.remainder) <= 0.1 * run.energy.initial,
+  checks.expect(run.worst_energy_error >= math.abs(run.energy_error) * run.energy.initial * 0.99,
+    "worst_energy_error %g", run.worst_energy_error)
+  checks.expect(run.time < last and math.abs(run.energy.energy_error) <= 0.1 * run.energy.initial,
     "it went back, from %g to %g s, where the balance closes", last, run.time)
   checks.expect(not run:step(), "there is no further step")
 
@@ -59,7 +59,8 @@ case("the error that is named is that of the moment of failure", function()
   checks.expect(blind.verdict == "completed" or not blind.reason:find "energy balance",
     "energy_tolerance = 0 does not look: %s",
     blind.reason)
-  checks.expect(math.abs(blind.energy.remainder) > 0.02 * blind.energy.initial, "and the energy balance does not close")
+  checks.expect(math.abs(blind.energy.energy_error) > 0.02 * blind.energy.initial,
+    "and the energy balance does not close")
 end)
 
 -- A run that completes with a large error says so, whatever tolerance it was given; one that closes does not.
@@ -95,7 +96,7 @@ case("a run whose error was large on its way warns of when and how large", funct
       energy_tolerance = options.energy_tolerance }
     local worst, at = 0, 0
     r:on_step(function(now)
-      local share = now.energy.remainder / now.energy.initial
+      local share = now.energy.energy_error / now.energy.initial
       if math.abs(share) > math.abs(worst) then worst, at = share, now.time end
     end)
     r:finish()
@@ -119,8 +120,8 @@ end)
 case("a body that rotates far a step takes Newton's method by itself and holds", function()
   -- What rotates far in long steps takes Newton's method by itself, and then holds.
   local held = turning {}:finish()
-  checks.expect(held.verdict == "completed" and math.abs(held.energy.remainder) < 1e-2 * held.energy.initial,
-    "Newton: %s, energy error %g", held.verdict, held.energy.remainder)
+  checks.expect(held.verdict == "completed" and math.abs(held.energy.energy_error) < 1e-2 * held.energy.initial,
+    "Newton: %s, energy error %g", held.verdict, held.energy.energy_error)
   checks.expect(not told(held), "it closes, and warns: %s", told(held))
 end)
 
@@ -190,8 +191,8 @@ case("an element that winds up turn after turn is no reason to fail", function()
     model:velocity(b, { 0, 0, 0 }, { 6e4, 0, 0 })
     local twisted = model:dynamic { dt = 5e-6, duration = 0.01, step_control = step_control, record = false }:finish()
     checks.equal(twisted.verdict, "completed", "twisted: " .. twisted.reason)
-    checks.expect(math.abs(twisted.energy.remainder) < 1e-2 * twisted.energy.initial,
-      "twisted: its energy balance closes, %g", twisted.energy.remainder / twisted.energy.initial)
+    checks.expect(math.abs(twisted.energy.energy_error) < 1e-2 * twisted.energy.initial,
+      "twisted: its energy balance closes, %g", twisted.energy.energy_error / twisted.energy.initial)
   end
 end)
 

@@ -9,7 +9,7 @@ local checks = support.checks "step_control"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 local bar, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.material { E = 206e9, density = 7850 }
 
-local function share(run) return math.abs(run.energy.remainder) / run.energy.initial end
+local function share(run) return math.abs(run.energy.energy_error) / run.energy.initial end
 
 -- A bar that rotates by 0.03 rad a step, by one solve a step from the displacement held: it cannot hold.
 local function bar_in_flight()

@@ -62,7 +62,7 @@ case("Case I has the same bits on one and two threads", function()
       local q = impact.parameters()
       local model = hinge.model {}
       local _, plane = impact.add(model, q)
-      local loaded = model:static { hold = plane, record = false }
+      local loaded = model:static { fixed_group = plane, record = false }
       loaded:finish()
       local o = options(base, threads)
       o.from, o.duration = loaded, 300 * o.dt

@@ -36,7 +36,7 @@ end
 local model = hinge.model {}
 local _, plane = impact.add(model, impact.parameters { design = "heavy" })
 case("Case I from its rest costs as many operations as stored", function()
-  local loaded = model:static { hold = plane, record = false }
+  local loaded = model:static { fixed_group = plane, record = false }
   loaded:finish()
   local steps = 500
   local run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, beta = 0.4, record = false }
@@ -94,7 +94,7 @@ case("a frame at rest is assembled once", function()
     section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = elastic, group = "bar" }
   model:velocity("bar", { 0, 10, 0 })
   model:contact {}
-  local loaded = model:static { hold = "bar", record = false }
+  local loaded = model:static { fixed_group = "bar", record = false }
   loaded:finish()
   local elements = model:counts().elements
   local flying = 2

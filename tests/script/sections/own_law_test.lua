@@ -31,7 +31,8 @@ local function in_batches(law)
   return { variables = law.variables, batch = function(flows, history)
     local strengths, backs, histories = {}, {}, {}
     for i = 1, flows.count do
-      local flow = { x = flows.x[i], y = flows.y[i], N = flows.N[i], z = flows.z[i], strain = flows.strain[i] }
+      local flow = { x = flows.x[i], y = flows.y[i], N = flows.N[i], z = flows.z[i], strain = flows.strain[i],
+        at_end = flows.at_end }
       local back
       strengths[i], back, histories[i] = law.step(flow, history)
       backs[i] = back or { 0, 0, 0, 0 }
