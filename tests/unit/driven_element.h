@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "beam/timoshenko.h"
 #include "helpers.h"
 #include "section/laws/laws.h"
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "beam/timoshenko.h"
 #include "helpers.h"
 #include "section/laws/laws.h"
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 
+#include "beam/timoshenko.h"
 #include "helpers.h"
 #include "section/laws/laws.h"
 

@@ -1,5 +1,6 @@
 // The law of a section that heat has weakened: it is the law that was declared with less strength.
 #include "section/softened_law.h"
+#include "beam/timoshenko.h"
 #include "helpers.h"
 #include "section/laws/laws.h"
 
