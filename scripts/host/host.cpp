@@ -1,15 +1,16 @@
-// A C++ host: the engine alone with a fracture rule in C++, then a Lua state of the host's own, in which a script
-// declares the same cantilever and is given the same rule.
+// A C++ host: the engine without Lua, with a fracture rule in C++ and a run that is recorded in a folder; then a Lua
+// state of the host's own, in which a script declares the same cantilever and is given the same rule.
 //
 // Run     see CMakeLists.txt here
-// Shows   how to declare and step a model in C++, and how a script gets at C++ and the host at its results
-// Expect  twice the same line: the cantilever breaks after 9.1 ms
+// Shows   how to declare, step and record a model in C++, and how a script gets at C++ and the host at its results
+// Expect  twice the same line: the cantilever breaks after 9.1 ms. What the run leaves lies in the folder that is named
 #include <cstdio>
 #include <lua.hpp>
 #include <memory>
 
 #include "effects/fracture.h"
 #include "effects/loads.h"
+#include "record/recording.h"
 #include "run/dynamics.h"
 
 namespace {
@@ -19,7 +20,8 @@ bool breaks(double curvature_x, double curvature_y) {
     return curvature_x * curvature_x + curvature_y * curvature_y > 0.12 * 0.12;
 }
 
-void engine_alone() {
+/// `folder`: for history.csv, events.csv and summary.json; "": nothing is written.
+void engine_alone(const char* folder) {
     auto steel = std::make_shared<hinge::Material>();
     steel->E = 206e9, steel->G = 79e9, steel->density = 7850;
     auto bar = std::make_shared<hinge::Section>();
@@ -40,8 +42,17 @@ void engine_alone() {
     const auto structure = std::make_shared<const hinge::Structure>(model);
     hinge::DynamicSettings settings;
     settings.dt = 1e-5, settings.duration = 0.05;
-    hinge::Dynamics run(structure, hinge::initial_state(*structure), settings);
-    while (run.count_members(-1).broken == 0 && run.advance()) {}
+    auto record = std::make_shared<hinge::RunRecord>();
+    record->run = std::make_shared<hinge::Dynamics>(structure, hinge::initial_state(*structure), settings);
+    record->probes.push_back(
+        std::make_shared<hinge::Probe>(hinge::Probe{tip, hinge::Probe::Quantity::displacement, 2, "tip", {}, {}}));
+    record->every = 10;
+    auto context = std::make_shared<hinge::Context>();
+    context->output.folder = folder;
+    hinge::record_run(*context, record);
+    const hinge::Run& run = *record->run;
+    while (run.count_members(-1).broken == 0 && hinge::record_step(context, record)) {}
+    hinge::write_summary(*context);
     std::printf("C++: %ld of 1 members broken at t = %.4f s, tip at %.9f m\n", run.count_members(-1).broken,
                 run.state().time, run.displacement(tip)[2]);
 }
@@ -97,6 +108,6 @@ bool with_lua(const char* prefix) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    engine_alone();
+    engine_alone(argc > 2 ? argv[2] : "");
     return with_lua(argc > 1 ? argv[1] : nullptr) ? 0 : 1;
 }
