@@ -92,27 +92,6 @@ case("functions that a text names in a file are there", function()
   for _, number in ipairs(numbers(paper)) do expect(listed[number], "eq %s has no row", number) end
 end)
 
-case("no folder of src includes one that comes after it", function()
-  -- The order of the folders: a file includes headers of its own folder and of those that stand before it. Folders
-  -- between two arrows include nothing of each other.
-  local order = assert(readme:match "Dependencies point one way: `([^`]*)`", "src/README.md does not order the folders")
-  local rank, at, folders = {}, 0, 0
-  for group in (order:gsub("main%.cpp", "") .. "<-"):gmatch "(.-)<%-" do
-    at = at + 1
-    for folder in group:gmatch "%l+" do rank[folder], folders = at, folders + 1 end
-  end
-  expect(folders > 9, "src/README.md orders %d folders", folders)
-  local listing = support.output("cd " .. support.quote(support.root .. "src")
-    .. " && grep -rHo --include='*.[hc]*' '#include \"[a-z]*/' .")
-  local includes = 0
-  for folder, included in listing:gmatch '%./(%l+)/[^\n]-:#include "(%l+)/' do
-    includes = includes + 1
-    expect(folder == included or (rank[included] or at) < (rank[folder] or 0),
-      "src/%s includes a header of %s: %s", folder, included, order)
-  end
-  expect(includes > 300, "%d lines that include a header", includes)
-end)
-
 case("the files that src/README.md points to are there", function()
   -- Where else to look: the files are there, and no two rows name the same ones.
   local seen = {}
