@@ -23,8 +23,8 @@ local exceptions = {
   },
   lua = {},
   lines = {
-    "algebra/condensed.cpp", "effects/joints.cpp", "effects/member_loads.cpp", "output/snapshot_file.cpp",
-    "run/dynamics.cpp", "run/energy_momentum.cpp", "state/assembly_stages.cpp",
+    "algebra/condensed.cpp", "effects/joints.cpp", "output/snapshot_file.cpp",
+    "run/dynamics.cpp", "run/energy_momentum.cpp",
   },
   members = {
     "algebra/effective_stiffness.h EffectiveStiffness", "contact/member_contacts.h Contact",
