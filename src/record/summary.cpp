@@ -20,7 +20,7 @@ Json energy_json(const Run& run) {
     const Energy e = run.energy();
     Json j = {{"initial", e.initial}};
     for (const AccountInfo& account : run.accounts()) j[std::string(account.name)] = e[account.name];
-    j["energy_error"] = e.error;
+    j["energy_error"] = j["remainder"] = e.error;  // two names: programs that read summary.json know the second
     return j;
 }
 

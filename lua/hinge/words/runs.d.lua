@@ -171,6 +171,7 @@ local run = {}
 ---@field numerical number dissipated by the integrator (rho_infinity)
 ---@field work number work of the loads
 ---@field energy_error number the energy error: initial + work - all other accounts (without their parts)
+---@field remainder number the same, by its other name in summary.json
 
 ---Does the steps one by one: `for step in run:steps() do ... end`. The table is the same one at every step, with new
 ---values.

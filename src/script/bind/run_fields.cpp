@@ -43,6 +43,7 @@ void push_energy(lua_State* L, const ScriptRun& r) {
     put(L, "initial", e.initial);
     for (const AccountInfo& account : r.run->accounts()) put(L, std::string(account.name).c_str(), e[account.name]);
     put(L, "energy_error", e.error);
+    put(L, "remainder", e.error);  // as in summary.json
 }
 
 /// { name = factor } of the load cases.

@@ -206,6 +206,17 @@ case("a run writes summary.json into the folder of its script and case", functio
   end
   equal(run(elsewhere .. two_nodes), 0, "status of a finished run")
   equal(summary "out/two_nodes".verdict, "completed", "verdict, in out/SCRIPT")
+  local s = summary "out/two_nodes"
+  for part, names in pairs {
+    model = "members elements nodes free_dofs",
+    energy = "initial kinetic gravity elastic plastic fracture contact work remainder energy_error",
+  } do
+    for name in names:gmatch "%S+" do equal(type((s[part] or {})[name]), "number", part .. "." .. name) end
+  end
+  for name in ("steps time wall_seconds"):gmatch "%S+" do equal(type(s[name]), "number", name) end
+  for _, effect in ipairs(s.effects) do
+    equal(type(effect.name) .. type(effect.active) .. type(effect.because), "stringbooleanstring", "an effect")
+  end
   local cases = script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }")
   equal(run(elsewhere .. cases .. " --case II"), 0, "a case")
   equal(summary "out/cases-II".case, "II", "case, in out/SCRIPT-CASE")
