@@ -16,6 +16,8 @@
 #include "script/bind/lua_module.h"
 #include "script/lua/context.h"
 #include "version.h"
+#include "core/suggestion.h"
+#include "record/run_record.h"
 
 namespace {
 

@@ -12,6 +12,7 @@
 #include "algebra/factor_size.h"
 #include "record/events.h"
 #include "record/recording.h"
+#include "core/errors.h"
 
 namespace hinge {
 namespace {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/bar_bending.h"
+#include "core/errors.h"
 
 namespace hinge {
 namespace {

@@ -1,5 +1,6 @@
 // The energy balance over a run, kept for plots.
 #include "record/recording.h"
+#include "run/energy_monitor.h"
 
 namespace hinge {
 

@@ -12,6 +12,11 @@
 #include "record/recording.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
+#include "core/text.h"
+#include "core/files.h"
+#include "record/chain.h"
+#include "advice/check.h"
+#include "record/folders.h"
 
 namespace hinge {
 namespace {

@@ -10,6 +10,7 @@
 #include "script/bind/view.h"
 #include "script/bind/modules.h"
 #include "script/bind/snapshot_box.h"
+#include "record/snapshot.h"
 
 namespace hinge::script {
 namespace {

@@ -26,7 +26,7 @@
 #include "core/walls.h"
 
 namespace fs = std::filesystem;
-using namespace hinge::script;
+using namespace hinge;
 
 namespace {
 
