@@ -7,7 +7,7 @@ local joint = {
   fin_plate = require "hinge.standards.en_1993_1_8.fin_plate",
   web_cleats = require "hinge.standards.en_1993_1_8.web_cleats",
   base_plate = require "hinge.standards.en_1993_1_8.base_plate",
-  panel_zone = require "hinge.standards.en_1993_1_8.panel_zone",
+  panel_zone = require "hinge.joints.panel_zone",
 }
 
 return setmetatable(joint, {

@@ -3,12 +3,12 @@
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local dynamics = require "hinge.robustness.dynamics"
-local factors = require "hinge.robustness.factors"
 local geometry = require "hinge.robustness.geometry"
 local Result = require "hinge.robustness.result"
 local runs = require "hinge.robustness.runs"
 local statics = require "hinge.robustness.statics"
 local status_line = require "hinge.library.status_line"
+local ufc = require "hinge.standards.ufc_4_023_03.factors"
 
 local where = "hinge.robustness"
 local standards = { "UFC 4-023-03", "GSA" }
@@ -231,7 +231,7 @@ return function(options, ...)
   end
   local result = setmetatable({ rows = rows, cases = #study.list, counts = count(rows),
     criterion = type(o.criterion) == "string" and o.criterion or "a function", procedures = o.procedures, m = o.m,
-    omega_ld = o.omega_ld or factors.linear(o.m), has_limit = o.limit ~= nil, folder = o.folder,
+    omega_ld = o.omega_ld or ufc.linear(o.m), has_limit = o.limit ~= nil, folder = o.folder,
     outline = outline_of(study.geo), seconds = core.clock() - began }, Result)
   if o.folder then result:report() end
   refuse_failed(o, rows)

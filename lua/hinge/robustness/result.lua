@@ -2,9 +2,9 @@
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local columns = require "hinge.library.columns"
-local factors = require "hinge.robustness.factors"
 local job = require "hinge.program.job"
 local quote = require "hinge.library.quote"
+local ufc = require "hinge.standards.ufc_4_023_03.factors"
 
 local Result = {}
 local class = check.class(Result, "hinge.robustness_result")
@@ -294,7 +294,7 @@ local function method_text(result)
     ["nonlinear static"] = { "times Omega_N = 1.08 + 0.76 / (allowed rotation / rotation at yield + 0.83), or as "
       .. "given", "equilibrium under these loads, and " .. limit },
     ["linear static"] = { ("times Omega_LD = %.4g; columns with more than half of N0: %g"):format(result.omega_ld or 0,
-      factors.force), ("a DCR of m = %.4g; such columns: 1"):format(result.m or 0) } }
+      ufc.force), ("a DCR of m = %.4g; such columns: 1"):format(result.m or 0) } }
   for _, procedure in ipairs(result.procedures) do
     lines[#lines + 1] = ("| %s | %s | %s |"):format(procedure, by[procedure][1], by[procedure][2])
   end

@@ -1,7 +1,8 @@
 -- The static procedures of hinge.robustness: a joint is pushed down until the loads are carried, and elastic moments
 -- against capacities.
-local factors = require "hinge.robustness.factors"
+local demands = require "hinge.robustness.demands"
 local runs = require "hinge.robustness.runs"
+local ufc = require "hinge.standards.ufc_4_023_03.factors"
 
 local statics = {}
 
@@ -82,14 +83,14 @@ end
 local function increase_of(study, case, base)
   if study.o.omega_n then return study.o.omega_n end
   local model = runs.fresh(study, case, "nonlinear static", 1)
-  factors.must_be_steel(study.where, model, "omega_n")
-  local r = factors.smallest_ratio(model, study.geo, case, study.o.limit, base.capacity)
+  demands.must_be_steel(study.where, model, "omega_n")
+  local r = demands.smallest_ratio(model, study.geo, case, study.o.limit, base.capacity)
   model:close()
   if not r then
     return nil, "no beam next to the removal has a limit of rotation and a moment at yield, so there is no Omega_N; "
       .. "give field 'omega_n'"
   end
-  return factors.nonlinear(r), nil, r
+  return ufc.nonlinear(r), nil, r
 end
 
 local function judge_static(row, found)
@@ -128,7 +129,7 @@ end
 
 -- Linear statics --------------------------------------------------------------------------------------------------
 
--- Elastic forces of the frame whose loads next to the removal are times `factor`, as factors.demands takes them.
+-- Elastic forces of the frame whose loads next to the removal are times `factor`, as demands.demands takes them.
 local function elastic_forces(model, run, times)
   local members = model:members()
   return { function(i) return members[i]:forces(run) end, times / run.factor }
@@ -179,13 +180,13 @@ end
 local function larger(a, b) return not b and a or a and b.ratio <= a.ratio and a or b end
 
 local function judge_linear(study, row, by_deformation, by_force, joints)
-  if study.o.criterion == "GSA" and study.geo.storeys > factors.most_storeys then
-    return "not allowed", ("linear statics is for up to %d storeys; there are %d"):format(factors.most_storeys,
+  if study.o.criterion == "GSA" and study.geo.storeys > ufc.most_storeys then
+    return "not allowed", ("linear statics is for up to %d storeys; there are %d"):format(ufc.most_storeys,
       study.geo.storeys)
   end
-  if study.o.irregular and not (row.dcr <= factors.irregular) then
+  if study.o.irregular and not (row.dcr <= ufc.irregular) then
     return "not allowed", ("linear statics of an irregular structure needs a DCR of at most %d; member %s has %.4g")
-      :format(factors.irregular, row.worst, row.dcr)
+      :format(ufc.irregular, row.worst, row.dcr)
   end
   if row.ratio <= 1 then
     if joints.unrated > 0 then return runs.judge_unrated(joints.unrated, joints.rotation_of_unrated) end
@@ -211,27 +212,27 @@ end
 -- Returns a model to close, if it made one.
 local function forces_by_force(study, case, model, run, scaled)
   if not scaled then
-    return elastic_forces(model, run, factors.force),
-      joint_demands(study, case, run, factors.force / run.factor).force
+    return elastic_forces(model, run, ufc.force),
+      joint_demands(study, case, run, ufc.force / run.factor).force
   end
-  local other, other_run, _, why = elastic_model(study, case, factors.force)
+  local other, other_run, _, why = elastic_model(study, case, ufc.force)
   if not other_run then return nil, why end
   return elastic_forces(other, other_run, 1), joint_demands(study, case, other_run, 1 / other_run.factor).force, other
 end
 
 --- Linear statics of a case, into its row. Returns verdict and reason.
 function statics.linear(study, case, base, row)
-  local omega = study.o.omega_ld or factors.linear(study.o.m)
+  local omega = study.o.omega_ld or ufc.linear(study.o.m)
   row.omega, row.dcr_limit = omega, study.o.m
   local model, run, scaled, why = elastic_model(study, case, omega)
-  if not study.o.omega_ld then factors.must_be_steel(study.where, model, "omega_ld") end
+  if not study.o.omega_ld then demands.must_be_steel(study.where, model, "omega_ld") end
   if not run then return "failed", why end
   row.loads_scaled = scaled and "next to the removal" or "all"
   local linear = elastic_forces(model, run, scaled and 1 or omega)
   local joints = joint_demands(study, case, run, linear[2])
   local force, joint_force, other = forces_by_force(study, case, model, run, scaled)
   if not force then return "failed", joint_force end
-  local by_deformation, by_force = factors.demands(model, study.geo, case, linear, force)
+  local by_deformation, by_force = demands.demands(model, study.geo, case, linear, force)
   by_deformation, by_force = larger(by_deformation, joints.moment), larger(by_force, joint_force)
   row.deflection = -runs.height(model:nodes()[base.joint], run) * linear[2]
   model:close()

@@ -9,8 +9,8 @@ local hinge = {}
 ---there, and permanent ones have both of their factors. Combinations with the same factors are declared once, also over
 ---several calls. `loads` of a run takes them by name, such as "ULS 1.35 dead + 1.5 office". In a name, permanent cases
 ---that have one factor are written as G, or D in ASCE 7. Loads and gravity that belong to no case act in every run with
----the factor 1. No standard was at hand: lua/hinge/actions/combinations.lua names the source of each table, and what
----was not confirmed. Wrong input is an error, and nothing is declared.
+---the factor 1. No standard was at hand: the files combinations.lua of lua/hinge/standards name the source of each
+---table, and what was not confirmed. Wrong input is an error, and nothing is declared.
 ---```lua
 ---local house = hinge.model()
 ---for _, name in ipairs { "dead", "office", "snow", "wind" } do house:case(name) end

@@ -202,8 +202,9 @@ function material.names(kind) end
 
 ---Backbones of steel hinges by published formulas. The section is an H; its root radius, and with it h / tw, follows
 ---from its area. `material` is that of the member: its yield_stress is the expected one, and gives Mp, and its E gives
----the yield rotation. lua/hinge/sections/backbones.lua has the numbers, names the source of each table and says what
----was not confirmed: no standard was at hand. The formulas of a rule hold for bending about the strong axis.
+---the yield rotation. lua/hinge/sections/lignos.lua and the files backbones.lua of lua/hinge/standards have the
+---numbers, name the source of each table and say what was not confirmed: no standard was at hand. The formulas of a
+---rule hold for bending about the strong axis.
 ---@class hinge.backbones
 local backbone = {}
 

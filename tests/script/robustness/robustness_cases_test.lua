@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
-local factors = require "hinge.robustness.factors"
+local demands = require "hinge.robustness.demands"
 local geometry = require "hinge.robustness.geometry"
 local Result = require "hinge.robustness.result"
 local checks = support.checks "cases of robustness"
@@ -213,7 +213,7 @@ case("the smallest ratio of allowed rotation to M_p L / (6 E I) is that of each 
     ramp = math.sqrt(36 + 1.6 ^ 2) * strong }
   local middle = geometry.cases("test", geo, { { 2, 3 } }, "lowest")[1]
   local corner = geometry.cases("test", geo, { { 1 } }, "lowest")[1] -- x to 6
-  local function ratio(c, limit, capacity) return factors.smallest_ratio(model, geo, c, limit, capacity or {}) end
+  local function ratio(c, limit, capacity) return demands.smallest_ratio(model, geo, c, limit, capacity or {}) end
   for group, rotation in pairs(at_yield) do
     local limit = { [group] = 0.03 }
     near(ratio(middle, limit), 0.03 / rotation, 1e-9, "group " .. group)

@@ -7,9 +7,10 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local robustness = require "hinge.robustness"
-local factors = require "hinge.robustness.factors"
+local shared = require "hinge.robustness.demands"
 local geometry = require "hinge.robustness.geometry"
 local runs = require "hinge.robustness.runs"
+local ufc = require "hinge.standards.ufc_4_023_03.factors"
 local checks = support.checks "factors of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -23,14 +24,14 @@ local Mp = box.Zx * fy
 case("UFC 4-023-03: factors on loads of steel", function()
   -- Omega_LD = 0.9 m + 1.1; Omega_N = 1.08 + 0.76 / (theta_pra / theta_y + 0.83); Omega_LF = 2
   for m, wanted in pairs { [1] = 2, [1.8] = 2.72, [3] = 3.8, [6] = 6.5 } do
-    near(factors.linear(m), wanted, 1e-12, "Omega_LD of m = " .. m)
+    near(ufc.linear(m), wanted, 1e-12, "Omega_LD of m = " .. m)
   end
   for r, wanted in pairs { [0] = 1.99566, [1] = 1.49530, [4] = 1.23735, [9] = 1.15731 } do
-    near(factors.nonlinear(r), wanted, 1e-5, "Omega_N of " .. r)
+    near(ufc.nonlinear(r), wanted, 1e-5, "Omega_N of " .. r)
   end
-  equal(factors.force, 2.0, "Omega_LF")
-  equal(factors.irregular, 2, "largest DCR of an irregular structure")
-  equal(factors.most_storeys, 10, "GSA: most storeys of linear statics")
+  equal(ufc.force, 2.0, "Omega_LF")
+  equal(ufc.irregular, 2, "largest DCR of an irregular structure")
+  equal(ufc.most_storeys, 10, "GSA: most storeys of linear statics")
 end)
 
 -- A beam of a group and its model.
@@ -53,10 +54,10 @@ case("the limit of rotation: the largest level that is given, by group, and the 
     { function(h) return h.at == 1 and 0.06 or nil end, 0.06 }, { function() return nil end, nil },
     { function(h) return { IO = 0.001, CP = h.x / 100 + 0.01 } end, 0.01 },
   } do
-    equal(factors.limit_of(r[1], member), r[2], "limit " .. tostring(r[1]))
+    equal(shared.limit_of(r[1], member), r[2], "limit " .. tostring(r[1]))
   end
   local seen = {}
-  factors.limit_of(function(h)
+  shared.limit_of(function(h)
     seen[#seen + 1] = ("%g %g %g, end %d at %g, node %d, %s %d: %g %s"):format(h.x, h.y, h.z, h["end"], h.at,
       h.node.index, h.group, h.member.index, h.element, h.broken)
     for _, name in ipairs { "rotation_x", "rotation_y", "rotation", "largest", "demand", "elongation", "work", "f_y",
@@ -94,7 +95,7 @@ local function demands(index, at_a, at_b, times, times_force)
     if i == index then return at_a, at_b end
     return none, none
   end
-  return factors.demands(model, geo, { removed = {} }, { forces, times or 1 }, { forces, times_force or 1 })
+  return shared.demands(model, geo, { removed = {} }, { forces, times or 1 }, { forces, times_force or 1 })
 end
 
 case("the DCR is that of the weaker end, of both axes, with the factors on loads", function()

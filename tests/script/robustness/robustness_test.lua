@@ -217,7 +217,6 @@ case("statics of a mechanism that loses strength ends at its largest load", func
 end)
 
 case("demand over capacity beside axial forces, and columns that are controlled by force", function()
-  local factors = require "hinge.robustness.factors"
   local model = mechanism()
   local geo, N0, Mx0 = geometry.read(model), box.plastic_area * fy, Mp
   local function demands(index, N, M)
@@ -226,7 +225,7 @@ case("demand over capacity beside axial forces, and columns that are controlled 
       if i == index then return { N = N, Mx = M, My = 0 }, none end
       return none, none
     end
-    return factors.demands(model, geo, { removed = {} }, { forces, 2 }, { forces, 1.5 })
+    return require "hinge.robustness.demands".demands(model, geo, { removed = {} }, { forces, 2 }, { forces, 1.5 })
   end
   near(demands(1, 0.05 * N0, -0.4 * Mx0).ratio, 0.05 + 0.8, 1e-12, "n = 0.1: n / 2 + m")
   near(demands(1, -0.15 * N0, 0.4 * Mx0).ratio, 0.3 + 8 / 9 * 0.8, 1e-12, "n = 0.3: n + 8 / 9 m")

@@ -1,8 +1,8 @@
 -- Checks of steel members by EN 1993-1-1:2005, for sections of class 1 and 2: 6.2 sections, 6.3 members with annex B.
 --
 -- Axes are those of the section in hinge: x is y-y of the standard, and y is z-z. Sources of the formulas: EN 1993-1-1,
--- as textbooks and public design tables give it; lua/hinge/results/init.lua's tests compare with published examples.
--- Forces in N, moments in N m, lengths in m, stresses in Pa.
+-- as textbooks and public design tables give it; tests/script/results/results_test.lua compares with published
+-- examples. Forces in N, moments in N m, lengths in m, stresses in Pa.
 local eurocode = { name = "EN 1993-1-1" }
 
 local pi = math.pi

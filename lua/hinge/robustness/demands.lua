@@ -1,21 +1,10 @@
--- The factors of UFC 4-023-03 and of GSA's guidelines of 2016, demand over capacity, and the limits of rotation that
--- hinge.robustness holds them against. The numbers are those of digitised tables of both documents (steel); the
--- originals were not at hand. Not confirmed beyond that: that a column goes within a tenth of the vertical period.
+-- Demand over capacity, and the limits of rotation that hinge.robustness holds the factors of UFC 4-023-03 and of GSA's
+-- guidelines against (standards/ufc_4_023_03/factors.lua).
 local check = require "hinge.library.check"
 local geometry = require "hinge.robustness.geometry"
+local ufc = require "hinge.standards.ufc_4_023_03.factors"
 
-local factors = {}
-
-factors.force = 2.0 -- Omega_LF
-factors.irregular = 2 -- largest DCR with which linear statics may be used for an irregular structure
-factors.most_storeys = 10 -- GSA: linear statics up to this height
-local force_controlled = 0.5 -- P / P_CL of a column, above which its actions are controlled by force
-
---- Omega_N of steel: r is the smallest ratio of allowed plastic rotation to rotation at yield.
-function factors.nonlinear(r) return 1.08 + 0.76 / (r + 0.83) end
-
---- Omega_LD of steel: m is the smallest m-factor.
-function factors.linear(m) return 0.9 * m + 1.1 end
+local demands = {}
 
 -- Limits of rotation ----------------------------------------------------------------------------------------------
 
@@ -39,7 +28,7 @@ local function sound_hinge(member, node, at)
 end
 
 --- The rotation that a member may have, rad, or nil: `limit` as run:hinges takes it.
-function factors.limit_of(limit, member)
+function demands.limit_of(limit, member)
   if type(limit) == "function" then
     local a = largest(limit(sound_hinge(member, member.a, 0)))
     local b = largest(limit(sound_hinge(member, member.b, 1)))
@@ -57,7 +46,7 @@ local function plastic(given, modulus, stress)
 end
 
 --- N0, Mx0 and My0 of a member; nil where it never yields.
-function factors.capacity(member)
+function demands.capacity(member)
   local s, fy = member.section, member.material.yield_stress
   return plastic(s.N0, s.plastic_area, fy), plastic(s.Mx0, s.Zx, fy), plastic(s.My0, s.Zy, fy)
 end
@@ -67,7 +56,7 @@ local function is_concrete(member) return member.section.kind == "concrete" end
 -- Mp and I of a level member for bending in the vertical plane.
 local function upright_bending(member)
   local up = member.up
-  local _, Mx, My = factors.capacity(member)
+  local _, Mx, My = demands.capacity(member)
   if math.abs(up[3]) >= 0.7 * math.sqrt(up[1] ^ 2 + up[2] ^ 2 + up[3] ^ 2) then return Mx, member.section.Ix end
   return My, member.section.Iy
 end
@@ -79,7 +68,7 @@ local function yield_rotation(member, length)
 end
 
 --- Raises an error where the factors of steel are asked for a structure of concrete.
-function factors.must_be_steel(where, model, field)
+function demands.must_be_steel(where, model, field)
   for _, m in ipairs(model:members()) do
     if is_concrete(m) then
       check.fail("%s: member %d is of concrete; the formulas of the factors are for steel; give field '%s'", where,
@@ -90,14 +79,14 @@ end
 
 --- The smallest ratio of allowed rotation to rotation at yield of the beams in the bays next to a removal; nil: none
 --- of them has both. A joint's own capacity counts where it is smaller; `capacity`: by index of the member.
-function factors.smallest_ratio(model, geo, case, limit, capacity)
+function demands.smallest_ratio(model, geo, case, limit, capacity)
   local least
   for _, m in ipairs(model:members()) do
     local own = geo.members[m.index]
     local a, b = own.a, own.b
     if own.kind == "beam" and not case.removed[m.index]
       and geometry.is_near(case, (a.x + b.x) / 2, (a.y + b.y) / 2, (a.z + b.z) / 2) then
-      local allowed, at_yield = factors.limit_of(limit, m), yield_rotation(m, geo.beam_length[m.index])
+      local allowed, at_yield = demands.limit_of(limit, m), yield_rotation(m, geo.beam_length[m.index])
       if capacity[m.index] then allowed = math.min(allowed or math.huge, capacity[m.index]) end
       if allowed and at_yield then least = math.min(least or math.huge, allowed / at_yield) end
     end
@@ -123,16 +112,16 @@ end
 
 --- The largest DCR of all members from an elastic run: that of actions controlled by deformation (loads times `linear`)
 --- and that of columns controlled by force (loads times `force`). `linear` and `force` are lists { run, times }.
-function factors.demands(model, geo, case, linear, force)
+function demands.demands(model, geo, case, linear, force)
   local by_deformation, by_force
   for i, m in ipairs(model:members()) do
-    local N0, Mx0, My0 = factors.capacity(m)
+    local N0, Mx0, My0 = demands.capacity(m)
     if not case.removed[i] and (N0 or Mx0 or My0) then
       local ends, of_force = { linear[1](i) }, { force[1](i) }
       for k = 1, 2 do
         local n, ratio = end_ratio(ends[k], linear[2], N0, Mx0, My0)
         local n_force, ratio_force = end_ratio(of_force[k], force[2], N0, Mx0, My0)
-        if geo.members[i].kind == "column" and n_force > force_controlled then
+        if geo.members[i].kind == "column" and n_force > ufc.force_controlled then
           by_force = larger(by_force, ratio_force, m, n_force)
         else
           by_deformation = larger(by_deformation, ratio, m, n)
@@ -143,4 +132,4 @@ function factors.demands(model, geo, case, linear, force)
   return by_deformation, by_force
 end
 
-return factors
+return demands
