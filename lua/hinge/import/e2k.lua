@@ -1,96 +1,26 @@
 -- import.e2k: a frame from a text file of ETABS (.e2k, .$et): sections that begin with "$ NAME", lines of a word, names
--- and pairs of a key and a value. The lines are put into the tables of SAP2000, which sap_frame.lua reads.
+-- and pairs of a key and a value. The lines are put into the tables of SAP2000, which sap2000/frame.lua reads.
 --
 -- Names of sections and keys: exported files of versions 9 to 22 and programs that write them, in public repositories.
 -- STORY lists the storeys from the top, each with its height, the base with its elevation. LINE "C1" COLUMN "1" "2" 1
 -- has its second point on the storey to which LINEASSIGN puts it, and its first point one storey below. The third
 -- number of a POINT is how far it lies below its storey.
 local check = require "hinge.library.check"
-local e2k_areas = require "hinge.import.e2k_areas"
+local e2k_areas = require "hinge.import.etabs.areas"
+local lines = require "hinge.import.etabs.lines"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
-local sap_frame = require "hinge.import.sap_frame"
+local rows = require "hinge.import.sap2000.row"
+local sap_frame = require "hinge.import.sap2000.frame"
 local units = require "hinge.library.units"
 
 local where = "hinge.import.e2k"
 
--- Lines ---------------------------------------------------------------------------------------------------------------
-
--- The words of a line; those in quotes without them.
-local function words_of(place, line)
-  local words, at = {}, 1
-  while true do
-    at = line:find("%S", at)
-    if not at then return words end
-    if line:sub(at, at) == '"' then
-      local stop = line:find('"', at + 1, true)
-      if not stop then notes.fail(where, place, "the quotes are not closed: %s", line) end
-      words[#words + 1], at = line:sub(at + 1, stop - 1), stop + 1
-    else
-      local word, stop = line:match("^(%S+)()", at)
-      words[#words + 1], at = word, stop
-    end
-  end
-end
-
--- Whether a word in quotes goes on in the next line. It ends at the latest before the next section.
-local function is_open(text)
-  return text:gsub('"[^"]*"', " "):find '%f[%S]"' ~= nil or text:find "\n%s*%$ " ~= nil
-end
-
--- The sections of the file by name: { title =, place =, lines = { { place =, text =, words = } } }, and in their order.
-local function sections_of(path)
-  local sections, others, current = {}, {}, nil
-  for number, text in notes.lines(notes.read(where, path), is_open) do
-    local place = { file = path, line = number }
-    local name = text:match "^%s*%$%s*(.-)%s*$"
-    if name then
-      name = name:upper()
-      if name:find "^END OF MODEL" then break end
-      current = sections[name]
-      if not current and not name:find "^FILE " then
-        current = { name = name, title = "$ " .. name, place = place, lines = {} }
-        sections[name], sections[#sections + 1] = current, current
-      end
-    elseif text:find "%S" and current then
-      table.insert(current.lines, { place = place, text = text, words = words_of(place, text) })
-    elseif text:find "%S" then
-      others[#others + 1] = { place = place, line = text }
-    end
-  end
-  return sections, others
-end
-
--- The pairs of a key and a value behind the first words of a line, by key.
-local function pairs_after(line, first)
-  local found = {}
-  for i = first, #line.words, 2 do
-    local key, value = line.words[i]:upper(), line.words[i + 1]
-    if value == nil then notes.fail(where, line.place, "%s has no value", key) end
-    found[key] = value
-  end
-  return found
-end
-
-local function number_of(line, word, what)
-  local x = tonumber(word)
-  if not x or x ~= x or math.abs(x) == math.huge then
-    notes.fail(where, line.place, "%s is '%s'; must be a number", what, tostring(word))
-  end
-  return x
-end
-
--- Raises an error unless these keys of a line are numbers, where they are there.
-local function must_be_numbers(line, given, keys)
-  for key in keys:gmatch "%S+" do
-    if given[key] then number_of(line, given[key], key) end
-  end
-end
-
 -- The reader ----------------------------------------------------------------------------------------------------------
 
-local Reader = { pairs_after = pairs_after }
+local Reader = { pairs_after = lines.pairs_after }
 Reader.__index = Reader
+for name, method in pairs(require "hinge.import.etabs.loads") do Reader[name] = method end
 
 --- The lines of a section that begin with a word; marks the section as read.
 function Reader:lines(name, word)
@@ -118,7 +48,7 @@ function Reader:row(table_name, section, line, fields)
     found = { name = table_name, title = "$ " .. section, place = line.place, rows = {} }
     self.tables[table_name], self.tables[#self.tables + 1] = found, found
   end
-  local row = sap_frame.row(where, "$ " .. section, line.place, line.text)
+  local row = rows.new(where, "$ " .. section, line.place, line.text)
   row.fields = fields
   table.insert(found.rows, row)
 end
@@ -130,12 +60,6 @@ function Reader:note_keys(line, given, taken, without_meaning)
     if not (taken[key] or notes.begins_with(key, without_meaning or {})) then left[#left + 1] = key end
   end
   if #left > 0 then self:remark(line, "not read of it: " .. table.concat(left, ", ")) end
-end
-
-local function set(text)
-  local names = {}
-  for name in text:gmatch "%S+" do names[name] = true end
-  return names
 end
 
 local forces = { N = "N", KN = "kN", KGF = "kgf", TON = "tonf", TONF = "tonf", LB = "lb", KIP = "kip" }
@@ -161,13 +85,14 @@ function Reader:read_storeys()
   local section = "STORIES - IN SEQUENCE FROM TOP"
   self.storey, self.storeys = {}, {}
   for _, line in ipairs(self:lines(section, "STORY")) do
-    local name, given = line.words[2], pairs_after(line, 3)
+    local name, given = line.words[2], lines.pairs_after(line, 3)
     if not name then notes.fail(where, line.place, "STORY has no name") end
     if self.storey[name] then notes.fail(where, line.place, "storey %s is there twice", name) end
-    self:note_keys(line, given, set "HEIGHT ELEV", { "MASTERSTORY", "SIMILARTO", "SPLICE", "COLOR", "CUMULATIVE" })
+    self:note_keys(line, given, lines.set "HEIGHT ELEV", {
+      "MASTERSTORY", "SIMILARTO", "SPLICE", "COLOR", "CUMULATIVE" })
     local storey = { name = name, index = #self.storeys + 1, line = line,
-      height = given.HEIGHT and number_of(line, given.HEIGHT, "HEIGHT") or nil,
-      z = given.ELEV and number_of(line, given.ELEV, "ELEV") or nil }
+      height = given.HEIGHT and lines.number_of(line, given.HEIGHT, "HEIGHT") or nil,
+      z = given.ELEV and lines.number_of(line, given.ELEV, "ELEV") or nil }
     self.storey[name], self.storeys[storey.index] = storey, storey
   end
   local base = self.storeys[#self.storeys]
@@ -188,8 +113,8 @@ function Reader:read_points()
     local name = line.words[2]
     if not name then notes.fail(where, line.place, "POINT has no name") end
     if self.point[name] then notes.fail(where, line.place, "point %s is there twice", name) end
-    local below = line.words[5] and number_of(line, line.words[5], "the third number of the point") or 0
-    self.point[name] = { x = number_of(line, line.words[3], "x"), y = number_of(line, line.words[4], "y"),
+    local below = line.words[5] and lines.number_of(line, line.words[5], "the third number of the point") or 0
+    self.point[name] = { x = lines.number_of(line, line.words[3], "x"), y = lines.number_of(line, line.words[4], "y"),
       below = below, line = line }
     if below ~= 0 then self:remark(line, "the third number is how far the point lies below its storey", true) end
   end
@@ -228,7 +153,7 @@ function Reader:gathered(section, word)
       found = { name = name, line = line, given = {} }
       by_name[name], list[#list + 1] = found, found
     end
-    for key, value in pairs(pairs_after(line, 3)) do found.given[key] = value end
+    for key, value in pairs(lines.pairs_after(line, 3)) do found.given[key] = value end
   end
   return list
 end
@@ -237,10 +162,10 @@ function Reader:read_materials()
   local section = "MATERIAL PROPERTIES"
   for _, m in ipairs(self:gathered(section, "MATERIAL")) do
     local given = m.given
-    must_be_numbers(m.line, given, "E U G12 M W WEIGHTPERVOLUME FY")
+    lines.must_be_numbers(m.line, given, "E U G12 M W WEIGHTPERVOLUME FY")
     local weight = given.WEIGHTPERVOLUME or given.W
     local mass = given.M
-      or weight and tostring(number_of(m.line, weight, "the weight") * self.metre / units.gravity) or nil
+      or weight and tostring(lines.number_of(m.line, weight, "the weight") * self.metre / units.gravity) or nil
     self:row("MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES", section, m.line, { Material = m.name,
       E1 = given.E, U12 = given.U, G12 = given.G, UnitMass = mass, UnitWeight = weight })
     if given.FY then
@@ -256,15 +181,15 @@ local shapes = { TUBE = "Box/Tube", RECTANGULAR = "Rectangular", ["RECTANGULAR B
 local modifiers = { AREAMODIFIER = "AMod", AMOD = "AMod", AS2MODIFIER = "A2Mod", A2MOD = "A2Mod",
   AS3MODIFIER = "A3Mod", A3MOD = "A3Mod", JMODIFIER = "JMod", JMOD = "JMod", I22MODIFIER = "I2Mod", I2MOD = "I2Mod",
   I33MODIFIER = "I3Mod", I3MOD = "I3Mod", MMODIFIER = "MMod", MMOD = "MMod", WMODIFIER = "WMod", WMOD = "WMod" }
-local taken_of_sections = set "MATERIAL SHAPE D B TF TW T DIS AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
+local taken_of_sections = lines.set "MATERIAL SHAPE D B TF TW T DIS AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
 
 function Reader:read_sections()
   local section = "FRAME SECTIONS"
   if not self.sections[section] and self.sections["FRAME PROPERTIES"] then section = "FRAME PROPERTIES" end
   for _, s in ipairs(self:gathered(section, "FRAMESECTION")) do
     local given = s.given
-    must_be_numbers(s.line, given, "D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22")
-    for key in pairs(modifiers) do must_be_numbers(s.line, given, key) end
+    lines.must_be_numbers(s.line, given, "D B TF TW T AREA AS2 AS3 I33 I22 TORSION Z33 Z22")
+    for key in pairs(modifiers) do lines.must_be_numbers(s.line, given, key) end
     local shape = given.SHAPE or "General"
     local plain = shape:gsub("^Steel ", ""):gsub("^Concrete ", "")
     local known = shapes[plain:upper()]
@@ -295,13 +220,13 @@ function Reader:read_connectivities()
     local name, kind, a, b = line.words[2], line.words[3], line.words[4], line.words[5]
     if not b then notes.fail(where, line.place, "LINE must have a name, COLUMN, BEAM or BRACE, and two points") end
     if self.line[name] then notes.fail(where, line.place, "line %s is there twice", name) end
-    local down = line.words[6] and number_of(line, line.words[6], "the storeys between its ends") or 0
+    local down = line.words[6] and lines.number_of(line, line.words[6], "the storeys between its ends") or 0
     self.line[name] = { kind = kind:upper(), a = a, b = b, down = down, line = line }
   end
 end
 
-local releases = set "P V2 V3 T M2 M3"
-local taken_of_lines = set ("SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ RIGIDZONE SELFWEIGHTOPTION CARDINALPT "
+local releases = lines.set "P V2 V3 T M2 M3"
+local taken_of_lines = lines.set("SECTION ANG RELEASE LENGTHOFFI LENGTHOFFJ RIGIDZONE SELFWEIGHTOPTION CARDINALPT "
   .. "TRANSSTIFF TRANSFORMSTIFF OFFSETXI OFFSETYI OFFSETZI OFFSETXJ OFFSETYJ OFFSETZJ MIRROR2 MIRROR3")
 local of_no_meaning = { "MINNUMSTA", "MAXSTASPC", "AUTOMESH", "MESH", "PIER", "SPANDREL", "DESIGN", "GUID" }
 
@@ -322,7 +247,7 @@ end
 
 -- Insertion point, joint offsets in space and rigid ends of a line. Without lengths these are automatic.
 function Reader:read_ends(line, frame, given)
-  must_be_numbers(line, given, "LENGTHOFFI LENGTHOFFJ RIGIDZONE CARDINALPT OFFSETXI OFFSETYI OFFSETZI OFFSETXJ "
+  lines.must_be_numbers(line, given, "LENGTHOFFI LENGTHOFFJ RIGIDZONE CARDINALPT OFFSETXI OFFSETYI OFFSETZI OFFSETXJ "
     .. "OFFSETYJ OFFSETZJ")
   local point = { Frame = frame, CardinalPt = given.CARDINALPT, Mirror2 = given.MIRROR2, Mirror3 = given.MIRROR3,
     Transform = given.TRANSFORMSTIFF or given.TRANSSTIFF or "No" }
@@ -360,7 +285,7 @@ function Reader:read_line(line, name, storey, given)
   self:row("CONNECTIVITY - FRAME", section, line, { Frame = frame, JointI = self:joint(line, l.a, below),
     JointJ = self:joint(line, l.b, storey) })
   self:row("FRAME SECTION ASSIGNMENTS", section, line, { Frame = frame, AnalSect = given.SECTION or "None" })
-  must_be_numbers(line, given, "ANG")
+  lines.must_be_numbers(line, given, "ANG")
   if given.ANG then self:row("FRAME LOCAL AXES 1 - TYPICAL", section, line, { Frame = frame, Angle = given.ANG }) end
   if given.RELEASE then
     local fields = released(line, given.RELEASE)
@@ -378,7 +303,7 @@ function Reader:read_lines()
   for _, line in ipairs(self:lines("LINE ASSIGNS", "LINEASSIGN")) do
     local name, storey = line.words[2], self:storey_of(line, line.words[3])
     local key = tostring(name) .. "@" .. storey.name
-    local given = pairs_after(line, 4)
+    local given = lines.pairs_after(line, 4)
     local before = by_name[key]
     if before and not given.SECTION then -- more of the same line
       for field, value in pairs(given) do before.given[field] = value end
@@ -413,7 +338,7 @@ end
 function Reader:read_spring(line, storey, name)
   local given = self.springs[name]
   if not given then return self:remark(line, ("spring %s is not read"):format(name)) end
-  must_be_numbers(line, given, "UX UY UZ RX RY RZ")
+  lines.must_be_numbers(line, given, "UX UY UZ RX RY RZ")
   self:row("JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED", "POINT ASSIGNS", line, { Joint = self:joint(line, line.words[2],
     storey), U1 = given.UX, U2 = given.UY, U3 = given.UZ, R1 = given.RX, R2 = given.RY, R3 = given.RZ })
 end
@@ -422,10 +347,10 @@ end
 function Reader:read_point_properties()
   self.diaphragm_kinds, self.diaphragms, self.springs = {}, {}, {}
   for _, line in ipairs(self:lines("DIAPHRAGM NAMES", "DIAPHRAGM")) do
-    self.diaphragm_kinds[line.words[2]] = (pairs_after(line, 3).TYPE or "RIGID"):upper()
+    self.diaphragm_kinds[line.words[2]] = (lines.pairs_after(line, 3).TYPE or "RIGID"):upper()
   end
   for _, line in ipairs(self:lines("POINT SPRING PROPERTIES", "POINTSPRING")) do
-    local given = pairs_after(line, 3)
+    local given = lines.pairs_after(line, 3)
     local option = (given.STIFFNESSOPTION or "USERDEFINED"):upper()
     if option == "USERDEFINED" then self.springs[line.words[2]] = given end
   end
@@ -433,7 +358,7 @@ end
 
 function Reader:read_point_assigns()
   for _, line in ipairs(self:lines("POINT ASSIGNS", "POINTASSIGN")) do
-    local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
+    local storey, given = self:storey_of(line, line.words[3]), lines.pairs_after(line, 4)
     if given.RESTRAINT then
       local fields = { Joint = self:joint(line, line.words[2], storey) }
       for name in given.RESTRAINT:gmatch "%S+" do
@@ -447,86 +372,8 @@ function Reader:read_point_assigns()
     end
     self:read_diaphragm(line, line.words[2], storey, given.DIAPH or given.DIAPHRAGM)
     if given.SPRINGPROP then self:read_spring(line, storey, given.SPRINGPROP) end
-    self:note_keys(line, given, set "RESTRAINT DIAPH DIAPHRAGM SPRINGPROP", { "GROUP", "USERJOINT", "MESH",
+    self:note_keys(line, given, lines.set "RESTRAINT DIAPH DIAPHRAGM SPRINGPROP", { "GROUP", "USERJOINT", "MESH",
       "JOINTMESH", "GUID" })
-  end
-end
-
--- Loads ---------------------------------------------------------------------------------------------------------------
-
--- What the masses are made of, and the loads that the program makes by itself.
-function Reader:read_mass_source()
-  for _, line in ipairs(self:lines("MASS SOURCE", "MASSSOURCE")) do
-    local given = pairs_after(line, 3)
-    self:row("MASS SOURCE", "MASS SOURCE", line, { Elements = given.INCLUDEELEMENTS, Loads = given.INCLUDELOADS })
-  end
-  self:lines("MASS SOURCE", "MASSSOURCELOAD")
-  for _, word in ipairs { "SEISMIC", "WIND" } do
-    for _, line in ipairs(self:lines("LOAD PATTERNS", word)) do
-      self:remark(line, "loads of earthquake and wind that the program makes are not read", false, "automatic loads")
-    end
-  end
-end
-
-function Reader:read_patterns()
-  for _, from in ipairs { { "LOAD PATTERNS", "LOADPATTERN" }, { "STATIC LOADS", "LOADCASE" } } do
-    for _, line in ipairs(self:lines(from[1], from[2])) do
-      local given = pairs_after(line, 3)
-      self:row("LOAD PATTERN DEFINITIONS", from[1], line, { LoadPat = line.words[2], SelfWtMult = given.SELFWEIGHT })
-    end
-  end
-end
-
-function Reader:read_point_loads()
-  local section = "POINT OBJECT LOADS"
-  for _, line in ipairs(self:lines(section, "POINTLOAD")) do
-    local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
-    if (given.TYPE or ""):upper() ~= "FORCE" then
-      self:remark(line, "forces alone are read")
-    else
-      must_be_numbers(line, given, "FX FY FZ MX MY MZ")
-      self:row("JOINT LOADS - FORCE", section, line, { Joint = self:joint(line, line.words[2], storey),
-        LoadPat = given.LC, F1 = given.FX, F2 = given.FY, F3 = given.FZ, M1 = given.MX, M2 = given.MY, M3 = given.MZ })
-      self:note_keys(line, given, set "TYPE LC FX FY FZ MX MY MZ")
-    end
-  end
-end
-
-local directions = { GRAV = "Gravity", GRAVITY = "Gravity", X = "X", Y = "Y", Z = "Z", ["1"] = "1", ["2"] = "2",
-  ["3"] = "3", GRAVPROJ = "Grav Proj", XPROJ = "X Proj", YPROJ = "Y Proj", ZPROJ = "Z Proj" }
-
-function Reader:read_line_load(section, line)
-  local storey, given = self:storey_of(line, line.words[3]), pairs_after(line, 4)
-  local kind, to = (given.TYPE or ""):upper(), directions[(given.DIR or ""):upper()]
-  local frame = tostring(line.words[2]) .. "@" .. storey.name
-  if not self.frames[frame] then
-    notes.fail(where, line.place, "line %s has no LINEASSIGN on storey %s", tostring(line.words[2]), storey.name)
-  end
-  local point = kind == "POINTF" or kind == "POINTM"
-  if not point and kind ~= "UNIFF" and kind ~= "TRAPF" then
-    return self:remark(line, "loads of this TYPE are not read")
-  end
-  if not to then return self:remark(line, "its direction is not read") end
-  must_be_numbers(line, given, "FVAL FSTART FEND RDSTART RDEND RDIST RD")
-  if point then
-    local at = given.RDIST or given.RD
-    if not at then return self:remark(line, "a load at a point without RDIST is not read") end
-    local force = kind == "POINTF"
-    self:row("FRAME LOADS - POINT", section, line, { Frame = frame, LoadPat = given.LC, Dir = to,
-      CoordSys = to:find "^%d$" and "Local" or "GLOBAL", Type = force and "Force" or "Moment",
-      [force and "Force" or "Moment"] = given.FVAL, RelDist = at })
-    return self:note_keys(line, given, set "TYPE DIR LC FVAL RDIST RD")
-  end
-  local a, b = given.FVAL or given.FSTART, given.FVAL or given.FEND
-  self:row("FRAME LOADS - DISTRIBUTED", section, line, { Frame = frame, LoadPat = given.LC, Dir = to,
-    CoordSys = to:find "^%d$" and "Local" or "GLOBAL", FOverLA = a, FOverLB = b, RelDistA = given.RDSTART,
-    RelDistB = given.RDEND })
-  self:note_keys(line, given, set "TYPE DIR LC FVAL FSTART FEND RDSTART RDEND")
-end
-
-function Reader:read_line_loads()
-  for _, section in ipairs { "LINE OBJECT LOADS", "FRAME OBJECT LOADS" } do
-    for _, line in ipairs(self:lines(section, "LINELOAD")) do self:read_line_load(section, line) end
   end
 end
 
@@ -560,7 +407,7 @@ end
 return function(options, ...)
   check.no_more(where, ...)
   local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true } })
-  local sections, others = notes.within_limits(where, o.file, function() return sections_of(o.file) end)
+  local sections, others = notes.within_limits(where, o.file, function() return lines.sections_of(o.file) end)
   if #sections == 0 then check.fail("%s: %s has no line that begins with '$ '", where, o.file) end
   local self = setmetatable({ file = o.file, sections = sections, tables = {}, remarks = {}, joints = {},
     frames = {} }, Reader)

@@ -1,7 +1,8 @@
 -- import.s2k: a frame from text tables of SAP2000 and ETABS (.s2k, .$2k): TABLE: "NAME", then rows of Key=Value.
 local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
-local sap_frame = require "hinge.import.sap_frame"
+local rows = require "hinge.import.sap2000.row"
+local sap_frame = require "hinge.import.sap2000.frame"
 
 local where = "hinge.import.s2k"
 
@@ -60,7 +61,7 @@ local function tables_of(path)
       local text, goes_on = line:match "^(.-)%s_%s*$", true
       if not text then text, goes_on = line, false end
       if current then
-        row = row or sap_frame.row(where, ('TABLE "%s"'):format(current.name), place, line)
+        row = row or rows.new(where, ('TABLE "%s"'):format(current.name), place, line)
         take_fields(row, place, text)
         if not goes_on then table.insert(current.rows, row) end
       else

@@ -1,5 +1,5 @@
 -- Areas of ETABS as rows of SAP2000's tables: floors and walls on each storey with their area, thickness and loads, of
--- which sap_areas.lua makes a note. Points of a floor that is a rigid diaphragm are tied.
+-- which sap2000/areas.lua makes a note. Points of a floor that is a rigid diaphragm are tied.
 local check = require "hinge.library.check"
 
 local Areas = {}
