@@ -98,6 +98,7 @@ private:
                       const beam::ReturnMapResult* flow);
     void ask_sections();
 
+    RuleNumbers& numbers() const { return *w_.state.data.find<RuleNumbers>(fracture_effect); }
     int rule_of(const Element& e) const { return rule_of_member_[e.member]; }  ///< its index, -1: none
 
     const std::vector<FractureRule>& rules_;
@@ -136,10 +137,8 @@ Fracture::Fracture(Workspace& w, Host& host)
     const bool news = std::any_of(rules_.begin(), rules_.end(), [](const FractureRule& r) {
         return r.hook && r.where == FractureRule::Where::plastic;
     });
-    if (const std::size_t three = news ? 3 * elements : 0; w.state.strained.size() != three)
-        w.state.strained.assign(three, 0);
-    if (const std::size_t kept = 2 * elements * kept_a_section_; w.state.kept.size() != kept)
-        w.state.kept.assign(kept, 0);
+    if (!w.state.data.find<RuleNumbers>(fracture_effect)) w.state.data.set(fracture_effect, RuleNumbers{});
+    numbers().resize(news ? 3 * elements : 0, 2 * elements * kept_a_section_);
     called_.assign(rules_.size(), 0);
     in_candidates_.assign(elements, 0);
     for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
@@ -157,7 +156,8 @@ bool Fracture::restored(std::span<const State* const> states) {
     for (const Watched& w : watched_)
         if (!within(w.element)) return false;
     for (const State* s : states)
-        if (s->strained.size() != w_.state.strained.size() || s->kept.size() != w_.state.kept.size()) return false;
+        if (const auto* there = s->data.find<RuleNumbers>(fracture_effect); !there || !there->is_alike(numbers()))
+            return false;
     in_candidates_.assign(n, 0);
     for (int e : candidates_) in_candidates_[e] = 1;
     return true;
@@ -198,7 +198,7 @@ void Fracture::list_news() {
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
                                   std::abs(w.axial * p[4] + w.per_length * plastic[4])};
-        double* most = &w_.state.strained[3 * std::size_t(i)];
+        double* most = &numbers().strained[3 * std::size_t(i)];
         if (strain[0] <= most[0] && strain[1] <= most[1] && strain[2] <= most[2]) continue;
         newly_strained_.push_back(i);
         strained_before_.push_back({most, {most[0], most[1], most[2]}});
@@ -371,7 +371,7 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     v.hinge_rotation_x = hinges_.rotation(index, side, 0);
     v.hinge_rotation_y = hinges_.rotation(index, side, 1);
     if (rules_[rule_of(e)].keep.empty()) return;
-    v.kept = &w_.state.kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
+    v.kept = &numbers().kept[(2 * std::size_t(index) + std::size_t(side) - 1) * kept_a_section_];
 }
 
 /// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
@@ -425,7 +425,7 @@ EffectKind fracture_kind() {
         .plan = fracture_plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
             if (!built::fracture || fracture_rules(w.structure.model()).empty()) {
-                w.state.strained.clear(), w.state.kept.clear();
+                w.state.data.erase(fracture_effect);
                 return nullptr;
             }
             return std::make_unique<Fracture>(w, host);

@@ -117,4 +117,26 @@ struct FractureRule : beam::FractureLimits {
     }
 };
 
+/// What rules of the script keep from step to step.
+struct RuleNumbers {
+    /// Where one is asked of plastic sections: the most of |curvature_x|, |curvature_y|, |axial strain| of each
+    /// element. It says what was asked, not how the structure is.
+    std::vector<double> strained;
+    std::vector<double> kept;  ///< FractureRule::keep, of both ends of each element
+    static constexpr bool in_state_hash = false;
+    const std::vector<double>* in_hash_alone() const { return &kept; }
+    void resize(std::size_t of_strained, std::size_t of_kept) {
+        if (strained.size() != of_strained) strained.assign(of_strained, 0);
+        if (kept.size() != of_kept) kept.assign(of_kept, 0);
+    }
+    bool is_alike(const RuleNumbers& other) const {
+        return strained.size() == other.strained.size() && kept.size() == other.kept.size();
+    }
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.strained, s.kept);
+    }
+};
+
 }  // namespace hinge

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace hinge {
 
@@ -79,8 +78,7 @@ bool is_finite(const State& s) {
     bool good = finite(s.time) && finite(s.factor);
     for (const auto& [name, sum] : s.accumulated) good = good && finite(sum);
     State::for_each_field(s, [&](const char*, const auto& array) {
-        if (static_cast<const void*>(&array) == &s.kept) return;  // a rule of the script may keep what it likes
-        if constexpr (sizeof(array[0]) > 1) {                     // doubles or made of them; else bytes
+        if constexpr (sizeof(array[0]) > 1) {  // doubles or made of them; else bytes
             const auto* first = reinterpret_cast<const double*>(array.data());
             good = good && std::all_of(first, first + array.size() * sizeof(array[0]) / sizeof(double), finite);
         }
@@ -92,11 +90,17 @@ std::uint64_t hash(const State& state) {
     std::uint64_t h = 14695981039346656037ull;
     // sections that have not flowed are as those that cannot
     const bool flowed = std::any_of(state.history.begin(), state.history.end(), [](double v) { return v != 0; });
-    State::for_each_field(state, [&](const char* name, const auto& array) {
-        if (!flowed && static_cast<const void*>(&array) == &state.history) return;
-        if (std::strcmp(name, "strained") == 0) return;  // says what was asked, not how the structure is
+    const auto add = [&h](const auto& array) {
         const auto* bytes = reinterpret_cast<const unsigned char*>(array.data());
         for (std::size_t i = 0, n = array.size() * sizeof(array[0]); i < n; ++i) h = (h ^ bytes[i]) * 1099511628211ull;
+    };
+    State::for_each_field(state, [&](const char*, const auto& array) {
+        if (static_cast<const void*>(&array) == &state.history) {
+            for (const auto& [name, data] : state.data)
+                if (const std::vector<double>* numbers = data->in_hash_alone()) add(*numbers);
+            if (!flowed) return;
+        }
+        add(array);
     });
     for (const auto& [name, data] : state.data) {
         if (!data->in_hash()) continue;

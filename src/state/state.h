@@ -38,6 +38,8 @@ public:
     virtual void save(Writer& to) const = 0;
     virtual void restore(Reader& from) = 0;
     virtual bool in_hash() const { return true; }
+    /// Numbers that count in the hash of a state where not all of it does; null for none.
+    virtual const std::vector<double>* in_hash_alone() const { return nullptr; }
 };
 
 /// Effect data that holds a T. T lists its fields for a checkpoint (core/archive.h).
@@ -52,6 +54,10 @@ public:
     bool in_hash() const override {
         if constexpr (requires { T::in_state_hash; }) return T::in_state_hash;
         return true;
+    }
+    const std::vector<double>* in_hash_alone() const override {
+        if constexpr (requires { value.in_hash_alone(); }) return value.in_hash_alone();
+        return nullptr;
     }
 };
 
@@ -111,11 +117,7 @@ struct State : Configuration {
                                         ///< node's frame, m; of lone elements (lone_elements.h): from the inner node to
                                         ///< the mass that it carries; empty until something breaks
     std::vector<std::uint8_t> gone;     ///< nodes without an element and without mass
-    std::vector<double> strained;  ///< where a fracture rule of the script is asked of plastic sections: the most of
-                                   ///< |curvature_x|, |curvature_y|, |axial strain| of each element
-    std::vector<double> history;   ///< history variables of the laws of sections (history_of)
-    std::vector<double>
-        kept;  ///< values saved by fracture rules of the script, for both ends of each element; or empty
+    std::vector<double> history;        ///< history variables of the laws of sections (history_of)
 
     double time = 0;
     long step = 0;
@@ -145,8 +147,6 @@ struct State : Configuration {
         f("twist", s.twist);
         f("turned", s.turned);
         f("gone", s.gone);
-        f("strained", s.strained);
-        f("kept", s.kept);
         f("history", s.history);
         f("heat", s.heat);
     }
