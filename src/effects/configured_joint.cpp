@@ -162,4 +162,17 @@ int capacity_reached(const JointProperties& is, const JointNow& j) {
     return over;
 }
 
+void add_step(JointRecord& r, const JointProperties& is, const JointNow& j) {
+    double about[3] = {0, 0, 0};
+    for (int k = 0; k < 3; ++k) {
+        if (!is.axis[k].is_spring()) continue;
+        about[k] = j.rotation[k];
+        keep_largest(r.axis[k].largest, j.rotation[k]);
+        keep_largest(r.axis[k].moment, j.moment[k]);
+    }
+    keep_largest(r.bent, std::hypot(about[0], about[1]));
+    if (!(j.tension <= 0)) keep_largest(r.tension, j.tension);
+    keep_largest(r.shear, j.shear);
+}
+
 }  // namespace hinge

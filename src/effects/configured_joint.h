@@ -5,6 +5,7 @@
 #include "effects/joint_parts.h"
 #include "effects/relative_rotation.h"
 #include "effects/workspace.h"
+#include "state/joint_records.h"
 
 namespace hinge {
 
@@ -52,5 +53,8 @@ void add_joint_blocks(const ConfiguredJoint& joint, const RelativeRotation& r, c
                       const Vec3& moment, Blocks& blocks);
 /// The capacity that a joint has reached, as JointNow::over.
 int capacity_reached(const JointProperties& is, const JointNow& j);
+
+/// Adds the end of a step to what the joint has gone through.
+void add_step(JointRecord& record, const JointProperties& is, const JointNow& j);
 
 }  // namespace hinge

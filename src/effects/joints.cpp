@@ -312,7 +312,7 @@ private:
             j.pull += part * (j.tension - j.pull);
             weaken(i, std::clamp(1 - j.pull / is.tension, 0.0, 1.0), step);
         }
-        record(i);
+        add_step(records().list[i], is, j);
         j.over = capacity_reached(is, j);
     }
 
@@ -347,34 +347,18 @@ private:
         axis.yielded = true, axis.statics = w_.goes_by_load_factor(), axis.runs_ago = 0;
         axis.first = w_.kind.dynamic ? step.end() : w_.factor;  // the state has the factor before
     }
-    /// Takes the end of the step into what the joint has gone through.
-    void record(std::size_t i) {
-        const JointNow& j = list()[i];
-        JointRecord& r = records().list[i];
-        double about[3] = {0, 0, 0};
-        for (int k = 0; k < 3; ++k) {
-            if (!declared()[i].is.axis[k].is_spring()) continue;
-            about[k] = j.rotation[k];
-            keep_largest(r.axis[k].largest, j.rotation[k]);
-            keep_largest(r.axis[k].moment, j.moment[k]);
-        }
-        keep_largest(r.bent, std::hypot(about[0], about[1]));
-        if (!(j.tension <= 0)) keep_largest(r.tension, j.tension);
-        keep_largest(r.shear, j.shear);
-    }
 
     double stored(const State& state) const {
         const auto* there = state.data.find<JointsNow>(joints_effect);
         double energy = 0;
         for (std::size_t i = 0; there && i < there->list.size(); ++i) {
             const JointNow& j = there->list[i];
-            if (!j.broken) energy += hinge::evaluate(made_[i], turn_in(i, state, j), j).stored;
+            if (j.broken) continue;
+            const ConfiguredJoint& m = made_[i];
+            const Vec3 turned = relative_rotation(w_.structure, state, m.node, m.end, m.axes, j.rotation).rotation;
+            energy += hinge::evaluate(m, turned, j).stored;
         }
         return energy;
-    }
-    Vec3 turn_in(std::size_t i, const State& state, const JointNow& j) const {
-        const ConfiguredJoint& m = made_[i];
-        return relative_rotation(w_.structure, state, m.node, m.end, m.axes, j.rotation).rotation;
     }
 
     std::string name_of(std::size_t i) const {

@@ -23,12 +23,12 @@ local exceptions = {
   },
   lua = {},
   lines = {
-    "algebra/condensed.cpp", "effects/joints.cpp", "output/snapshot_file.cpp",
+    "algebra/condensed.cpp", "output/snapshot_file.cpp",
     "run/dynamics.cpp", "run/energy_momentum.cpp",
   },
   members = {
     "algebra/effective_stiffness.h EffectiveStiffness", "contact/member_contacts.h Contact",
-    "contact/surface_contact.h SurfaceContact", "model/model.h Model", "model/structure.h Structure",
+    "contact/surface_contact.h SurfaceContact", "model/structure.h Structure",
     "run/dynamics.h Dynamics", "run/integrator.h Integrator", "run/run.h Run", "run/step_size.h StepSize",
     "section/section_law.h SectionLaw",
   },
