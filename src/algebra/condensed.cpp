@@ -80,7 +80,7 @@ Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : str
     lay_out();
 }
 
-/// Red, from each part's first node outwards: whoever has no red neighbour.
+/// Red, from each part's first node outwards: every node without a red neighbour.
 template <class Number>
 void Condensed<Number>::paint() {
     colour_.assign(joints_, Colour::between);
@@ -439,7 +439,7 @@ SolveReport Condensed<Number>::solve(const double* right, double* solution, cons
     return report;
 }
 
-/// d: what the preconditioner makes of r at the black node where that is most opposed to r, zero elsewhere.
+/// d: the preconditioned r at the black node where it is most opposed to r, zero elsewhere.
 template <class Number>
 void Condensed<Number>::keep_worst_block() {
     const auto product = [&](int p) { return sum(Wide(six * load(&q_[stride * p]) * load(&r_[stride * p]))); };

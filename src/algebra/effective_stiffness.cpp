@@ -222,7 +222,7 @@ void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
 }
 
 /// After its fields were read. False where a coupling joins what is not there.
-bool EffectiveStiffness::take_up_all() {
+bool EffectiveStiffness::finish_restore() {
     const int nodes = int(is_dirty_.size());
     for (const Coupling& c : couplings_)
         if (c.a < 0 || c.a >= nodes || c.b < 0 || c.b >= nodes || c.a == c.b) return false;

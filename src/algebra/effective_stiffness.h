@@ -113,7 +113,7 @@ public:
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
           s.counts_.solves, s.counts_.factorisations);
         if (s.reduction_) a(s.given_.pairs, s.given_.nodes);
-        if constexpr (A::reading) a.must(s.take_up_all());
+        if constexpr (A::reading) a.must(s.finish_restore());
     }
 
 private:
@@ -131,7 +131,7 @@ private:
     bool solve_by(const DirectFactors& factors, const std::vector<Vec6>& right, std::vector<Vec6>& x);
     int real_negative_modes(int most);
     void mark(int node);
-    bool take_up_all();
+    bool finish_restore();
     SolveReport solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
     void take_out_held(std::vector<Vec6>& v) const;
     void take_couplings(std::vector<Coupling> couplings);

@@ -19,7 +19,7 @@ namespace {
 using Factors = Eigen::SimplicialLDLT<SparseMatrix>;
 using Vector = Eigen::VectorXd;
 
-/// x -> M x, as Spectra asks for it.
+/// x -> M x, for Spectra.
 struct MassProduct {
     using Scalar = double;
     const SparseMatrix& M;
@@ -30,7 +30,7 @@ struct MassProduct {
     }
 };
 
-/// x -> (K + a M)^-1 x without its components along the modes that are known, as Spectra asks for it.
+/// x -> (K + a M)^-1 x without its components along the known modes, for Spectra.
 struct Inverse {
     using Scalar = double;
     const Factors& factors;

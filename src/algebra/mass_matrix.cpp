@@ -192,15 +192,15 @@ void Mass::renew(const std::vector<int>& elements, const State& state, const Con
     }
     const bool first = !blocks_;
     if (first) keep_blocks(state);
-    const auto take_up = [&](int index) {
+    const auto update_block = [&](int index) {
         const Mat3 axes = axes_of(element_frame(structure_, index, pose));
         blocks_->parts.set(index, state.broken[index] ? Mat12::Zero() : structure_.inertia(index).matrix(axes));
         for (int node : structure_.elements()[index].node) mark(node);
     };
     if (first)
-        for (int e = 0; e < int(structure_.elements().size()); ++e) take_up(e);
+        for (int e = 0; e < int(structure_.elements().size()); ++e) update_block(e);
     else
-        for (int e : elements) take_up(e);
+        for (int e : elements) update_block(e);
     for (std::size_t i = 0; i < state.offset_mass.size(); ++i)
         if (has_offset_mass(state, int(i)))
             blocks_->parts.set_offset_mass(int(i), offset_mass_in_space(state.offset_mass[i], pose.rotation[i])),
@@ -252,7 +252,7 @@ void Mass::make_blocks() {
 }
 
 /// Degrees of freedom that are held since the last solution: of nodes that nothing is left of.
-void Mass::take_up_held(const State& state) {
+void Mass::update_supports(const State& state) {
     const std::vector<std::uint8_t>& before = blocks_->parts.held();
     if (before == state.held) return;
     for (std::size_t i = 0; i < before.size(); ++i) {
@@ -286,7 +286,7 @@ SolveReport Mass::solve(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
     if (reduction_) return solve_reduced(right, change, state);
     if (!blocks_ && structure_.cubic()) renew({}, state, state);
     if (!blocks_) return solve_over_elements(structure_, std::move(right), change, state, tolerance);
-    take_up_held(state);
+    update_supports(state);
     std::sort(blocks_->dirty.begin(), blocks_->dirty.end());
     blocks_->condensed.renew(blocks_->dirty, blocks_->parts);
     for (int node : blocks_->dirty) blocks_->is_dirty[node] = 0;
@@ -354,7 +354,7 @@ void Mass::solve_joined(const std::vector<Vec6>& impulse, std::vector<Vec6>& cha
     reduction_->expand(change);
 }
 
-/// Consistent mass: by the factors of T^T M T, or of M, which are made anew.
+/// Consistent mass: by the factors of T^T M T, or of M, computed here.
 SolveReport Mass::solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& change, const State& state) {
     EffectiveStiffness reduced(structure_, alone_, 1, 0, false, MatrixStorage::direct);
     reduced.set_reduction(reduction_);

@@ -70,7 +70,7 @@ private:
     void renew_lumped(const std::vector<int>& elements, const State& state, const Configuration& pose);
     void keep_blocks(const State& state);
     void make_blocks();
-    void take_up_held(const State& state);
+    void update_supports(const State& state);
     void mark(int node);
     void leave_out_joined();
     Mat6 lumped_at(int node, const State& state) const;

@@ -36,7 +36,7 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 /// last one (a millionth of its square aside), and while one is missing the method starts again without the modes that
 /// it has found. Throws std::runtime_error if it does not converge. `added`: stiffness of effects, and rigid offset
 /// masses on nodes (6x6 in space, in the place of K); those at other nodes count for nothing. Where it adds stiffness,
-/// `rigid` is the most that there may be: they are told by their strain energy (rigid_modes.h).
+/// `rigid` is the most that there may be: their strain energy decides (rigid_modes.h).
 struct AddedToModes {
     Blocks stiffness = Blocks();
     std::vector<Blocks::Node> mass = {};

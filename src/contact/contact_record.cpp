@@ -14,21 +14,21 @@ void Contact::save_step() {
 
 void Contact::roll_back() {
     all_but_pairs() = before_.all_but_pairs;
-    if (before_.listed_anew) candidates_ = before_.candidates, look_at_ = before_.look_at;
+    if (before_.listed_anew) candidates_ = before_.candidates, test_at_ = before_.test_at;
     for (auto c = before_.changed.rbegin(); c != before_.changed.rend(); ++c)
-        candidates_[c->place] = c->pair, look_at_[c->place] = c->look_at;
+        candidates_[c->place] = c->pair, test_at_[c->place] = c->test_at;
     before_.changed.clear();
     before_.listed_anew = false;
 }
 
 void Contact::note_pair(std::size_t place) {
-    if (noting_ && !before_.listed_anew) before_.changed.push_back({place, candidates_[place], look_at_[place]});
+    if (noting_ && !before_.listed_anew) before_.changed.push_back({place, candidates_[place], test_at_[place]});
 }
 
 void Contact::note_list() {
     if (!noting_ || before_.listed_anew) return;
     before_.listed_anew = true;
-    before_.candidates = candidates_, before_.look_at = look_at_;
+    before_.candidates = candidates_, before_.test_at = test_at_;
 }
 
 bool Contact::makes_sense(int nodes, int elements, int bars) const {
@@ -41,7 +41,7 @@ bool Contact::makes_sense(int nodes, int elements, int bars) const {
         return std::all_of(of.end, of.end + 4, [&](const End& end) { return node(end.node); });
     };
     const auto rule = [&](const auto& of) { return within(of.rule, int(rules_.size())); };
-    return last_.size() == nodes_.size() && look_at_.size() == candidates_.size() &&
+    return last_.size() == nodes_.size() && test_at_.size() == candidates_.size() &&
            std::all_of(nodes_.begin(), nodes_.end(), node) &&
            std::all_of(arms_.begin(), arms_.end(), [&](const ArmEnd& arm) { return node(arm.end.node); }) &&
            std::all_of(events_.begin(), events_.end(), pair) &&

@@ -66,16 +66,16 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     nearest_ = {};
     int bound = 0;
     const double horizon = sleep ? travelled_ + foreseen : std::numeric_limits<double>::max();
-    for (std::size_t i = 0; i < look_at_.size(); ++i)
-        if (look_at_[i] <= horizon) bound += look(i, bars, motion, dt, time);
+    for (std::size_t i = 0; i < test_at_.size(); ++i)
+        if (test_at_[i] <= horizon) bound += test_pair(i, bars, motion, dt, time);
     group_contacts(surface_contacts_);
-    tell_pressing();
+    report_surface_events();
     return bound;
 }
 
-// One event for each contact of two members, whatever pairs of elements press. Every contact that is told to end has
-// been told to begin, also one that begins or ends between two steps; of two that become one, one is told to end.
-void Contact::tell_pressing() {
+// One event for each contact of two members, whatever pairs of elements press. Every contact with an end event has a
+// begin event, also one that begins or ends between two steps; of two that become one, one gets an end event.
+void Contact::report_surface_events() {
     const auto tell = [&](const int element[2], bool begins) {
         ++(begins ? counts_.bound : counts_.released);
         events_.push_back({now_, {element[0], element[1]}, begins});
@@ -101,12 +101,12 @@ void Contact::tell_pressing() {
     }
 }
 
-void Contact::look_at_surfaces(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
-                               const std::vector<Quat>& rotation) const {
-    for (SurfaceContact& contact : contacts) measure(contact, position, rotation);
+void Contact::update_surface_contacts(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
+                                      const std::vector<Quat>& rotation) const {
+    for (SurfaceContact& contact : contacts) measure_penetration(contact, position, rotation);
     for (int i = 0; i < int(contacts.size()); ++i)
         if (contacts[i].group == i) share_depth(contacts, i);
-    for (SurfaceContact& contact : contacts) rub(contact, position, rotation);
+    for (SurfaceContact& contact : contacts) update_friction(contact, position, rotation);
 }
 
 // How much closer the two must come before the rule can apply to them: half of it is the least way one end must go.
@@ -136,7 +136,7 @@ void Contact::observe(Candidate& pair, const BarPair& two, const Closest& closes
     if (closest.distance > pair.contact_distance || direction.dot(pair.normal) > 0) pair.normal = direction;
 }
 
-bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
+bool Contact::test_pair(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time) {
     ++counts_.pair_tests;
     note_pair(i);
     Candidate& pair = candidates_[i];
@@ -146,12 +146,12 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
     const Closest closest = closest_points(two);
     observe(pair, two, closest);
     const double far = farness(pair, two, closest);
-    look_at_[i] = travelled_;
+    test_at_[i] = travelled_;
     if (pair.state == PairState::joined) {
-        look_at_[i] -= 0.5 * far;
+        test_at_[i] -= 0.5 * far;
         return false;
     }
-    if (far > 0) look_at_[i] += 0.5 * far;
+    if (far > 0) test_at_[i] += 0.5 * far;
     if (const double apart = closest.distance - pair.contact_distance;
         a.body != b.body && (nearest_.element[0] < 0 || apart < nearest_.distance))
         nearest_ = {{pair.element[0], pair.element[1]}, apart};
@@ -164,7 +164,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
         if (far > 0 && !first_meeting(moving, closest, pair.normal, {never, never, pair.contact_distance}).found)
             return false;
         watch(pair, a, b, motion, two);
-        look_at_[i] = never;
+        test_at_[i] = never;
         return true;
     }
     const RuleNumbers numbers{rule.contact_length, rule.coplanarity_tolerance, pair.contact_distance, rule.signed_f};
@@ -172,7 +172,7 @@ bool Contact::look(std::size_t i, const std::vector<Bar>& bars, const Motion& mo
                                             : first_meeting(moving, closest, pair.normal, numbers);
     if (!meeting.found) return false;
     bind(pair, a, b, motion, meeting, time);
-    look_at_[i] = never;
+    test_at_[i] = never;
     events_.push_back({time + meeting.tau * dt, {pair.element[0], pair.element[1]}, true});
     return true;
 }
@@ -220,7 +220,7 @@ void Contact::set_free(const int element[2], const Vec3& normal) {
         note_pair(i);
         pair->state = PairState::free;
         pair->normal = normal;
-        look_at_[i] = travelled_;
+        test_at_[i] = travelled_;
     }
 }
 
@@ -248,13 +248,13 @@ void Contact::watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& m
                                                 pair.contact_distance);
     contact.friction = rule.friction;
     contact.normal_before = pair.normal;
-    contact::look(contact, motion.position, motion.rotation);
+    contact::update(contact, motion.position, motion.rotation);
     // an impulse in the last step has led them into each other: no work was done for what that would store
     if (contact.penetration > unforeseen * pair.contact_distance) {
         contact.level = contact.penetration;
-        contact::look(contact, motion.position, motion.rotation);
+        contact::update(contact, motion.position, motion.rotation);
     }
-    contact::settle(contact, motion.position, motion.rotation);
+    contact::end_step(contact, motion.position, motion.rotation);
     surface_contacts_.push_back(contact);
 }
 
@@ -267,10 +267,10 @@ void Contact::end_surface_contacts() {
     });
 }
 
-Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>& position,
-                                 const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
+Contact::StepResult Contact::end_step(double time, double dt, const std::vector<Vec3>& position,
+                                      const std::vector<Quat>& rotation, std::vector<Vec6>& impulse) {
     now_ = time;
-    Settled out;
+    StepResult out;
     const auto add_missed = [&](double work) {
         out.missed = out.missed || work != 0;
         out.work += work;
@@ -282,14 +282,14 @@ Contact::Settled Contact::settle(double time, double dt, const std::vector<Vec3>
     }
     for (SurfaceContact& contact : surface_contacts_) {
         out.heat += contact.heat;
-        contact::settle(contact, position, rotation);
+        contact::end_step(contact, position, rotation);
     }
     for (int i = 0; i < int(surface_contacts_.size()); ++i) {
         const SurfaceContact& first = surface_contacts_[i];
         if (first.group == i && first.friction > 0 && (first.next >= 0 || first.share != 1))
             out.heat += share_slip(surface_contacts_, i);
     }
-    tell_pressing();
+    report_surface_events();
     return out;
 }
 
@@ -321,12 +321,12 @@ void Contact::follow_broken(const std::vector<Bar>& bars, const std::vector<Vec3
     }
     std::vector<Vec3> slip;
     for (const SurfaceContact& contact : surface_contacts_) slip.push_back(contact.slip_before);
-    look_at_surfaces(surface_contacts_, position, rotation);
+    update_surface_contacts(surface_contacts_, position, rotation);
     for (std::size_t i = 0; i < slip.size(); ++i) {
         surface_contacts_[i].slip = slip[i];
-        contact::settle(surface_contacts_[i], position, rotation);
+        contact::end_step(surface_contacts_[i], position, rotation);
     }
-    tell_pressing();
+    report_surface_events();
 }
 
 double Contact::release(double time, std::vector<Released>* released) {
@@ -373,7 +373,7 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
         add_tie_forces(tie, position, rotation, force);
         stored_ += tie.energy;
     }
-    look_at_surfaces(surface_contacts_, position, rotation);
+    update_surface_contacts(surface_contacts_, position, rotation);
     for (const SurfaceContact& contact : surface_contacts_) {
         add_contact_forces(contact, rotation, force);
         stored_ += contact.energy;
@@ -384,7 +384,7 @@ void Contact::add_internal_forces(const std::vector<Vec3>& position, const std::
 // with 1/10, 1/100 and 1/1000, which ask for 53, 67 and 110 more iterations, and 115 if a slip is never looked at.
 bool Contact::unsettled(const std::vector<Vec3>& position, const std::vector<Quat>& rotation) const {
     std::vector<SurfaceContact> now = surface_contacts_;
-    look_at_surfaces(now, position, rotation);
+    update_surface_contacts(now, position, rotation);
     for (std::size_t i = 0; i < now.size(); ++i) {
         const SurfaceContact& was = surface_contacts_[i];
         if ((was.depth > 0) != (now[i].depth > 0) ||

@@ -169,15 +169,15 @@ public:
     /// and forces of each tie.
     double release(double time, std::vector<Released>* released = nullptr);
 
-    /// Result of settle: `work` of the missed impulses, J, and `heat` of friction in the step, J.
-    struct Settled {
+    /// Result of end_step: `work` of the missed impulses, J, and `heat` of friction in the step, J.
+    struct StepResult {
         bool missed = false;
         double work = 0, heat = 0;
     };
     /// Rule surface: ends a step at the positions of the last add_internal_forces. Adds the impulses that the step
     /// missed (surface_contact.h) to `impulse`.
-    Settled settle(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
-                   std::vector<Vec6>& impulse);
+    StepResult end_step(double time, double dt, const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
+                        std::vector<Vec6>& impulse);
 
     /// Adds the resisting forces + dU/du of ties and surface contacts to `force`, and stores the energies.
     void add_internal_forces(const std::vector<Vec3>& position, const std::vector<Quat>& rotation,
@@ -218,7 +218,7 @@ public:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.rules_, s.counts_, s.ties_, s.surface_contacts_, s.stored_, s.events_, s.seen_, s.now_, s.travelled_,
-          s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.look_at_);
+          s.listed_at_, s.margin_, s.nodes_, s.last_, s.arms_, s.candidates_, s.test_at_);
     }
     /// True if data read from a checkpoint fit a structure with so many nodes, elements and bars: no index exceeds
     /// them.
@@ -262,14 +262,14 @@ private:
     void mark_bound_pairs();
     double farness(const Candidate& pair, const BarPair& two, const Closest& closest) const;
     void observe(Candidate& pair, const BarPair& two, const Closest& closest) const;
-    bool look(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
+    bool test_pair(std::size_t i, const std::vector<Bar>& bars, const Motion& motion, double dt, double time);
     void bind(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const Meeting& meeting, double time);
     void watch(Candidate& pair, const Bar& a, const Bar& b, const Motion& motion, const BarPair& two);
     void end_tie(const Tie& tie);
     void end_surface_contacts();
-    void look_at_surfaces(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
-                          const std::vector<Quat>& rotation) const;
-    void tell_pressing();
+    void update_surface_contacts(std::vector<SurfaceContact>& contacts, const std::vector<Vec3>& position,
+                                 const std::vector<Quat>& rotation) const;
+    void report_surface_events();
     void set_free(const int element[2], const Vec3& normal);
     Candidate* find(const int element[2], std::size_t* place);
     void note_pair(std::size_t place);
@@ -289,14 +289,14 @@ private:
     double now_ = 0;                     ///< s, the time of the last call
     double travelled_ = 0;               ///< m, sum over the steps of the longest way of any end
     double listed_at_ = 0;               ///< travelled_ when the list was made
-    double margin_ = 0;                  ///< m, how far any end may travel before the list is made anew
+    double margin_ = 0;                  ///< m, how far any end may travel before the list is rebuilt
     std::vector<int> nodes_;             ///< nodes in which bars end, sorted
     std::vector<Vec3> last_;             ///< where they were
     std::vector<ArmEnd> arms_;           ///< virtual ends
     std::vector<Candidate> candidates_;  ///< sorted by element numbers
-    std::vector<double> look_at_;        ///< of each candidate: the value of travelled_ before which it cannot touch
+    std::vector<double> test_at_;        ///< of each candidate: the value of travelled_ before which it cannot touch
 
-    // Data to undo a step: of the many pairs only those that it changed, unless it listed all pairs anew.
+    // Data to undo a step: of the many pairs only those that it changed, unless it rebuilt the list.
     auto all_but_pairs() {
         return std::tie(rules_, counts_, ties_, surface_contacts_, nearest_, stored_, events_, seen_, now_, travelled_,
                         listed_at_, margin_, nodes_, last_, arms_);
@@ -309,12 +309,12 @@ private:
         struct Changed {
             std::size_t place;
             Candidate pair;
-            double look_at;
+            double test_at;
         };
         std::vector<Changed> changed;
         bool listed_anew = false;
         std::vector<Candidate> candidates;
-        std::vector<double> look_at;
+        std::vector<double> test_at;
     };
     bool noting_ = false;
     Before before_;

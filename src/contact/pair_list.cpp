@@ -1,4 +1,4 @@
-// The list of pairs that are tested for contact, and the distance travelled after which it is made anew.
+// The list of pairs that are tested for contact, and the distance travelled after which it is rebuilt.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ std::vector<int> order_by_element(const std::vector<Bar>& bars) {
     return order;
 }
 
-// How far any end may travel before the list is made anew, m. The margin is about a hundred steps of the fastest end,
+// How far any end may travel before the list is rebuilt, m. The margin is about a hundred steps of the fastest end,
 // so that the list's cost is spread over them, but no longer than half an element, so that the list stays short.
 //
 // The margin's numbers change what it costs, never what is found: all runs below gave the same bits. 100 steps: the
@@ -99,7 +99,7 @@ void Contact::list_pairs(const std::vector<Bar>& bars, const Motion& motion, dou
     note_list();
     std::vector<Candidate> former;
     former.swap(candidates_);
-    look_at_.clear();
+    test_at_.clear();
     auto next = former.begin();  // both lists are sorted by element numbers
     const auto before = [](const Candidate& p, const Candidate& q) {
         return p.element[0] < q.element[0] || (p.element[0] == q.element[0] && p.element[1] < q.element[1]);
@@ -149,8 +149,8 @@ void Contact::list_pair(Candidate candidate, const Candidate* known, const BarPa
     }
     observe(candidate, two, closest);
     candidates_.push_back(candidate);
-    look_at_.push_back(candidate.state == PairState::bound ? never : travelled_ + 0.5 * std::abs(far));
-    if (candidate.state == PairState::free && far <= 0) look_at_.back() = travelled_;
+    test_at_.push_back(candidate.state == PairState::bound ? never : travelled_ + 0.5 * std::abs(far));
+    if (candidate.state == PairState::free && far <= 0) test_at_.back() = travelled_;
 }
 
 // Pairs that are in contact are not tested until they are free.
@@ -159,7 +159,7 @@ void Contact::mark_bound_pairs() {
         std::size_t i = 0;
         if (Candidate* pair = find(element, &i)) {
             pair->state = PairState::bound;
-            look_at_[i] = never;
+            test_at_[i] = never;
         }
     };
     for (const Tie& tie : ties_) mark(tie.element);

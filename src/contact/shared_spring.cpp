@@ -200,7 +200,7 @@ void share_depth(std::vector<SurfaceContact>& contacts, int first) {
     });
     std::stable_sort(order.begin(), order.end(), [](const auto& p, const auto& q) { return p.first > q.first; });
 
-    // The deepest press: as many as are deeper than what the shared spring takes up.
+    // The deepest press: as many as are deeper than the shared spring.
     double sum = 0, shared = 0;
     std::size_t n = 0;
     for (; n < order.size() && order[n].first > shared; ++n) {

@@ -75,13 +75,14 @@ double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal) {
     return passed ? -closest.distance : closest.distance;
 }
 
-void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
-    measure(contact, position, rotation);
+void update(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+    measure_penetration(contact, position, rotation);
     contact.depth = std::max(0.0, contact.penetration);
-    rub(contact, position, rotation);
+    update_friction(contact, position, rotation);
 }
 
-void measure(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void measure_penetration(SurfaceContact& contact, const std::vector<Vec3>& position,
+                         const std::vector<Quat>& rotation) {
     Vec3 point[4];
     points_of(contact, position, rotation, point);
     Closest closest;
@@ -92,7 +93,7 @@ void measure(SurfaceContact& contact, const std::vector<Vec3>& position, const s
     contact.at[1] = closest.t;
 }
 
-void rub(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void update_friction(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     const double k = contact.stiffness;
     contact.energy = contact.depth > 0 ? 0.5 * k * contact.depth * contact.penetration : 0;
     if (contact.friction == 0) return;
@@ -167,7 +168,7 @@ void add_contact_stiffness(const SurfaceContact& now, const std::vector<Quat>& r
         }
 }
 
-void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
+void end_step(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation) {
     contact.penetration_before = contact.penetration;
     contact.depth_before = contact.depth;
     contact.normal_before = contact.normal;

@@ -38,7 +38,7 @@ struct SurfaceContact {
     double friction = 0;              ///< mu
     double level = 0;  ///< m: penetration at the start of a contact that was not predicted; no force up to it
 
-    // as of the last look()
+    // as of the last update()
     double penetration = 0;       ///< g, m; negative: apart
     double depth = 0;             ///< d, m: force / k; the penetration itself where no other pair shares the spring
     double energy = 0;            ///< J
@@ -46,10 +46,10 @@ struct SurfaceContact {
     Vec3 normal = Vec3::Zero();   ///< n
     Vec3 slip = Vec3::Zero();     ///< e, m
     Vec3 between = Vec3::Zero();  ///< from the point of a that touched when the step began to that of b, m
-    double heat = 0;              ///< J, by sliding since the last settle()
+    double heat = 0;              ///< J, by sliding since the last end_step()
     bool slides = false;
 
-    // as of the last settle(): where a step begins
+    // as of the last end_step(): where a step begins
     double penetration_before = 0, depth_before = 0;
     double share = 1;  ///< w, of the stiffness of friction
     double at_before[2] = {0, 0};
@@ -84,11 +84,11 @@ double surface_stiffness(double ea_a, double ea_b, double length, double depths)
 double signed_distance(const Vec3 (&point)[4], Closest& closest, Vec3& normal);
 
 /// Updates penetration, energy and friction of a contact, with a spring of its own, for these positions.
-void look(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void update(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
-/// Parts of look: first the penetration, then, once the depth is known, energy and friction.
-void measure(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
-void rub(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+/// Parts of update: first the penetration, then, once the depth is known, energy and friction.
+void measure_penetration(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+void update_friction(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
 /// Adds the resisting forces of the contact, + dU/du and friction, to `force`.
 void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& rotation, std::vector<Vec6>& force);
@@ -97,8 +97,8 @@ void add_contact_forces(const SurfaceContact& contact, const std::vector<Quat>& 
 /// out: the rotation of n, which is g / (h_a + h_b) of it, and the slope of sliding friction, which is not symmetric.)
 void add_contact_stiffness(const SurfaceContact& contact, const std::vector<Quat>& rotation, const AddStiffness& add);
 
-/// Ends a step: the values "as of the last look()" become those at the start of the next step.
-void settle(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
+/// Ends a step: the values "as of the last update()" become those at the start of the next step.
+void end_step(SurfaceContact& contact, const std::vector<Vec3>& position, const std::vector<Quat>& rotation);
 
 /// Corrects the impulse of a contact that began or ended within a step of length dt.
 ///

@@ -1,4 +1,4 @@
-// Programs of the machine that others are started with.
+// Finds installed programs.
 #pragma once
 
 #include <unistd.h>

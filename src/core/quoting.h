@@ -1,4 +1,4 @@
-// Texts of others inside languages that hinge writes: one function for each. Those of Lua, gnuplot, HTML and others are
+// Quotes texts for the languages that hinge writes: one function a language. Those of Lua, gnuplot, HTML and others are
 // in lua/hinge/library/quote.lua, XML is in output/snapshot_file.cpp; tests/README.md lists where each is used.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Walls of the kernel around a process: it starts no program, and opens nothing outside of given files and folders.
+// Restricts a process by the kernel: it starts no program, and opens nothing outside of given files and folders.
 //
 // Landlock decides over files and TCP ports, a seccomp filter over system calls. The filter is written here, without
 // libseccomp: it is one list of refused calls and five comparisons, needs no package, and Landlock has no library that

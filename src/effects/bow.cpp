@@ -1,5 +1,5 @@
-// Moments in the span of compressed members: what the middle section of each pair of elements has beyond the balance on
-// the chords of its elements, since the axial force acts on the bow of the beam between its ends (beam/pair_bow.h).
+// Moments in the span of compressed members: the axial force acts on the bow of the beam between its ends, and adds a
+// moment in the middle of each pair of elements that the balance on the chords does not have (beam/pair_bow.h).
 //
 // The forces on the nodes do not change. Yield, fracture and all that reads section forces take the moment. The part of
 // loads between the ends is in the effects of those loads (PressedPair, clamped_member.h). A hinge between the ends is

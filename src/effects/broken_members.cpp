@@ -1,6 +1,5 @@
-// What becomes of an element that breaks (figs 4 and 5): its forces are released and it hangs on its other node as a
-// rigid offset mass, which resists, rotates and has weight with that node. state/breaking.h has the mechanics of the
-// break.
+// Broken elements (figs 4 and 5): their forces are released, and each hangs on its other node as a rigid offset mass.
+// It resists, rotates and has weight with that node. state/breaking.h has the mechanics of the break.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,4 @@
-// What loads between the nodes of a member miss where its elements pass them on to their nodes.
+// Corrects lumped nodal loads to exact fixed-end moments.
 //
 // In a clamped member the nodes' parts give other end moments than the load does. So the member's two end nodes get the
 // difference to the fixed-end moments of the whole Timoshenko member, with the two shear forces that keep it in

@@ -80,7 +80,7 @@ std::vector<ConfiguredJoint> configured_joints(const Workspace& w) {
     return list;
 }
 
-JointMoments evaluate(const ConfiguredJoint& m, const Vec3& rotation, const JointNow& from) {
+JointMoments evaluate(const ConfiguredJoint& m, const Vec3& rotation, const JointState& from) {
     JointMoments e;
     for (int k = 0; k < 3; ++k) {
         if (m.parts[k].empty()) {
@@ -98,7 +98,8 @@ JointMoments evaluate(const ConfiguredJoint& m, const Vec3& rotation, const Join
     return e;
 }
 
-Vec3 slope_of(const ConfiguredJoint& m, const Vec3& rotation, const JointNow& from, const JointMoments& e, Yielded as) {
+Vec3 slope_of(const ConfiguredJoint& m, const Vec3& rotation, const JointState& from, const JointMoments& e,
+              Yielded as) {
     if (as == Yielded::at_rotation) return e.slope;
     Vec3 slope = m.stiffness;
     for (int k = 0; k < 3 && as == Yielded::goes_on; ++k) {
@@ -113,7 +114,7 @@ Vec3 slope_of(const ConfiguredJoint& m, const Vec3& rotation, const JointNow& fr
     return slope;
 }
 
-ViscousMoments viscous_moments(const ConfiguredJoint& m, const JointNow& from, const Vec3& rotation, const Vec3& rate,
+ViscousMoments viscous_moments(const ConfiguredJoint& m, const JointState& from, const Vec3& rotation, const Vec3& rate,
                                double dt, const JointMoments& e, bool begins) {
     const Vec3 &k = m.damped, turned = rotation - from.rotation;
     ViscousMoments v;
@@ -153,7 +154,7 @@ void add_joint_blocks(const ConfiguredJoint& joint, const RelativeRotation& r, c
     blocks.stiffness(joint.node, joint.end, K);
 }
 
-int capacity_reached(const JointProperties& is, const JointNow& j) {
+int capacity_reached(const JointProperties& is, const JointState& j) {
     int over = -1;
     for (int k = 0; k < 3; ++k)
         if (std::abs(j.rotation[k]) >= is.axis[k].capacity) over = k;

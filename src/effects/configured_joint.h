@@ -1,4 +1,4 @@
-// A declared joint in the structure of a run: its nodes, springs and sliders, and what they resist with.
+// A declared joint in the structure of a run: its nodes, springs and sliders, and their moments.
 #pragma once
 
 #include "algebra/node_blocks.h"
@@ -32,9 +32,9 @@ struct JointMoments {
     std::vector<double> slid[3];
 };
 /// `from`: where the step begins.
-JointMoments evaluate(const ConfiguredJoint& joint, const Vec3& rotation, const JointNow& from);
+JointMoments evaluate(const ConfiguredJoint& joint, const Vec3& rotation, const JointState& from);
 /// Of each axis, N m/rad, as Blocks asks for those that have yielded.
-Vec3 slope_of(const ConfiguredJoint& joint, const Vec3& rotation, const JointNow& from, const JointMoments& e,
+Vec3 slope_of(const ConfiguredJoint& joint, const Vec3& rotation, const JointState& from, const JointMoments& e,
               Yielded as);
 
 /// Moment of damping about each axis, N m, and its derivatives by the rate and by the rotation. `elastic`: part of
@@ -44,15 +44,15 @@ struct ViscousMoments {
 };
 /// `rate`: of the rotation, rad/s; `dt`: length of the step, s. `begins`: where a step begins, the joint slips on as in
 /// the step before.
-ViscousMoments viscous_moments(const ConfiguredJoint& joint, const JointNow& from, const Vec3& rotation,
+ViscousMoments viscous_moments(const ConfiguredJoint& joint, const JointState& from, const Vec3& rotation,
                                const Vec3& rate, double dt, const JointMoments& e, bool begins);
 
 /// Adds the stiffness and the damping between its two nodes, N m/rad and N m s/rad about each axis. `moment`: which
 /// rotates with the node, N m; zero where the geometric stiffness is left out.
 void add_joint_blocks(const ConfiguredJoint& joint, const RelativeRotation& r, const Vec3& slope, const Vec3& by_rate,
                       const Vec3& moment, Blocks& blocks);
-/// The capacity that a joint has reached, as JointNow::over.
-int capacity_reached(const JointProperties& is, const JointNow& j);
+/// The capacity that a joint has reached, as JointState::over.
+int capacity_reached(const JointProperties& is, const JointState& j);
 
 /// Adds the end of a step to what the joint has gone through.
 void add_step(JointRecord& record, const JointProperties& is, const JointNow& j);

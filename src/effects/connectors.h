@@ -1,4 +1,4 @@
-// Connectors as a script declares them, and what a run keeps of them.
+// Connectors: their declaration, and their state in a run.
 #pragma once
 
 #include <functional>

@@ -8,7 +8,7 @@
 namespace hinge {
 
 /// Declares degrees of freedom that depend on others. The run eliminates them (run/constraints.h), so that what is
-/// solved for keeps the constraints, and asks the effect to set what a linear solution leaves out: finite rotations.
+/// solved for keeps the constraints, and the effect sets what a linear solution leaves out: finite rotations.
 class Constrainer {
 public:
     virtual ~Constrainer() = default;

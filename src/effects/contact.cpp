@@ -1,5 +1,5 @@
-// Contact between elements (eqs 17 to 19, or by surfaces): who meets whom over a step, what binds or presses them, and
-// what a step that ends or begins a contact has missed. src/contact has the geometry and the laws.
+// Contact of elements (eqs 17 to 19, or by surfaces): detection, tie and contact forces, and the impulses of contacts
+// that begin or end within a step. src/contact has the geometry and the laws.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -111,9 +111,9 @@ public:
         std::vector<contact::Released> parted;
         const double released = now().release(time, &parted);
         for (Vec6& n : impulse_) n.setZero();
-        const Contact::Settled settled = now().settle(time, step.dt, position_, w_.trial.rotation, impulse_);
-        w_.state.accumulated["contact_released"] += released + settled.heat;
-        if (settled.missed) add_missed(settled.work);
+        const Contact::StepResult ended = now().end_step(time, step.dt, position_, w_.trial.rotation, impulse_);
+        w_.state.accumulated["contact_released"] += released + ended.heat;
+        if (ended.missed) add_missed(ended.work);
         for (const contact::Released& tie : parted)
             if (tie.springs_back) w_.state.accumulated["contact_released"] -= spring_back(step, tie);
         if (!parted.empty()) {
@@ -122,7 +122,7 @@ public:
         }
     }
 
-    /// What began and ended: told to the script, and marked.
+    /// Calls the script's functions for contacts that began or ended in the step, and marks their elements.
     const char* decides() const override { return "events"; }
     void decide(Step&) override {
         for (const contact::ContactEvent& event : now().events()) {
@@ -219,7 +219,7 @@ private:
             position_[i] = w_.structure.position()[i] + displacement[i];
     }
 
-    /// By which of contact's rules two elements meet; the script's own rule is asked once for each pair of members.
+    /// The contact rule of two elements. The script's own rule is called once for each pair of members.
     int rule_between(int element_a, int element_b) {
         const int a = member(element_a), b = member(element_b);
         const int place = rule_for(a, b);

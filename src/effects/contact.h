@@ -1,4 +1,4 @@
-// Contact between members, as a script declares it and as others read it.
+// Contact between members: its declaration, and the events that other parts read.
 #pragma once
 
 #include <functional>

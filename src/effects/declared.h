@@ -1,4 +1,4 @@
-// What a model declares, asked of all effects: loads, added masses, links between nodes, planes, functions of the
+// Lists what a model declares, over all effects: loads, added masses, links between nodes, planes, functions of the
 // script. Warnings, pictures, the summary and other effects ask here, and need to know no effect by its type.
 #pragma once
 

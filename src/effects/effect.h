@@ -19,7 +19,7 @@ struct EffectTraits {
     /// say on displacements and Cayley vectors (Workspace::rotation_step), and it applies no impulses.
     bool mean_forces = false;
     bool calls_script = false;      ///< a step may fail in a function of the script, and is rolled back then
-    bool forces_vanish = false;     ///< a force may end at once: the acceleration is found anew with M by itself
+    bool forces_vanish = false;     ///< a force may end at once: the acceleration is recomputed with M alone
     bool strains_at_start = false;  ///< it strains elements at once where the run begins
 };
 
@@ -36,7 +36,7 @@ public:
     const EffectTraits& traits() const { return traits_; }
 
     // ---- a step of dynamics, in this order ------------------------------------------------------------------------
-    /// F at the end of the step, and what is prescribed there. Functions of the script are asked.
+    /// F at the end of the step, and what is prescribed there. Functions of the script are called.
     virtual void begin(const Step& step) { (void)step; }
     /// The trial is solved; `change`: the last correction of the accelerations.
     virtual void solved(const Step& step, const std::vector<Vec6>& change) { (void)step, (void)change; }
@@ -69,7 +69,7 @@ public:
     virtual void add_energy(const State& state, Accounts& sums) const { (void)state, (void)sums; }
     virtual void save(Writer& to) const { (void)to; }
     virtual void restore(Reader& from) { (void)from; }
-    /// Called after all was read: finds anew what follows from the state. False where what was read makes no sense.
+    /// Called after all was read: recomputes what follows from the state. False if the data make no sense.
     virtual bool restored(std::span<const State* const> states) { return (void)states, true; }
 
 protected:

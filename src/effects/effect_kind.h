@@ -1,4 +1,4 @@
-// An effect as the engine knows it before a run: its name, its accounts, its lines of the plan, and how it is made.
+// A kind of effect before a run: its name, accounts, lines of the plan, and the function that makes it.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The effects that a scene calls for, and for each role a list of those that have it. Each list has the order of
+// The effects of a run, and for each role the list of effects that have it. Each list has the order of
 // list.inc.
 #pragma once
 

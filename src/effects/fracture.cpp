@@ -30,7 +30,7 @@ bool rules_call_functions(const Model& model) {
 }
 
 /// An element that has flowed and has a rule of the script's own: its strains as factors of its forces.
-struct Watched {
+struct StrainFactors {
     int element;
     double x[2], y[2], axial, per_length;
     template <class Self, class A>
@@ -46,12 +46,12 @@ public:
     bool by_strain() const override { return true; }
     void decide(Step& step) override;
     void after_commit(const Step&) override {
-        for (const PlasticIncrement& y : w_.yielding) take_up(y.element);
+        for (const PlasticIncrement& y : w_.yielding) add_if_reachable(y.element);
     }
-    /// The partner of a pair takes up plastic deformation (state/breaking.h): its limits may come within reach.
+    /// The partner of a pair gets plastic deformation (state/breaking.h): its limits may come within reach.
     void broke(const Break& b) override {
         std::erase(candidates_, b.element);
-        if (w_.structure.p_delta()) take_up(w_.structure.elements()[b.element].partner);
+        if (w_.structure.p_delta()) add_if_reachable(w_.structure.elements()[b.element].partner);
     }
 
     void save_step() override { kept_before_.clear(), strained_before_.clear(); }
@@ -59,8 +59,8 @@ public:
         for (auto kept = kept_before_.rbegin(); kept != kept_before_.rend(); ++kept) *kept->at = kept->before;
         for (const Strained& s : strained_before_) std::copy(s.before.begin(), s.before.end(), s.at);
     }
-    void save(Writer& to) const override { to(candidates_, watched_, called_); }
-    void restore(Reader& from) override { from(candidates_, watched_, called_); }
+    void save(Writer& to) const override { to(candidates_, yielded_, called_); }
+    void restore(Reader& from) override { from(candidates_, yielded_, called_); }
     bool restored(std::span<const State* const>) override;
     void check_run(std::vector<RunWarning>& list) const override {
         name_idle_rules(w_.structure, called_, list);
@@ -68,16 +68,16 @@ public:
     }
 
 private:
-    void take_up(int element);
+    void add_if_reachable(int element);
     void add_candidate(int element);
     void check_element(int element, const beam::ReturnMapResult* flow, bool news);
-    Watched watch_strains(int element) const;
+    StrainFactors strain_factors(int element) const;
     void add_shear(beam::FractureStrains& to, int element, const Vec6& p) const {
         const Element& e = w_.structure.elements()[element];
         const double soft = heat_of(w_.trial.heat, element).stiffness;
         beam::add_shear(to, p, soft * e.rigidity.GAx, soft * e.rigidity.GAy, e.length);
     }
-    void list_news();
+    void list_newly_strained();
     bool is_breaking(int element) const {
         return std::any_of(step_->breaks.begin(), step_->breaks.end(),
                            [&](const Break& b) { return b.element == element; });
@@ -96,7 +96,7 @@ private:
     }
     void list_section(int element, int side, const Vec6& elastic, const Vec6& plastic,
                       const beam::ReturnMapResult* flow);
-    void ask_sections();
+    void call_rule();
 
     RuleNumbers& numbers() const { return *w_.state.data.find<RuleNumbers>(fracture_effect); }
     int rule_of(const Element& e) const { return rule_of_member_[e.member]; }  ///< its index, -1: none
@@ -107,11 +107,11 @@ private:
     Step* step_ = nullptr;         ///< the one that is decided on
     std::vector<int> candidates_;  ///< elements that could break without flowing in the step, rising
     std::vector<char> in_candidates_;
-    std::vector<SectionView> asked_;   ///< in this step, of one rule
-    std::vector<Watched> watched_;     ///< rising
-    std::vector<int> newly_strained_;  ///< of those, strained in this step as never before
-    std::size_t kept_a_section_ = 0;   ///< numbers that rules keep of a section
-    std::vector<long> called_;         ///< of each rule: how often its function was
+    std::vector<SectionView> sections_;   ///< in this step, of one rule
+    std::vector<StrainFactors> yielded_;  ///< rising
+    std::vector<int> newly_strained_;     ///< of those, strained in this step as never before
+    std::size_t kept_a_section_ = 0;      ///< numbers that rules keep of a section
+    std::vector<long> called_;            ///< of each rule: how often its function was
     // for a step that is taken back
     struct Kept {
         double* at;
@@ -141,7 +141,7 @@ Fracture::Fracture(Workspace& w, Host& host)
     numbers().resize(news ? 3 * elements : 0, 2 * elements * kept_a_section_);
     called_.assign(rules_.size(), 0);
     in_candidates_.assign(elements, 0);
-    for (std::size_t i = 0; i < elements; ++i) take_up(int(i));
+    for (std::size_t i = 0; i < elements; ++i) add_if_reachable(int(i));
     std::vector<Break> past;  // statics breaks nothing
     for (std::size_t i = 0; i < elements; ++i)
         if (!w.state.broken[i]) hinges_.add_reached(int(i), past, true);
@@ -153,7 +153,7 @@ bool Fracture::restored(std::span<const State* const> states) {
     const auto within = [n](int e) { return e >= 0 && e < n; };
     if (!std::all_of(candidates_.begin(), candidates_.end(), within)) return false;
     if (called_.size() != rules_.size()) return false;
-    for (const Watched& w : watched_)
+    for (const StrainFactors& w : yielded_)
         if (!within(w.element)) return false;
     for (const State* s : states)
         if (const auto* there = s->data.find<RuleNumbers>(fracture_effect); !there || !there->is_alike(numbers()))
@@ -170,7 +170,7 @@ void Fracture::add_candidate(int index) {
 }
 
 /// Lists the element as one that eq 16 is checked for at every step, whether or not it flows.
-void Fracture::take_up(int index) {
+void Fracture::add_if_reachable(int index) {
     const Element& e = w_.structure.elements()[index];
     if (rule_of(e) < 0 || in_candidates_[index] || w_.state.broken[index]) return;
     const FractureRule& rule = rules_[rule_of(e)];
@@ -179,21 +179,21 @@ void Fracture::take_up(int index) {
         (rule.hook && (rule.where == Where::all || (rule.where == Where::yielded && w_.state.yielded[index])))) {
         add_candidate(index);
     } else if (rule.hook && rule.where == Where::plastic && w_.state.yielded[index]) {
-        const auto at = std::lower_bound(watched_.begin(), watched_.end(), index,
-                                         [](const Watched& w, int element) { return w.element < element; });
-        if (at == watched_.end() || at->element != index) watched_.insert(at, watch_strains(index));
+        const auto at = std::lower_bound(yielded_.begin(), yielded_.end(), index,
+                                         [](const StrainFactors& w, int element) { return w.element < element; });
+        if (at == yielded_.end() || at->element != index) yielded_.insert(at, strain_factors(index));
     }
 }
 
-/// Of elements that have flowed before, those that are strained as never: what a script's rule is to be asked of
+/// Lists the elements that have flowed before and are strained more than ever: a script's rule is called for them
 /// without flow.
-void Fracture::list_news() {
+void Fracture::list_newly_strained() {
     newly_strained_.clear();
-    for (Watched& w : watched_) {
+    for (StrainFactors& w : yielded_) {
         const int i = w.element;
         if (w_.state.broken[i]) continue;
         if (w_.structure.model().options().shift == Shift::elastic_and_plastic || !w_.trial.heat.empty())
-            w = watch_strains(i);  // its point may have moved, or heat has softened it
+            w = strain_factors(i);  // its point may have moved, or heat has softened it
         const Vec6 &p = w_.force[i], plastic = without_slack(flowed(w_.state, i), i);
         const double strain[3] = {std::abs(w.x[0] * p[0] + w.x[1] * p[1] + w.per_length * (plastic[1] - plastic[0])),
                                   std::abs(w.y[0] * p[2] + w.y[1] * p[3] + w.per_length * (plastic[3] - plastic[2])),
@@ -207,7 +207,7 @@ void Fracture::list_news() {
 }
 
 /// Curvatures and axial strain of an element as factors of its forces, elastic; see Stiffness::solve.
-Watched Fracture::watch_strains(int index) const {
+StrainFactors Fracture::strain_factors(int index) const {
     const Element& e = w_.structure.elements()[index];
     const beam::Stiffness k = stiffness_now(w_.structure, w_.state, index, heat_of(w_.trial.heat, index));
     const double x = k.determinant_x() * e.length, y = k.determinant_y() * e.length;
@@ -222,8 +222,8 @@ Watched Fracture::watch_strains(int index) const {
 /// without.
 void Fracture::decide(Step& step) {
     step_ = &step;
-    step.breaks.clear(), asked_.clear();
-    list_news();
+    step.breaks.clear(), sections_.clear();
+    list_newly_strained();
     auto candidate = candidates_.begin();  // all three rise
     auto news = newly_strained_.begin();
     auto flowing = w_.yielding.begin();
@@ -237,13 +237,13 @@ void Fracture::decide(Step& step) {
             check_element(e, f == e ? &flowing->flow : nullptr, n == e);
         candidate += c == e, news += n == e, flowing += f == e;
     }
-    ask_sections();
+    call_rule();
     std::sort(step_->breaks.begin(), step_->breaks.end(),
               [](const Break& a, const Break& b) { return a.element < b.element; });
 }
 
 /// The section that flows, else the one whose forces over its strengths are larger (the measure of eq 14, whatever the
-/// law: no law has to be asked of sections far from flow).
+/// law: laws are not evaluated far from flow).
 int Fracture::weaker_end(int index, const beam::ReturnMapResult* flow) const {
     if (flow && !w_.structure.conventional() && flow->lambda[0] != flow->lambda[1])
         return flow->lambda[0] > flow->lambda[1] ? 1 : 2;
@@ -314,8 +314,8 @@ Break Fracture::at_limit(int index, const Vec6& elastic, const Vec6& plastic, co
     return holds;
 }
 
-/// Breaks the element if a limit is reached (eq 16); else lists its sections that a rule of the script's is to be asked
-/// of. `news`: the element is strained as never before.
+/// Breaks the element if a limit is reached (eq 16); else lists its sections for which a rule of the script is to be
+/// called. `news`: the element is strained as never before.
 void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool news) {
     const Element& e = w_.structure.elements()[index];
     const FractureRule& rule = rules_[rule_of(e)];
@@ -332,7 +332,7 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
     if (is_breaking(index)) return;
     if (const Break b = at_limit(index, elastic, plastic, flow); b.end > 0) return step_->breaks.push_back(b);
     if (!rule.hook) return;
-    if (!asked_.empty() && rule_of(w_.structure.elements()[asked_.back().element]) != rule_of(e)) ask_sections();
+    if (!sections_.empty() && rule_of(w_.structure.elements()[sections_.back().element]) != rule_of(e)) call_rule();
     const int weaker = weaker_end(index, flow);
     for (int side : {weaker, 3 - weaker}) {
         const bool flows = flows_at(flow, side, weaker);
@@ -341,7 +341,7 @@ void Fracture::check_element(int index, const beam::ReturnMapResult* flow, bool 
                            ((rule.where == Where::yielded || news) && w_.state.yielded[index] & bit);
         if (!asked) continue;
         list_section(index, side, elastic, plastic, flow);
-        asked_.back().plastic = flows;
+        sections_.back().plastic = flows;
         if (news && !flow) break;  // the other end is strained alike
     }
 }
@@ -356,7 +356,7 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
     };
     const double r = side == 1 ? -1 : 1;
     const Vec6 p = resultants_at(index, r);
-    SectionView& v = asked_.emplace_back();
+    SectionView& v = sections_.emplace_back();
     v.time = step_->end(), v.dt = step_->dt, v.step = double(w_.state.step + 1);
     v.member = e.member, v.element = index, v.end = side, v.node = joint_at(w_.structure, e, side);
     v.strain = strains(elastic + plastic);
@@ -375,29 +375,29 @@ void Fracture::list_section(int index, int side, const Vec6& elastic, const Vec6
 }
 
 /// Asks the rule of the sections listed, all of them its own: of an element's second one only if the first holds.
-void Fracture::ask_sections() {
-    if (asked_.empty()) return;
-    const int number = rule_of(w_.structure.elements()[asked_[0].element]);
+void Fracture::call_rule() {
+    if (sections_.empty()) return;
+    const int number = rule_of(w_.structure.elements()[sections_[0].element]);
     const FractureRule& rule = rules_[number];
-    called_[number] += long(asked_.size());
-    for (const SectionView& v : asked_)
+    called_[number] += long(sections_.size());
+    for (const SectionView& v : sections_)
         for (std::size_t i = 0; i < rule.keep.size(); ++i) kept_before_.push_back({v.kept + i, v.kept[i]});
     std::size_t at = 0;
-    while (at < asked_.size()) {
+    while (at < sections_.size()) {
         try {
-            rule.hook.ask(asked_, at);
+            rule.hook.ask(sections_, at);
         } catch (const HookError& e) {
-            const SectionView& at_error = asked_[at];
+            const SectionView& at_error = sections_[at];
             throw HookError(
                 std::string(e.what()) + " (fracture rule" + (rule.asked_at.empty() ? "" : " of " + rule.asked_at) +
                 ", " + w_.structure.element_name(at_error.element) + ", end " + std::to_string(at_error.end) + ")");
         }
-        if (at >= asked_.size()) break;
-        const SectionView& breaks = asked_[at];
+        if (at >= sections_.size()) break;
+        const SectionView& breaks = sections_[at];
         if (!is_breaking(breaks.element)) step_->breaks.push_back({breaks.element, breaks.end});
-        while (at < asked_.size() && asked_[at].element == breaks.element) ++at;
+        while (at < sections_.size() && sections_[at].element == breaks.element) ++at;
     }
-    asked_.clear();
+    sections_.clear();
 }
 
 std::vector<PlanLine> fracture_plan(const Structure& s, const RunKind&) {

@@ -1,4 +1,4 @@
-// Heat of members, as a script declares it: their temperature, and what it makes of the material. Prestress.
+// Declarations of heat and prestress: temperatures of members, and properties of the material over temperature.
 #pragma once
 
 #include <memory>

@@ -10,7 +10,7 @@ namespace hinge {
 /// of a pulse that is longer.
 inline constexpr int steep = 20;
 
-/// Where a history jumps, a step acts with its mean over it (History::over), and the acceleration is found anew.
+/// Where a history jumps, a step acts with its mean over it (History::over), and the acceleration is recomputed.
 struct StepFactor {
     double kept = 1;            ///< with which the acceleration where the state is was found
     double begin = 1, end = 1;  ///< over the coming step

@@ -1,4 +1,4 @@
-// What an effect may ask of the run that it is part of.
+// Services of a run for its effects: changes of velocity, waking of bodies, constraints.
 #pragma once
 
 #include <string>
@@ -11,7 +11,8 @@
 
 namespace hinge {
 
-/// change = M^-1 impulse, and what x times it takes: square x^2 + linear x. Supports that move add x by_supports to it.
+/// change = M^-1 impulse, and the kinetic energy that x times it takes: square x^2 + linear x. Supports that move add x
+/// by_supports to it.
 struct ImpulseResponse {
     double square = 0, linear = 0, by_supports = 0;
     std::vector<Vec6> change;  ///< of the velocities
@@ -32,15 +33,15 @@ public:
     virtual ~Host() = default;
     /// The element's stiffness is not what the effective stiffness has of it.
     virtual void stiffness_changed(int element) = 0;
-    /// The stiffness of forces has changed: Force::add_blocks is asked of all, at that configuration.
+    /// The stiffness of forces has changed: Force::add_blocks is called for all effects, at that configuration.
     virtual void blocks_changed(const Pose& at) = 0;
     /// Mass that hangs rigidly on a node, 6 x 6 in space, in the effective stiffness.
     virtual void set_offset_mass(int node, const Mat6& mass) = 0;
     /// These nodes (not negative) take no part in the solution; empty: all do.
     virtual void leave_out(const std::vector<int>& resting) = 0;
-    /// A force has vanished at once: the next step begins with the acceleration found anew.
+    /// A force has vanished at once: the next step begins with a recomputed acceleration.
     virtual void accelerations_anew() = 0;
-    /// Constraints have ended: those that are left are found anew where the step ends. Statics keeps its own.
+    /// Constraints have ended: the others are recomputed at the end of the step. Statics keeps its own.
     virtual void constraints_changed() = 0;
     /// Elements' part in M has changed.
     virtual void mass_changed(int element) = 0;

@@ -35,7 +35,7 @@ JointTies::JointTies(Workspace& w, const std::vector<ConfiguredJoint>& joints) :
 
 bool JointTies::is_whole(const JointTie& t) const {
     return t.is_rigid() ? !has_lost_all(t.node) && !w_.state.gone[t.end]
-                        : !w_.state.data.find<JointsNow>(joints_effect)->list[std::size_t(t.joint)].broken;
+                        : !w_.state.data.find<JointStates>(joints_effect)->list[std::size_t(t.joint)].broken;
 }
 Vec3 JointTies::arm_of(const JointTie& t, const Pose& at) const {
     return t.arm.isZero(0) || !w_.structure.large() ? t.arm : Vec3(at.rotation[t.node] * t.arm);

@@ -12,7 +12,7 @@
 // Damping by stiffness (model:damping) gives each spring of finite stiffness a dashpot that takes the rate of the
 // spring alone: the slip of its slider is free. In a step that turns the joint by D and moves the slider by P that is
 // k beta ((D - P) / dt + x (rate - D / dt)), x = (D - P) / D between 0 and 1: of second order, as in elastic_rate.h.
-// The moment of the dashpots is beside that of the joint. Neither strength nor capacity is asked of it.
+// The moment of the dashpots is beside that of the joint. Neither strength nor capacity limits it.
 #include "effects/joints.h"
 
 #include <algorithm>
@@ -50,68 +50,69 @@ class Joints : public Effect,
                public StepLimiter,
                public RunChecker {
 public:
-    Joints(Workspace& w, Host& host) : Effect(joints_effect, w, host), made_(configured_joints(w)), ties_(w, made_) {
-        if (!w.state.data.find<JointsNow>(joints_effect)) w.state.data.set(joints_effect, JointsNow{});
+    Joints(Workspace& w, Host& host)
+        : Effect(joints_effect, w, host), joints_(configured_joints(w)), ties_(w, joints_) {
+        if (!w.state.data.find<JointStates>(joints_effect)) w.state.data.set(joints_effect, JointStates{});
         if (!w.state.data.find<JointRecords>(joint_records)) w.state.data.set(joint_records, JointRecords{});
         records().one_run_later();
         records().list.resize(declared().size());
         list().resize(declared().size());
-        now_.resize(declared().size());
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            for (int k = 0; k < 3; ++k) list()[i].slid[k].resize(made_[i].parts[k].size(), 0.0);
+        end_forces_.resize(declared().size());
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            for (int k = 0; k < 3; ++k) list()[i].slid[k].resize(joints_[i].parts[k].size(), 0.0);
             traits_.forces_vanish = traits_.forces_vanish || declared()[i].is.can_break();
         }
-        for (std::size_t i = 0; i < made_.size(); ++i) go_on(i);
-        ties_.refuse_moments(made_);
+        for (std::size_t i = 0; i < joints_.size(); ++i) go_on(i);
+        ties_.refuse_moments(joints_);
     }
 
     // ---- forces ---------------------------------------------------------------------------------------------------
     void begin_statics() override {
-        for (JointNow& j : list()) j.viscous.setZero(), j.elastic.setOnes();
+        for (JointState& j : list()) j.viscous.setZero(), j.elastic.setOnes();
     }
     void add_forces(double time, std::vector<Vec6>& resisting) override {
-        for (std::size_t i = 0; i < made_.size(); ++i) {
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (list()[i].broken) continue;
-            const ConfiguredJoint& m = made_[i];
-            now_[i].resisted = resisting[m.end].head<3>();
+            const ConfiguredJoint& m = joints_[i];
+            end_forces_[i].resisted = resisting[m.end].head<3>();
             const RelativeRotation r = turn(i, w_.trial);
             const JointMoments e = evaluate(i, r.rotation);
             Vec3 moment = e.moment;
-            if (m.damping > 0) moment += now_[i].viscous = viscous(i, r, e, time == w_.state.time).moment;
+            if (m.damping > 0) moment += end_forces_[i].viscous = viscous(i, r, e, time == w_.state.time).moment;
             const Vec3 in_space = r.by_spin().transpose() * moment;
             resisting[m.node].tail<3>() -= in_space;
             resisting[m.end].tail<3>() += in_space;
         }
     }
     bool has_blocks() const override {
-        return std::any_of(list().begin(), list().end(), [](const JointNow& j) { return !j.broken; });
+        return std::any_of(list().begin(), list().end(), [](const JointState& j) { return !j.broken; });
     }
     bool blocks_follow() const override {
         if (w_.structure.large()) return has_blocks();
-        for (std::size_t i = 0; i < made_.size(); ++i)
+        for (std::size_t i = 0; i < joints_.size(); ++i)
             if (!list()[i].broken && !declared()[i].is.is_linear()) return true;
         return false;
     }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        for (std::size_t i = 0; i < made_.size(); ++i) {
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (list()[i].broken) continue;
             const RelativeRotation r = turn(i, at);
             const JointMoments e = evaluate(i, r.rotation);
             // a joint that slides leaves a mechanism: without any stiffness what solves for it would divide by rounding
-            Vec3 slope =
-                slope_of(made_[i], r.rotation, list()[i], e, blocks.yielded).cwiseMax(of_sliding * made_[i].stiffness);
-            if (ties_.carries_node(made_[i], i)) slope = slope.cwiseMax(of_riding * made_[i].own);
+            Vec3 slope = slope_of(joints_[i], r.rotation, list()[i], e, blocks.yielded)
+                             .cwiseMax(of_sliding * joints_[i].stiffness);
+            if (ties_.carries_node(joints_[i], i)) slope = slope.cwiseMax(of_riding * joints_[i].own);
             ViscousMoments v;
-            if (made_[i].damping > 0) v = viscous(i, r, e, false), slope += v.by_rotation;
-            add_joint_blocks(made_[i], r, slope, v.by_rate,
+            if (joints_[i].damping > 0) v = viscous(i, r, e, false), slope += v.by_rotation;
+            add_joint_blocks(joints_[i], r, slope, v.by_rate,
                              w_.structure.large() && w_.kind.geometric ? e.moment : Vec3(Vec3::Zero()), blocks);
         }
     }
     void add_stiffest(Blocks& most) const override {
-        for (std::size_t i = 0; i < made_.size(); ++i)
+        for (std::size_t i = 0; i < joints_.size(); ++i)
             if (!list()[i].broken)
-                add_joint_blocks(made_[i], turn(i, w_.state), made_[i].stiffness, made_[i].damping * made_[i].damped,
-                                 Vec3::Zero(), most);
+                add_joint_blocks(joints_[i], turn(i, w_.state), joints_[i].stiffness,
+                                 joints_[i].damping * joints_[i].damped, Vec3::Zero(), most);
     }
 
     // ---- constraints ----------------------------------------------------------------------------------------------
@@ -128,26 +129,26 @@ public:
     // ---- a step ---------------------------------------------------------------------------------------------------
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = 0;
-        for (std::size_t i = 0; i < made_.size(); ++i) {
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (list()[i].broken) continue;
             work += dissipated_in_step(i);
-            if (made_[i].damping == 0) continue;
+            if (joints_[i].damping == 0) continue;
             const Vec3 turned = turn(i, w_.trial).rotation - list()[i].rotation;
             sums["damping"] += 0.5 * (list()[i].viscous + viscous_at_end(i).moment).dot(turned);
         }
         sums["joint_dissipated"] += work;
     }
     void acceleration_found() override {
-        for (std::size_t i = 0; i < made_.size(); ++i) list()[i].viscous = now_[i].viscous;
+        for (std::size_t i = 0; i < joints_.size(); ++i) list()[i].viscous = end_forces_[i].viscous;
     }
     void before_commit(const Step& step) override {
         int first = -1;  // of those that break in the step
-        for (std::size_t i = 0; i < made_.size(); ++i) {
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (list()[i].broken) continue;
             keep(i, step);
             if (list()[i].over < 0 || !w_.kind.dynamic) continue;
             release(i, step.end());
-            ties_.leave_node(made_[i].node);
+            ties_.leave_node(joints_[i].node);
             if (first < 0) first = int(i);
         }
         if (first < 0) return;
@@ -160,10 +161,11 @@ public:
         for (const JointTie& t : ties_)
             if (t.is_rigid() && (ties_.has_lost_all(t.node) || ties_.has_lost_all(t.end)))
                 ties_.leave_node(t.node), lost_any_ = true;
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            if (list()[i].broken || !(ties_.has_lost_all(made_[i].node) || ties_.has_lost_all(made_[i].end))) continue;
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            if (list()[i].broken || !(ties_.has_lost_all(joints_[i].node) || ties_.has_lost_all(joints_[i].end)))
+                continue;
             release(i, w_.state.time);
-            ties_.leave_node(made_[i].node);
+            ties_.leave_node(joints_[i].node);
             lost_any_ = true;
         }
     }
@@ -172,7 +174,7 @@ public:
         lost_any_ = false;
     }
     bool allows_long_step() const override {
-        for (std::size_t i = 0; i < made_.size(); ++i)
+        for (std::size_t i = 0; i < joints_.size(); ++i)
             if (!list()[i].broken && (!declared()[i].is.is_linear() || declared()[i].is.can_break())) return false;
         return true;
     }
@@ -194,24 +196,24 @@ public:
                      (close_.times > 1 ? ", and so " + std::to_string(close_.times - 1) + " more times" : "") +
                      ": which of them breaks first may hang on dt, the integrator and the elements, and "
                      "what follows with it",
-                 "compare with another integrator, and with twice the elements", made_[close_.broke].member});
-        for (std::size_t i = 0; i < made_.size(); ++i) {
-            const JointNow& j = list()[i];
+                 "compare with another integrator, and with twice the elements", joints_[close_.broke].member});
+        for (std::size_t i = 0; i < joints_.size(); ++i) {
+            const JointState& j = list()[i];
             if (w_.kind.dynamic || j.over < 0) continue;
             warnings.push_back({name_of(i) + " is beyond its capacity: " + why(i) + "; statics breaks no joint",
-                                "a dynamic run that goes on from here breaks it", made_[i].member});
+                                "a dynamic run that goes on from here breaks it", joints_[i].member});
         }
     }
     bool restored(std::span<const State* const> states) override {
-        if (close_.times < 0 || close_.broke >= made_.size() || close_.other >= made_.size()) return false;
+        if (close_.times < 0 || close_.broke >= joints_.size() || close_.other >= joints_.size()) return false;
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
-            const auto* there = s->data.find<JointsNow>(joints_effect);
+            const auto* there = s->data.find<JointStates>(joints_effect);
             const auto* records = s->data.find<JointRecords>(joint_records);
-            if (!there || there->list.size() != made_.size()) return false;
-            if (!records || records->list.size() != made_.size()) return false;
-            for (std::size_t i = 0; i < made_.size(); ++i)
+            if (!there || there->list.size() != joints_.size()) return false;
+            if (!records || records->list.size() != joints_.size()) return false;
+            for (std::size_t i = 0; i < joints_.size(); ++i)
                 for (int k = 0; k < 3; ++k)
-                    if (there->list[i].slid[k].size() != made_[i].parts[k].size()) return false;
+                    if (there->list[i].slid[k].size() != joints_[i].parts[k].size()) return false;
             return true;
         });
     }
@@ -220,32 +222,32 @@ public:
     void restore(Reader& from) override { from(close_); }
 
 private:
-    /// What the member's end resists where forces were found last, with the loads on it.
-    struct Now {
+    /// Forces of the member's end at the last evaluation, with the loads on it.
+    struct EndForces {
         Vec3 resisted = Vec3::Zero();  ///< N, in space
         Vec3 viscous = Vec3::Zero();   ///< N m: the moment of damping
     };
     const std::vector<Joint>& declared() const { return declared_; }
     const std::vector<Joint>& declared_ = w_.structure.model().declared<Joint>(joints_effect);
-    std::vector<JointNow>& list() const { return w_.state.data.find<JointsNow>(joints_effect)->list; }
+    std::vector<JointState>& list() const { return w_.state.data.find<JointStates>(joints_effect)->list; }
     JointRecords& records() const { return *w_.state.data.find<JointRecords>(joint_records); }
 
     /// A run that goes on from one with another stiffness of rigid axes begins with the moments of that one.
     void go_on(std::size_t i) {
         for (int k = 0; k < 3; ++k)
             if (!std::isfinite(declared()[i].is.axis[k].stiffness))
-                list()[i].offset[k] = list()[i].rotation[k] - list()[i].moment[k] / made_[i].stiffness[k];
+                list()[i].offset[k] = list()[i].rotation[k] - list()[i].moment[k] / joints_[i].stiffness[k];
     }
 
     RelativeRotation turn(std::size_t i, const Pose& at) const {
-        const ConfiguredJoint& m = made_[i];
+        const ConfiguredJoint& m = joints_[i];
         return relative_rotation(w_.structure, at, m.node, m.end, m.axes, list()[i].rotation);
     }
     JointMoments evaluate(std::size_t i, const Vec3& rotation) const {
-        return hinge::evaluate(made_[i], rotation, list()[i]);
+        return hinge::evaluate(joints_[i], rotation, list()[i]);
     }
     ViscousMoments viscous(std::size_t i, const RelativeRotation& r, const JointMoments& e, bool begins) const {
-        const ConfiguredJoint& m = made_[i];
+        const ConfiguredJoint& m = joints_[i];
         const Vec3 rate = r.by_spin() * (w_.velocity(w_.trial, m.end) - w_.velocity(w_.trial, m.node)).tail<3>();
         return viscous_moments(m, list()[i], r.rotation, rate, w_.assembly.step(), e, begins);
     }
@@ -253,14 +255,14 @@ private:
     ViscousMoments viscous_at_end(std::size_t i) const {
         const RelativeRotation r = turn(i, w_.trial);
         ViscousMoments v = viscous(i, r, evaluate(i, r.rotation), false);
-        if (w_.kind.explicit_steps) v.moment = now_[i].viscous;
+        if (w_.kind.explicit_steps) v.moment = end_forces_[i].viscous;
         return v;
     }
 
     /// Where tension has weakened the joint, the step began with the moment that it had before: half of what that lost
     /// does work with the step's rotation.
     double dissipated_in_step(std::size_t i) const {
-        const JointNow& j = list()[i];
+        const JointState& j = list()[i];
         const Vec3 end = turn(i, w_.trial).rotation;
         double work = evaluate(i, end).dissipated;
         if (declared()[i].is.tension_weakens)
@@ -277,7 +279,7 @@ private:
     }
     /// Called when one has broken: another one that does not break in the same step, but nearly does?
     void note_close_call(std::size_t broke, double time) {
-        for (std::size_t k = 0; k < made_.size(); ++k) {
+        for (std::size_t k = 0; k < joints_.size(); ++k) {
             if (list()[k].broken || !declared()[k].is.can_break()) continue;
             const double part = used(k);
             if (!(part >= close_part && part < 1)) continue;
@@ -288,9 +290,9 @@ private:
 
     /// Takes what the step has led to, and sees whether it reaches a capacity.
     void keep(std::size_t i, const Step& step) {
-        const ConfiguredJoint& m = made_[i];
+        const ConfiguredJoint& m = joints_[i];
         const JointProperties& is = declared()[i].is;
-        JointNow& j = list()[i];
+        JointState& j = list()[i];
         if (m.damping > 0) {
             const ViscousMoments v = viscous_at_end(i);
             j.viscous = v.moment, j.elastic = v.elastic;
@@ -304,7 +306,8 @@ private:
         }
         j.moment = e.moment;
         const Mat3 turned = w_.structure.large() ? Mat3(w_.trial.rotation[m.end].toRotationMatrix() * m.axes) : m.axes;
-        const Vec3 f = turned.transpose() * (now_[i].resisted - w_.load(m.end).head<3>() + inertia_of_end(m.end));
+        const Vec3 f =
+            turned.transpose() * (end_forces_[i].resisted - w_.load(m.end).head<3>() + inertia_of_end(m.end));
         j.tension = m.side == 0 ? -f.z() : f.z();
         j.shear = f.head<2>().norm();
         if (is.tension_weakens) {
@@ -324,8 +327,8 @@ private:
 
     /// Sliders that hold less from the next step on slip at once: what their springs lose is dissipated.
     void weaken(std::size_t index, double left, const Step& step) {
-        const ConfiguredJoint& m = made_[index];
-        JointNow& j = list()[index];
+        const ConfiguredJoint& m = joints_[index];
+        JointState& j = list()[index];
         j.left = left;
         for (int k : {0, 1})
             for (std::size_t i = 0; i < m.parts[k].size(); ++i) {
@@ -349,12 +352,12 @@ private:
     }
 
     double stored(const State& state) const {
-        const auto* there = state.data.find<JointsNow>(joints_effect);
+        const auto* there = state.data.find<JointStates>(joints_effect);
         double energy = 0;
         for (std::size_t i = 0; there && i < there->list.size(); ++i) {
-            const JointNow& j = there->list[i];
+            const JointState& j = there->list[i];
             if (j.broken) continue;
-            const ConfiguredJoint& m = made_[i];
+            const ConfiguredJoint& m = joints_[i];
             const Vec3 turned = relative_rotation(w_.structure, state, m.node, m.end, m.axes, j.rotation).rotation;
             energy += hinge::evaluate(m, turned, j).stored;
         }
@@ -363,13 +366,13 @@ private:
 
     std::string name_of(std::size_t i) const {
         if (declared()[i].is_between_nodes())
-            return "the joint between nodes " + std::to_string(made_[i].node + 1) + " and " +
-                   std::to_string(made_[i].end + 1);
-        return "the joint at end " + std::string(made_[i].side == 0 ? "a" : "b") + " of member " +
-               std::to_string(made_[i].member + 1);
+            return "the joint between nodes " + std::to_string(joints_[i].node + 1) + " and " +
+                   std::to_string(joints_[i].end + 1);
+        return "the joint at end " + std::string(joints_[i].side == 0 ? "a" : "b") + " of member " +
+               std::to_string(joints_[i].member + 1);
     }
     std::string why(std::size_t i) const {
-        const JointNow& j = list()[i];
+        const JointState& j = list()[i];
         char text[80] = "its node has lost its last member";
         if (j.over >= 0 && j.over < 3)
             std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
@@ -380,7 +383,7 @@ private:
     }
 
     void release(std::size_t i, double time) {
-        JointNow& j = list()[i];
+        JointState& j = list()[i];
         w_.state.accumulated["joint_dissipated"] += evaluate(i, j.rotation).stored;
         j.broken = true;
         j.broken_at = time;
@@ -391,9 +394,9 @@ private:
         host_.blocks_changed(at);
     }
 
-    std::vector<ConfiguredJoint> made_;
+    std::vector<ConfiguredJoint> joints_;
     JointTies ties_;
-    std::vector<Now> now_;
+    std::vector<EndForces> end_forces_;
     bool lost_any_ = false;
     /// The first break at which another joint was close to its own, and how many there were.
     struct Close {

@@ -1,4 +1,4 @@
-// Joints of member ends, and between two nodes at one place, as a script declares them, and what a run keeps of them.
+// Joints of member ends, and between two nodes at one place: their declaration, and their state in a run.
 #pragma once
 
 #include <array>
@@ -67,7 +67,7 @@ struct Joint {
 };
 
 /// A joint where the last step that was kept ended.
-struct JointNow {
+struct JointState {
     bool broken = false;
     double broken_at = 0;           ///< s
     Vec3 rotation = Vec3::Zero();   ///< of the member's end relative to the node, about x, y, z of the section, rad
@@ -88,9 +88,9 @@ struct JointNow {
     }
 };
 
-struct JointsNow {
+struct JointStates {
     static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
-    std::vector<JointNow> list;
+    std::vector<JointState> list;
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.list);

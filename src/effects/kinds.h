@@ -1,4 +1,4 @@
-// What the files of this folder share: each gives one kind of effect, and list.inc lists them.
+// The functions that make the kinds of effects, one a file; list.inc lists them. Helpers that these files share.
 #pragma once
 
 #include "core/built.h"

@@ -1,5 +1,5 @@
-// A load on the elements of a member: the nodal forces that it amounts to, fixed-end moments exact, and what it adds to
-// the resultants of their sections.
+// A load on the elements of a member: its nodal forces with exact fixed-end moments, and its part of the resultants of
+// their sections.
 #pragma once
 
 #include "algebra/node_blocks.h"

@@ -22,7 +22,7 @@ public:
                 place[load.node] = int(loaded_.size());
                 loaded_.push_back({load.node});
             }
-            if (load.follows_state()) asked_[load_at_.size()] = {};
+            if (load.follows_state()) values_[load_at_.size()] = {};
             if (load.history && load.history.may_jump_in(steep * w.kind.dt)) {
                 const double factor = load.history.from(w.state.time);
                 jumping_[load_at_.size()] = {factor, factor, factor};
@@ -31,7 +31,7 @@ public:
             traits_.calls_script =
                 traits_.calls_script || load.follows_state() || (load.history && !load.history.points());
         }
-        traits_.forces_vanish = !asked_.empty() || !jumping_.empty();
+        traits_.forces_vanish = !values_.empty() || !jumping_.empty();
     }
 
     /// A run has no loads with a history in statics (Model::choose). The linear solution that decides on elements has,
@@ -50,14 +50,14 @@ public:
     }
 
     /// F at the end of the step. What functions of the state give where a run begins is known in its first step only:
-    /// the first acceleration is found anew with it. So it is where a history has jumped.
+    /// the first acceleration is recomputed with it. So it is where a history has jumped.
     void begin(const Step& step) override {
         const bool jumped = find_jumps(step);
-        if (!begun_ && !asked_.empty()) {
-            ask(step.begin);
-            keep_asked();
+        if (!begun_ && !values_.empty()) {
+            call_functions(step.begin);
+            keep_values();
             found_anew_ =
-                std::any_of(asked_.begin(), asked_.end(), [](const auto& a) { return !a.second.kept.isZero(0); });
+                std::any_of(values_.begin(), values_.end(), [](const auto& a) { return !a.second.kept.isZero(0); });
             if (found_anew_) return host_.accelerations_anew();
             begun_ = true;
         }
@@ -66,26 +66,26 @@ public:
             if (w_.kind.explicit_steps) leave_jump(step.dt);
             return host_.accelerations_anew();
         }
-        ask(step.end());
-        act(step.end(), &Asked::tried, &StepFactor::end);
+        call_functions(step.end());
+        act(step.end(), &FunctionValue::tried, &StepFactor::end);
     }
-    void act_at(double time) override { act(time, &Asked::kept, &StepFactor::begin); }
+    void act_at(double time) override { act(time, &FunctionValue::kept, &StepFactor::begin); }
     void acceleration_found() override {
         if (!found_anew_) return;
         begun_ = true, found_anew_ = false;
         if (!left_.empty()) arrive_from_jump();
-        for (Loaded& l : loaded_) l.before = l.now;
+        for (LoadedNode& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.begin;
     }
 
     void started(const std::vector<Vec6>&) override {
-        for (Loaded& l : loaded_) l.before = l.now;
+        for (LoadedNode& l : loaded_) l.before = l.now;
     }
 
     /// By the trapezium rule.
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double work = of_jumps_;
-        for (const Loaded& l : loaded_) {
+        for (const LoadedNode& l : loaded_) {
             const Vec6 mean = 0.5 * (l.now + l.before);
             work += mean.head<3>().dot(w_.trial.displacement[l.node] - w_.state.displacement[l.node]) +
                     mean.tail<3>().dot(w_.rotation_step[l.node]);
@@ -94,10 +94,10 @@ public:
     }
 
     void before_commit(const Step&) override {
-        for (Loaded& l : loaded_) l.before = l.now;
+        for (LoadedNode& l : loaded_) l.before = l.now;
         for (auto& [i, b] : jumping_) b.kept = b.end;
         of_jumps_ = 0;
-        keep_asked();
+        keep_values();
     }
 
     void show_loads(std::vector<ShownLoad>& to) const override {
@@ -105,7 +105,7 @@ public:
             if (!f.isZero(0)) to.push_back({node, -1, -1, {f.head<3>(), Vec3::Zero()}, {f.tail<3>(), Vec3::Zero()}});
         };
         if (w_.kind.dynamic) {
-            for (const Loaded& l : loaded_) show(l.node, l.now);
+            for (const LoadedNode& l : loaded_) show(l.node, l.now);
             return;
         }
         for (const NodalLoad& l : declared_) {
@@ -119,7 +119,7 @@ public:
         for (const NodalLoad& l : declared_)
             if ((l.history || l.follows_state()) && bodies.of_node[l.node] >= 0) rests[bodies.of_node[l.node]] = 0;
     }
-    bool allows_long_step() const override { return asked_.empty(); }
+    bool allows_long_step() const override { return values_.empty(); }
     bool is_unsymmetric() const override {
         return std::any_of(declared_.begin(), declared_.end(), [](const NodalLoad& l) { return !l.moment.isZero(); });
     }
@@ -139,18 +139,18 @@ public:
 
 private:
     /// A node with loads: F is the sum of what is steady there and what acts now.
-    struct Loaded {
+    struct LoadedNode {
         int node;
         Vec6 now = Vec6::Zero(), before = Vec6::Zero();
     };
     /// What a function of the state gave where the last step ended, and for the end of this one.
-    struct Asked {
+    struct FunctionValue {
         Vec6 kept = Vec6::Zero(), tried = Vec6::Zero();
     };
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         for (auto& l : s.loaded_) a(l.now, l.before);
-        for (auto& [load, asked] : s.asked_) a(asked.kept);
+        for (auto& [load, value] : s.values_) a(value.kept);
         for (auto& [load, b] : s.jumping_) a(b.kept, b.begin, b.end);
         a(s.begun_);
     }
@@ -158,16 +158,16 @@ private:
     /// A support that joints alone join to its members is no part of the state, and takes loads all the same.
     bool is_gone(int node) const { return w_.state.gone[node] && !w_.structure.is_alone(node); }
 
-    void ask(double t) {
-        for (auto& [i, asked] : asked_) {
+    void call_functions(double t) {
+        for (auto& [i, value] : values_) {
             const NodalLoad& load = declared_[i];
             if (is_gone(load.node)) continue;
-            if (load.force_rule) asked.tried.head<3>() = load.force_rule(t);
-            if (load.moment_rule) asked.tried.tail<3>() = load.moment_rule(t);
+            if (load.force_rule) value.tried.head<3>() = load.force_rule(t);
+            if (load.moment_rule) value.tried.tail<3>() = load.moment_rule(t);
         }
     }
-    void keep_asked() {
-        for (auto& [i, asked] : asked_) asked.kept = asked.tried;
+    void keep_values() {
+        for (auto& [i, value] : values_) value.kept = value.tried;
     }
     /// Finds the factors of the coming step. True where one does not begin with what the acceleration was found with.
     bool find_jumps(const Step& step) {
@@ -180,12 +180,12 @@ private:
         return jumped;
     }
     /// The kinetic energy of explicit steps, by the trapezium rule for the velocities, is ahead of the work by dt^2/8 a
-    /// M a wherever a step ends. It goes away again as the acceleration does, but where the acceleration is found anew
+    /// M a wherever a step ends. It goes away again as the acceleration does, but where the acceleration is recomputed
     /// it stays: dt^2/8 (F1 - F2) (a1 + a2) belongs to the work of a jump from F1 to F2.
     void leave_jump(double dt) {
         left_.clear();
         left_by_ = dt * dt / 8;
-        for (const Loaded& l : loaded_) left_.push_back(w_.state.acceleration[l.node]);
+        for (const LoadedNode& l : loaded_) left_.push_back(w_.state.acceleration[l.node]);
     }
     void arrive_from_jump() {
         for (std::size_t i = 0; i < loaded_.size(); ++i)
@@ -194,8 +194,8 @@ private:
         left_.clear();
     }
     /// Only nodes with loads change.
-    void act(double t, Vec6 Asked::*said, double StepFactor::*of_step) {
-        for (Loaded& l : loaded_) l.now.setZero();
+    void act(double t, Vec6 FunctionValue::*which, double StepFactor::*of_step) {
+        for (LoadedNode& l : loaded_) l.now.setZero();
         auto jumping = jumping_.begin();
         for (std::size_t i = 0; i < declared_.size(); ++i) {
             const NodalLoad& load = declared_[i];
@@ -206,21 +206,21 @@ private:
             loaded_[load_at_[i]].now.head<3>() += factor * load.force;
             loaded_[load_at_[i]].now.tail<3>() += factor * load.moment;
         }
-        for (const auto& [i, asked] : asked_)
-            if (!is_gone(declared_[i].node)) loaded_[load_at_[i]].now += asked.*said;
-        for (const Loaded& l : loaded_)
+        for (const auto& [i, value] : values_)
+            if (!is_gone(declared_[i].node)) loaded_[load_at_[i]].now += value.*which;
+        for (const LoadedNode& l : loaded_)
             if (!w_.rests(l.node)) w_.external[l.node] = w_.steady[l.node] + l.now;
     }
 
     const std::vector<NodalLoad>& declared_;
-    std::vector<Loaded> loaded_;
-    std::map<std::size_t, Asked> asked_;         ///< of the loads that are functions of the state
-    std::map<std::size_t, StepFactor> jumping_;  ///< of the loads whose history may jump within a step
-    std::vector<int> load_at_;                   ///< of each of the model's loads, its place in loaded_
+    std::vector<LoadedNode> loaded_;
+    std::map<std::size_t, FunctionValue> values_;  ///< of the loads that are functions of the state
+    std::map<std::size_t, StepFactor> jumping_;    ///< of the loads whose history may jump within a step
+    std::vector<int> load_at_;                     ///< of each of the model's loads, its place in loaded_
     std::vector<Vec6> left_;   ///< explicit steps, while a jump is taken: of loaded_, the acceleration before it
     double left_by_ = 0;       ///< s^2, dt^2/8 of the step
     double of_jumps_ = 0;      ///< J, to be added to the work of the step
-    bool begun_ = false;       ///< the functions were asked where the run begins
+    bool begun_ = false;       ///< the functions were called at the start of the run
     bool found_anew_ = false;  ///< with what they gave there the acceleration is being found
 };
 

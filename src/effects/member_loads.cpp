@@ -1,7 +1,7 @@
 // Loads along members: forces and moments per length, and point loads between the ends.
 //
-// Each element passes its part of the load on to its two nodes by the lever rule, and the member's two end nodes get
-// what that misses of the fixed-end moments (clamped_member.h).
+// Each element divides its part of the load between its two nodes by the lever rule. The member's two end nodes get the
+// difference to the exact fixed-end moments (clamped_member.h).
 //
 // Large displacement: forces that are given in space keep their direction. The correction is that of the load's
 // components in the axes that the member has now (chord from end to end) and rotates with them. The part of the load on
@@ -74,7 +74,7 @@ public:
     }
     bool follows_nodes() const override { return w_.structure.large(); }
 
-    /// The factors at the end of the step. Where a history has jumped, the acceleration is found anew.
+    /// The factors at the end of the step. Where a history has jumped, the acceleration is recomputed.
     void begin(const Step& step) override {
         bool jumped = false;
         for (std::size_t i = 0; i < loads_.size(); ++i) {
@@ -275,7 +275,7 @@ private:
                                        : 1;
         }
     }
-    /// Whether this is a further pair of the load before: a function of the script is asked once.
+    /// True if this is a further pair of the load before: a function of the script is called once.
     bool is_next_pair(std::size_t i) const { return i > 0 && loads_[i - 1].declared == loads_[i].declared; }
 
     /// What acts of a load on the trial at this load factor, 1 in dynamics; and on the state.

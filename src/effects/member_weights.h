@@ -1,4 +1,4 @@
-// What the weight of a member does between its nodes (weight = "members").
+// Corrects nodal weights to weight along the members (weight = "members").
 //
 // Weights act at the nodes of the elements. Here is what they miss of an even load along the member: the correction at
 // its two end nodes (clamped_member.h), and the part of the section forces that balances the load itself. Both are

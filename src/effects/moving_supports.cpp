@@ -29,7 +29,7 @@ public:
         }
     }
 
-    /// Velocity and acceleration by differences backwards, of second order: a motion is asked for once a step.
+    /// Velocity and acceleration by differences backwards, of second order: a motion is evaluated once a step.
     void begin(const Step& step) override {
         const double dt = step.dt;
         for (Moved& m : moved_) {
@@ -68,7 +68,7 @@ public:
     }
 
     /// The force by which a support is moved: that at the pose from which the step was solved, and what the solution
-    /// added. Long steps find it anew where they end (recovered_last).
+    /// added. Long steps recompute it at their end (recovered_last).
     void corrected(const Step& step, const std::vector<Vec6>& change) override {
         predicted(step);
         for (Moved& m : moved_) {
@@ -146,7 +146,7 @@ public:
         return work;
     }
 
-    // The acceleration anew keeps that of the supports, which is given.
+    // The recomputed acceleration keeps that of the supports, which is given.
     void keep_acceleration() override {
         for (Moved& m : moved_) m.given = w_.state.acceleration[m.node][m.component];
     }
@@ -189,7 +189,7 @@ private:
         double from = 0, now = 0, before = 0, long_before = 0, apart = 0, next = 0, speed = 0, acceleration = 0,
                force = 0, next_force = 0;
         bool begun = false;
-        double given = 0;  ///< its acceleration, while others are found anew
+        double given = 0;  ///< its acceleration, while others are recomputed
     };
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -212,7 +212,7 @@ private:
         return list;
     }
     bool is_whole(const JoinedEnd& end) const {
-        return !w_.state.data.find<JointsNow>(joints_effect)->list[end.joint].broken;
+        return !w_.state.data.find<JointStates>(joints_effect)->list[end.joint].broken;
     }
     /// Whether the support has lost all of its members, and does not move any more. One to which nothing but joints
     /// joins members moves on.

@@ -63,7 +63,7 @@ public:
         std::sort(step.breaks.begin(), step.breaks.end(),
                   [](const Break& a, const Break& b) { return a.element < b.element; });
     }
-    /// A run that goes on from a checkpoint looks once more at what was due before, and finds it broken.
+    /// A run that goes on from a checkpoint checks again what was due before, and finds it broken.
     void after_commit(const Step& step) override {
         for (std::size_t i = 0; i < done_.size(); ++i) done_[i] = done_[i] || is_due(i, step);
         std::erase_if(standing(), [&](const StandIn& s) { return s.part_at(step.end()) == 0; });

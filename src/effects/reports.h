@@ -13,7 +13,7 @@ struct PlanLine {
     std::string name;
     bool active;
     std::string because;   ///< why it is in the step, or not
-    std::string asked_at;  ///< the script's line that asks for it, "" where none does
+    std::string asked_at;  ///< the script's line that declares it, "" where none does
     double seconds = 0;    ///< spent in it so far
 };
 

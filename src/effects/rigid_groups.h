@@ -1,4 +1,4 @@
-// What rigid links and diaphragms share: groups of nodes that move as one rigid body, in space or in one plane.
+// Groups of nodes that move as one rigid body: in space (rigid links) or in one plane (diaphragms).
 //
 // With P the translations that are tied (all, or those in the plane), w the part of the rotation that turns the group
 // (all of it, or about the normal alone) and r = P (x - x_c) from the group's reference point c,

@@ -98,7 +98,7 @@ public:
     virtual void corrected(const Step& step, const std::vector<Vec6>& change) = 0;
     /// R was recovered once more at the end of the step, where the solution has led.
     virtual void recovered_last() {}
-    /// The acceleration is about to be found anew: keeps what is prescribed of it.
+    /// Keeps the prescribed part of the acceleration, which is about to be recomputed.
     virtual void keep_acceleration() = 0;
     /// Sets what is prescribed of the acceleration that is being found.
     virtual void prescribe(std::vector<Vec6>& acceleration) const = 0;
@@ -127,8 +127,8 @@ public:
     virtual void end(const Step& step) { (void)step; }
 };
 
-/// Decides which elements break at the end of a step, or tells the script what has happened in it. The last stage that
-/// may fail.
+/// Finds the elements that break at the end of a step, or calls the script's functions for its events. The last stage
+/// that may fail.
 class Breaker {
 public:
     virtual ~Breaker() = default;
@@ -143,7 +143,7 @@ public:
 class BreakListener {
 public:
     virtual ~BreakListener() = default;
-    /// An element breaks; adds to `impulse` what its breaking asks of the nodes.
+    /// An element breaks; adds the impulses of its break on the nodes.
     virtual void breaks(const Break& b, std::vector<Vec6>& impulse) { (void)b, (void)impulse; }
     /// It has broken; all of the step have.
     virtual void broke(const Break& b) { (void)b; }

@@ -1,4 +1,4 @@
-// Supports that settle in statics: in proportion to the load factor, from where a run finds them.
+// Settlements of supports in statics: in proportion to the load factor, from their position at the start of the run.
 #include "effects/settlement.h"
 
 #include "core/text.h"

@@ -18,7 +18,7 @@ namespace hinge {
 struct RunKind {
     bool dynamic = false;
     bool explicit_steps = false;
-    bool geometric = true;    ///< initial-stress stiffness is asked for
+    bool geometric = true;    ///< the effective stiffness has the initial-stress part
     bool rest = true;         ///< bodies at rest may be left alone
     bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
     double dt = 0;            ///< s, the script's own step; 0 in statics

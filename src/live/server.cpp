@@ -53,7 +53,7 @@ public:
             const auto now = Clock::now();
             if (ending_ && !end) end = now + at_end;
             if (end && (now > *end || !anything_to_send())) return;
-            look(now, end.has_value());
+            wait_and_serve(now, end.has_value());
         }
     }
 
@@ -64,7 +64,7 @@ private:
     }
 
     /// Waits until something happens, and does what is due.
-    void look(Clock::time_point now, bool is_end) {
+    void wait_and_serve(Clock::time_point now, bool is_end) {
         std::vector<pollfd> watched = {{alarm_, POLLIN, 0}};
         const bool listens = !is_end && now >= deaf_until_;
         if (listens) watched.push_back({listener_, POLLIN, 0});
@@ -93,7 +93,7 @@ private:
         const int fd = ::accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (fd < 0) {
             if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS)
-                deaf_until_ = now + without_files;  // it would be told of the same client again and again
+                deaf_until_ = now + without_files;  // poll would report the same client again and again
             return;
         }
         if (clients_.size() < most_clients) return void(clients_.push_back({.fd = fd, .until = now + limits_.request}));

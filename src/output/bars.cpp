@@ -59,7 +59,7 @@ Vec up_across(const Bar& bar, Vec along) {
     return unit(across);
 }
 
-/// Of each member whether it is in one of the groups that the view asks for.
+/// For each member, true if it is in one of the groups of the view.
 std::vector<char> asked_for(const Snapshot& snapshot, const View& view) {
     int most = 0;
     for (const Bar& bar : snapshot.bars) most = std::max(most, bar.member);
@@ -73,7 +73,7 @@ std::vector<char> asked_for(const Snapshot& snapshot, const View& view) {
     return asked;
 }
 
-/// Whether both ends of a bar were in the planes that the view asks for, at the start, up to 1 mm.
+/// True if both ends of a bar were in the planes of the view at the start, up to 1 mm.
 bool starts_in(const Snapshot& snapshot, const Bar& bar, const View& view) {
     for (const int end : {0, 1}) {
         const auto p = static_cast<std::size_t>(bar.node[end] >= 0 ? bar.node[end] : bar.point[end]);

@@ -25,28 +25,28 @@ std::string time_text(double seconds) {
 }
 
 /// What the picture leaves out or enlarges, so that nobody takes a part for the whole.
-std::string remarks(const CaptionInput& told) {
-    const View& view = told.view;
+std::string remarks(const CaptionInput& input) {
+    const View& view = input.view;
     std::vector<std::string> notes;
     const auto note = [&](const char* format, double value) {
         char text[64];
         std::snprintf(text, sizeof text, format, value);
         notes.push_back(text);
     };
-    if (told.scale != 1) note("displacements \xC3\x97 %g", told.scale);
+    if (input.scale != 1) note("displacements \xC3\x97 %g", input.scale);
     if (view.ghost) notes.push_back("grey lines: at the start");
     if (view.above > -1e299) note("above %g m", view.above);
     if (view.leave_out_broken) notes.push_back("without fractured elements");
-    if (view.show == Show::yield && told.snapshot.laws.size() == 1)
-        notes.push_back("yield law: " + told.snapshot.laws[0]);
+    if (view.show == Show::yield && input.snapshot.laws.size() == 1)
+        notes.push_back("yield law: " + input.snapshot.laws[0]);
     std::string line;
     for (const std::string& text : notes) line += (line.empty() ? "" : ", ") + text;
     return line;
 }
 
-void draw_heading(Pen& pen, const CaptionInput& told, double em) {
-    const View& view = told.view;
-    const std::string when = moment_text(told.snapshot);
+void draw_heading(Pen& pen, const CaptionInput& input, double em) {
+    const View& view = input.view;
+    const std::string when = moment_text(input.snapshot);
     const double top = view.height - 1.25 * em;
     TextStyle left{.size = 1.3 * em, .bold = true};
     TextStyle right{.size = 1.3 * em, .across = 1};
@@ -56,7 +56,7 @@ void draw_heading(Pen& pen, const CaptionInput& told, double em) {
     if (wide > room) left.size = std::max(0.6 * em, left.size * room / wide);
     pen.text(1.5 * em, top, view.title, left);
     pen.text(view.width - 1.5 * em, top, when, right);
-    pen.text(1.5 * em, top - 1.6 * em, remarks(told), {.size = 0.9 * em, .colour = faint_ink});
+    pen.text(1.5 * em, top - 1.6 * em, remarks(input), {.size = 0.9 * em, .colour = faint_ink});
 }
 
 /// One entry of the legend: a swatch, or a dot, with a text below it.
@@ -68,11 +68,11 @@ struct Entry {
 };
 
 /// `dots`: how many tell the sizes of hinges.
-std::vector<Entry> legend(const CaptionInput& told, int dots) {
+std::vector<Entry> legend(const CaptionInput& input, int dots) {
     std::vector<Entry> entries;
-    const View& view = told.view;
-    if (told.diagram && !told.diagram->empty()) {
-        const Diagram& d = *told.diagram;
+    const View& view = input.view;
+    if (input.diagram && !input.diagram->empty()) {
+        const Diagram& d = *input.diagram;
         const Unit unit = unit_for(std::max(d.largest, -d.smallest), unit_of(d.which));
         const auto say = [&](const char* what, double v) {
             return what + short_number(v / unit.size) + " " + unit.name;
@@ -87,28 +87,28 @@ std::vector<Entry> legend(const CaptionInput& told, int dots) {
         }
     } else if (view.show == Show::group) {
         const std::size_t most = 8;
-        for (std::size_t i = 0; i < told.snapshot.groups.size() && entries.size() < most; ++i) {
-            if (i >= told.groups.size() || !told.groups[i]) continue;
-            std::string name = told.snapshot.groups[i];
+        for (std::size_t i = 0; i < input.snapshot.groups.size() && entries.size() < most; ++i) {
+            if (i >= input.groups.size() || !input.groups[i]) continue;
+            std::string name = input.snapshot.groups[i];
             if (name.size() > 14) name = name.substr(0, 13) + "\xE2\x80\xA6";
             entries.push_back({name, group_colours[i % std::size(group_colours)], 5.5, entries.empty() ? 0 : 0.5});
         }
     }
-    if (told.broken && !view.leave_out_broken && view.show != Show::nothing)
+    if (input.broken && !view.leave_out_broken && view.show != Show::nothing)
         entries.push_back({"fractured", class_colours[broken_class], 4.4, 0.7});
-    if (told.dot_unit > 0 && is_compared(told.snapshot)) {
+    if (input.dot_unit > 0 && is_compared(input.snapshot)) {
         for (int band = 1; band <= hinge_bands && dots > 0; ++band) {
             const double of_limit = 0.5 * band * (band == hinge_bands ? 4.0 / 3 : 1);
             entries.push_back({hinge_band_names[band - 1], band_colour(band), band == 2 ? 6.8 : 5.0,
-                               band == 1 ? 1.4 : 0, dot_radius(0.2 * of_limit / most_of_limit, told.dot_unit)});
+                               band == 1 ? 1.4 : 0, dot_radius(0.2 * of_limit / most_of_limit, input.dot_unit)});
         }
-    } else if (told.dot_unit > 0)
+    } else if (input.dot_unit > 0)
         for (const double rotation : {0.01, 0.05, 0.2}) {
             if (dots == 0 || (dots == 1 && rotation != 0.2)) continue;
             char text[32];
             std::snprintf(text, sizeof text, rotation < 0.2 ? "%g" : "%g rad", rotation);
             entries.push_back({text, class_colours[plastic_class], rotation < 0.2 ? 3.0 : 4.2,
-                               rotation == (dots == 1 ? 0.2 : 0.01) ? 1.4 : 0, dot_radius(rotation, told.dot_unit)});
+                               rotation == (dots == 1 ? 0.2 : 0.01) ? 1.4 : 0, dot_radius(rotation, input.dot_unit)});
         }
     return entries;
 }
@@ -123,13 +123,13 @@ const char* text_of_dots(const Snapshot& snapshot) {
     return hinges ? "rotation of hinges and joints" : "rotation of joints";
 }
 
-void draw_legend(Pen& pen, const CaptionInput& told, double em) {
-    const View& view = told.view;
+void draw_legend(Pen& pen, const CaptionInput& input, double em) {
+    const View& view = input.view;
     // Beside the axes, which stand on the left. Where it is too narrow for that it has fewer dots, and all shrinks.
     std::vector<Entry> entries;
     double total = 0, dots_wide = 0, fit = 0;
     for (const int sizes : {3, 1, 0}) {
-        entries = legend(told, sizes);
+        entries = legend(input, sizes);
         total = dots_wide = 0;
         for (const Entry& e : entries) total += e.wide + e.gap, dots_wide += 2 * e.radius;
         fit = std::clamp((view.width - 2 * 7.5 * em - dots_wide) / em / std::max(total, 1e-9), 0.3, 1.0);
@@ -140,7 +140,7 @@ void draw_legend(Pen& pen, const CaptionInput& told, double em) {
     const double high = 0.85 * em, foot = 1.15 * em;
     double x = (view.width - total * unit - dots_wide) / 2;
     const double symbol = x - 0.9 * em;
-    const std::string name = told.diagram ? name_of(told.diagram->which) : view.show == Show::yield ? "f_y" : "";
+    const std::string name = input.diagram ? name_of(input.diagram->which) : view.show == Show::yield ? "f_y" : "";
     if (name == "f_y") {
         pen.text(symbol, foot + 1.15 * em, "y", {.size = 0.75 * em, .italic = true, .across = 1});
         pen.text(symbol - 0.38 * em, foot + 1.45 * em, "f", {.size = 1.15 * em, .italic = true, .across = 1});
@@ -168,7 +168,7 @@ void draw_legend(Pen& pen, const CaptionInput& told, double em) {
         x += wide;
     }
     if (dots >= 0)
-        pen.text(dots, foot + 0.4 * em, text_of_dots(told.snapshot), {.size = 0.85 * em * std::max(fit, 0.75)});
+        pen.text(dots, foot + 0.4 * em, text_of_dots(input.snapshot), {.size = 0.85 * em * std::max(fit, 0.75)});
 }
 
 /// In the lower left corner, below the structure.
@@ -200,24 +200,24 @@ std::string moment_text(const Snapshot& snapshot) {
 
 double text_size(const View& view) { return std::clamp(std::min(view.height / 44.0, view.width / 52.0), 7.0, 60.0); }
 
-Margins caption_margins(const CaptionInput& told) {
-    const double em = text_size(told.view);
-    const double heading = remarks(told).empty() ? 2.4 : 3.8;
+Margins caption_margins(const CaptionInput& input) {
+    const double em = text_size(input.view);
+    const double heading = remarks(input).empty() ? 2.4 : 3.8;
     return {static_cast<int>(heading * em), static_cast<int>(4.2 * em)};
 }
 
-void draw_caption(Pen& pen, const CaptionInput& told, const Camera& camera) {
-    const double em = text_size(told.view);
-    draw_heading(pen, told, em);
-    draw_legend(pen, told, em);
+void draw_caption(Pen& pen, const CaptionInput& input, const Camera& camera) {
+    const double em = text_size(input.view);
+    draw_heading(pen, input, em);
+    draw_legend(pen, input, em);
     draw_axes(pen, camera, em);
     const auto say = [&](const char* text) {
-        pen.text(told.view.width / 2.0, told.view.height / 2.0, text,
+        pen.text(input.view.width / 2.0, input.view.height / 2.0, text,
                  {.size = 1.2 * em, .colour = faint_ink, .across = 0.5});
     };
-    if (told.nothing) say("no bars to show");
-    else if (told.diagram && told.diagram->empty())
-        pen.text(told.view.width / 2.0, 2.2 * em, std::string(name_of(told.diagram->which)) + " is zero everywhere",
+    if (input.nothing) say("no bars to show");
+    else if (input.diagram && input.diagram->empty())
+        pen.text(input.view.width / 2.0, 2.2 * em, std::string(name_of(input.diagram->which)) + " is zero everywhere",
                  {.size = em, .colour = faint_ink, .across = 0.5});
 }
 

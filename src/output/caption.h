@@ -31,11 +31,11 @@ struct Margins {
     int top, bottom;
 };
 
-Margins caption_margins(const CaptionInput& told);
+Margins caption_margins(const CaptionInput& input);
 
 /// Text of the time or load factor of a snapshot in pictures: "t = 12.5 ms", "load factor 0.62".
 std::string moment_text(const Snapshot& snapshot);
 
-void draw_caption(Pen& pen, const CaptionInput& told, const Camera& camera);
+void draw_caption(Pen& pen, const CaptionInput& input, const Camera& camera);
 
 }  // namespace hinge::output

@@ -102,7 +102,7 @@ void add_numbers(std::vector<Word>& to, const Snapshot& snapshot, const std::vec
     }
 }
 
-/// The scene of a picture: what is drawn where, and what is told about it.
+/// The scene of a picture: what is drawn where, and its caption.
 class Scene {
 public:
     Scene(const Snapshot& snapshot, const View& view)
@@ -139,8 +139,8 @@ public:
     }
 
     Pixels draw() {
-        const CaptionInput told = this->told();
-        const auto caption = sketch([&](Pen& pen) { draw_caption(pen, told, camera_); });
+        const CaptionInput input = this->caption_input();
+        const auto caption = sketch([&](Pen& pen) { draw_caption(pen, input, camera_); });
         const auto words = sketch([&](Pen& pen) { draw_words(pen, words_, camera_, margins_.bottom, em_); });
         std::vector<vtkSmartPointer<vtkRenderer>> layers{caption};
         // The ground lies behind all else: it must not hide supports that reach into it.
@@ -177,7 +177,7 @@ private:
         set_camera(made, camera_);
         return made;
     }
-    CaptionInput told() const {
+    CaptionInput caption_input() const {
         // Pictures with a box are one of several, and those have the same legend.
         const auto any = [&](auto test) {
             return std::any_of(bars_.begin(), bars_.end(), [&](const DrawnBar& b) { return test(*b.bar); });
@@ -198,7 +198,7 @@ private:
                 broken, bars_.empty(), groups};
     }
     void fit(const std::vector<Vec>& shown) {
-        margins_ = caption_margins(told());
+        margins_ = caption_margins(caption_input());
         const int height = std::max(1, view_.height - margins_.top - margins_.bottom);
         camera_ = fit_camera(shown, typical_radius(bars_), view_.from, view_.up, view_.parallel, view_.width, height);
     }

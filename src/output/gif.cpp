@@ -19,7 +19,7 @@ constexpr int unchanged = 255;  // the index of "as before"
     throw OutsideError(std::string("cannot put the GIF together: ") + (why ? why : "out of memory?"));
 }
 
-int take(GifFileType* gif, const GifByteType* bytes, int n) {
+int append_bytes(GifFileType* gif, const GifByteType* bytes, int n) {
     try {
         static_cast<std::string*>(gif->UserData)->append(reinterpret_cast<const char*>(bytes), std::size_t(n));
         return n;
@@ -67,7 +67,7 @@ class Gif {
 public:
     Gif(int width, int height, const Palette& palette) {
         int error = 0;
-        gif_ = ::EGifOpen(&bytes_, take, &error);
+        gif_ = ::EGifOpen(&bytes_, append_bytes, &error);
         if (!gif_) cannot(error);
         colours_ = ::GifMakeMapObject(256, nullptr);
         if (!colours_) {

@@ -10,7 +10,7 @@ namespace {
 
 struct Place {
     double left, low, right, top;
-    bool meets(const Place& o) const { return left < o.right && o.left < right && low < o.top && o.low < top; }
+    bool overlaps(const Place& o) const { return left < o.right && o.left < right && low < o.top && o.low < top; }
 };
 
 }  // namespace
@@ -21,7 +21,7 @@ int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, d
     std::stable_sort(order.begin(), order.end(), [](const Word* a, const Word* b) {
         return a->rank != b->rank ? a->rank > b->rank : a->weight > b->weight;
     });
-    std::vector<Place> taken;
+    std::vector<Place> occupied;
     int left_out = 0;
     for (const Word* w : order) {
         const Vec p = camera.project(w->at);
@@ -39,7 +39,7 @@ int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, d
             x = std::clamp(p[0] + to_x * (wide / 2 + gap), edge, std::max(edge, camera.width - edge));
             y = low + p[1] + to_y * (high / 2 + gap);
             place = {x - wide / 2 - pad, y - high / 2 - pad, x + wide / 2 + pad, y + high / 2 + pad};
-            return std::none_of(taken.begin(), taken.end(), [&](const Place& o) { return place.meets(o); });
+            return std::none_of(occupied.begin(), occupied.end(), [&](const Place& o) { return place.overlaps(o); });
         };
         // Where it should stand, else beside that, else opposite.
         const bool on_it = dx == 0 && dy == 0;
@@ -48,7 +48,7 @@ int draw_words(Pen& pen, const std::vector<Word>& words, const Camera& camera, d
             ++left_out;
             continue;
         }
-        taken.push_back(place);
+        occupied.push_back(place);
         pen.box(place.left, place.low, place.right - place.left, place.top - place.low, white, 0.72);
         TextStyle middle = style;
         middle.across = 0.5;

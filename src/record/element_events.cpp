@@ -50,12 +50,12 @@ constexpr std::uint8_t seen_beyond = 8, seen_broken = 16;
 /// have not broken by themselves.
 std::vector<std::uint8_t> joints_now(const Run& run) {
     const State& state = run.state();
-    const auto* now = state.data.find<JointsNow>(joints_effect);
+    const auto* now = state.data.find<JointStates>(joints_effect);
     const auto* records = state.data.find<JointRecords>(joint_records);
     const auto* connectors = state.data.find<ConnectorsNow>(connectors_effect);
     std::vector<std::uint8_t> bits;
     for (std::size_t i = 0; now && records && i < now->list.size() && i < records->list.size(); ++i) {
-        const JointNow& j = now->list[i];
+        const JointState& j = now->list[i];
         std::uint8_t b = j.over < 0 ? 0 : j.broken ? seen_broken : seen_beyond;
         for (int k = 0; k < 3; ++k)
             if (records->list[i].axis[k].yielded) b |= std::uint8_t(1 << k);
@@ -68,7 +68,7 @@ std::vector<std::uint8_t> joints_now(const Run& run) {
 
 /// A joint that has yielded about axis k: its moment there now, over that at which its elastic part ends.
 ElementEvent yield_of(const Run& run, int joint, int k) {
-    const JointNow& j = run.state().data.find<JointsNow>(joints_effect)->list[std::size_t(joint)];
+    const JointState& j = run.state().data.find<JointStates>(joints_effect)->list[std::size_t(joint)];
     const auto& curve = run.structure().model().declared<Joint>(joints_effect)[std::size_t(joint)].is.axis[k].curve;
     const JointPlace at = joint_place(run.structure(), joint);
     return {ElementEvent::What::joint_yield,
@@ -83,7 +83,7 @@ ElementEvent yield_of(const Run& run, int joint, int k) {
 
 /// A joint that has reached its `over`: a rotation or a force.
 ElementEvent limit_of(const Run& run, int joint, ElementEvent::What what) {
-    const JointNow& j = run.state().data.find<JointsNow>(joints_effect)->list[std::size_t(joint)];
+    const JointState& j = run.state().data.find<JointStates>(joints_effect)->list[std::size_t(joint)];
     const JointProperties& is = run.structure().model().declared<Joint>(joints_effect)[std::size_t(joint)].is;
     const JointPlace at = joint_place(run.structure(), joint);
     const double value = j.over < 3 ? j.rotation[j.over] : j.over == 3 ? j.tension : j.shear;
@@ -112,7 +112,7 @@ std::optional<ElementEvent> break_of(const Run& run, int connector) {
 /// What has happened first to joints and connectors since they were seen last: yield and limits, or breaks.
 template <class Add>
 void each_of_joints(const RunRecord& r, const std::vector<std::uint8_t>& now, bool breaks, Add add) {
-    const auto* there = r.run->state().data.find<JointsNow>(joints_effect);
+    const auto* there = r.run->state().data.find<JointStates>(joints_effect);
     const std::size_t joints = there ? there->list.size() : 0;
     for (std::size_t i = 0; i < now.size(); ++i) {
         const int fresh = now[i] & ~(i < r.joints_seen.size() ? r.joints_seen[i] : 0);

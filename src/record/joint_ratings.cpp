@@ -19,7 +19,7 @@ void set_place(const JointPlace& place, JointRating& r) {
 
 /// About an axis that is a spring.
 void set_axis(const JointAxis& axis, const JointRecord& record, int k, JointRating& r) {
-    const JointNow& now = *r.now;
+    const JointState& now = *r.now;
     r.which = JointRating::Which(k);
     r.record = &record.axis[k];
     r.force = now.broken ? 0 : now.moment[k], r.largest_force = r.record->moment;
@@ -89,7 +89,7 @@ std::vector<JointRating> joint_ratings(const Run& run) {
     std::vector<JointRating> list;
     const Structure& s = run.structure();
     const auto& declared = s.model().declared<Joint>(joints_effect);
-    const auto* now = run.state().data.find<JointsNow>(joints_effect);
+    const auto* now = run.state().data.find<JointStates>(joints_effect);
     const auto* records = run.state().data.find<JointRecords>(joint_records);
     for (std::size_t i = 0; now && records && i < declared.size() && i < now->list.size() && i < records->list.size();
          ++i) {

@@ -32,7 +32,7 @@ struct JointRating {
     double capacity = JointAxis::infinite;  ///< rad, at which it breaks
     bool broken = false;                    ///< for whatever reason
     bool failed = false;                    ///< broken, or in statics beyond, by a limit of its own
-    const JointNow* now = nullptr;
+    const JointState* now = nullptr;
     const JointRecord::Axis* record = nullptr;  ///< of an axis
 
     bool is_force() const { return which >= tension; }

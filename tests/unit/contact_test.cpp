@@ -505,7 +505,7 @@ TEST_CASE("contact: one event of a surface contact of four pairs, and each that 
     lift(0.02);
     s.forces(contact);
     std::vector<Vec6> impulse(s.x.size(), Vec6::Zero());
-    contact.settle(2e-4, 1e-4, s.x, s.q, impulse);
+    contact.end_step(2e-4, 1e-4, s.x, s.q, impulse);
     CHECK(now() == std::pair{2L, 2L});
     long began = 0;
     for (const ContactEvent& event : contact.events()) began += event.bound ? 1 : -1;
@@ -587,7 +587,7 @@ TEST_CASE(
             s.forces(contact);
             contact.release((i + 1) * 1e-5);
             std::vector<Vec6> impulse(s.x.size(), Vec6::Zero());
-            contact.settle((i + 1) * 1e-5, 1e-5, s.x, s.q, impulse);
+            contact.end_step((i + 1) * 1e-5, 1e-5, s.x, s.q, impulse);
             if (i == 300) contact.drop(0);
         };
         Scene straight = crossing(80, 0.1, 0.8, {0.1, 0.05, 0}), s = straight;

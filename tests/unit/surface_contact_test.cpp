@@ -38,11 +38,11 @@ struct Pressed {
         contact.stiffness = 1e6;
         contact.friction = friction;
         contact.normal_before = (all * Vec3(0.1, -0.2, 1)).normalized();
-        look();
+        update();
     }
-    void look() { contact::look(contact, x, q); }
+    void update() { contact::update(contact, x, q); }
     std::vector<Vec6> forces() {
-        look();
+        update();
         std::vector<Vec6> f(4, Vec6::Zero());
         add_contact_forces(contact, q, f);
         return f;
@@ -51,7 +51,7 @@ struct Pressed {
         Pressed out = *this;
         if (c < 3) out.x[n][c] += h;
         else out.q[n] = exponential(h * Vec3::Unit(c - 3)) * out.q[n];
-        out.look();
+        out.update();
         return out;
     }
 };
@@ -81,7 +81,7 @@ TEST_CASE("surface contact: forces and moments balance, with and without frictio
     Dice dice(2);
     for (int i = 0; i < 24; ++i) {
         Pressed p(dice, kinds[i % 2], i % 3 == 0, i % 4 < 2 ? 0.0 : i % 4 == 2 ? 0.01 : 10.0);
-        settle(p.contact, p.x, p.q);
+        end_step(p.contact, p.x, p.q);
         for (int n = 0; n < 4; ++n) p.x[n] += dice.vector(1e-3), p.q[n] = exponential(dice.vector(0.02)) * p.q[n];
         const std::vector<Vec6> f = p.forces();
         if (p.contact.friction > 0) REQUIRE(p.contact.slip.norm() > 0);
@@ -106,8 +106,8 @@ TEST_CASE("surface contact: the tangent is what the force's derivative is withou
         // all but no penetration: n rotates by g / (h_a + h_b) of what it is left out for
         const Vec3 lift = (p.contact.penetration - 1e-7) * p.contact.normal;
         for (int n : {2, 3}) p.x[n] += lift;
-        p.look();
-        settle(p.contact, p.x, p.q);
+        p.update();
+        end_step(p.contact, p.x, p.q);
         Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
         add_contact_stiffness(p.contact, p.q, [&](int a, int b, const Mat12& m) {
             CHECK(a != b);
@@ -130,7 +130,7 @@ TEST_CASE("surface contact: bars whose axes have passed each other are pushed ba
           "[surface_contact]") {
     Dice dice(4);
     Pressed p(dice, Nearness::crossing, false);
-    settle(p.contact, p.x, p.q);
+    end_step(p.contact, p.x, p.q);
     const Vec3 normal = p.contact.normal;
     double last = p.contact.penetration;
     for (int i = 0; i < 30; ++i) {
@@ -139,7 +139,7 @@ TEST_CASE("surface contact: bars whose axes have passed each other are pushed ba
         CHECK(p.contact.penetration == Approx(last + 3e-3));
         CHECK((f[2] + f[3]).head<3>().dot(normal) < 0);  // what resists; it pushes b along the normal
         last = p.contact.penetration;
-        settle(p.contact, p.x, p.q);
+        end_step(p.contact, p.x, p.q);
     }
     CHECK(last > p.contact.radius[0] + p.contact.radius[1]);
 }
@@ -180,7 +180,7 @@ TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart t
                 Vec3 found = contact.normal_before;
                 signed_distance(points, closest, found);
                 if (i == 0) CHECK(closest.kind == c.kind);
-                look(contact, now, q);
+                update(contact, now, q);
                 CHECK_FIGURE("penetration", std::abs(contact.penetration - (0.05 - lift)), 1e-14);
                 CHECK_FIGURE("normal", (contact.normal - normal).norm(), 1e-12);
                 std::vector<Vec6> f(4, Vec6::Zero());
@@ -188,7 +188,7 @@ TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart t
                 const Vec3 wanted = -contact.stiffness * (0.05 - lift) * normal;  // on b, what resists
                 CHECK_FIGURE("force on b", ((f[2] + f[3]).head<3>() - wanted).norm() / wanted.norm(), 1e-12);
                 CHECK_FIGURE("force on a", ((f[0] + f[1]).head<3>() + wanted).norm() / wanted.norm(), 1e-12);
-                settle(contact, now, q);
+                end_step(contact, now, q);
             }
         }
 }

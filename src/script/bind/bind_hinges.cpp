@@ -203,7 +203,7 @@ int hinges_of(lua_State* L) {
 int pins_of(lua_State* L) {
     const auto r = run_argument(L, 1, "pins_of: this");
     const auto& declared = r->run->structure().model().declared<Joint>(joints_effect);
-    const auto* now = r->run->state().data.find<JointsNow>(joints_effect);
+    const auto* now = r->run->state().data.find<JointStates>(joints_effect);
     lua_Integer count = 0;
     double largest = 0;
     for (std::size_t i = 0; now && i < declared.size() && i < now->list.size(); ++i)

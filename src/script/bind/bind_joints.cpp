@@ -247,7 +247,7 @@ void push_joints_of(lua_State* L, const Model& m, int member) {
 
 namespace {
 
-void push_joint_now(lua_State* L, const JointNow& j, bool of_member) {
+void push_joint_now(lua_State* L, const JointState& j, bool of_member) {
     const auto number = [L](const char* name, double x) { lua_pushnumber(L, x), lua_setfield(L, -2, name); };
     lua_createtable(L, 0, 9);
     for (int k = 0; k < 3; ++k) {
@@ -266,7 +266,7 @@ void push_joint_now(lua_State* L, const JointNow& j, bool of_member) {
 
 void push_joint(lua_State* L, const Run& run, int member, int end) {
     const auto& declared = run.structure().model().declared<Joint>(joints_effect);
-    const auto* all = run.state().data.find<JointsNow>(joints_effect);
+    const auto* all = run.state().data.find<JointStates>(joints_effect);
     for (std::size_t i = 0; all && i < declared.size(); ++i)
         if (declared[i].member == member && declared[i].end == end) return push_joint_now(L, all->list[i], true);
     lua_pushnil(L);
@@ -289,7 +289,7 @@ int state_of_node_joint(lua_State* L) {
         throw InputError(
             "node_joint:state: no run has been made of this model yet; make one with model:static{} or "
             "model:dynamic{}");
-    const auto* all = record->run->state().data.find<JointsNow>(joints_effect);
+    const auto* all = record->run->state().data.find<JointStates>(joints_effect);
     if (!all || box.index >= int(all->list.size()))
         throw InputError("node_joint:state: the run made at " + record->asked_at + " does without " + name_of(box) +
                          ": it was made before the joint was declared");
