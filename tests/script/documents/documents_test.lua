@@ -30,6 +30,34 @@ case("the version stands in CMakeLists.txt, CHANGES.md and CITATION.cff alone", 
   end
 end)
 
+case("CHANGES.md is a page a release, and begins with what changes results", function()
+  local text = support.read(root .. "src/CHANGES.md")
+  local releases, lines = {}, 0
+  for line in text:gmatch "[^\n]*\n" do
+    local version = line:match "^## (%S+)"
+    if version then releases[#releases + 1], lines = version, 0 end
+    lines = lines + 1
+    expect(lines < 110, "%s has %d lines: whoever needs more has the commits", releases[#releases], lines)
+  end
+  expect(#releases > 2, "%d releases", #releases)
+  equal(text:match "\n### ([^\n]*)", "What changes your results", "the first part of the first release")
+  local first = text:match "\n%- ([^\n]*)"
+  expect(first:find("interaction", 1, true), "it begins with: %s", first)
+end)
+
+case("counts on pages are those of the tree", function()
+  local rows = select(2, support.read(root .. "scripts/benchmarks/README.md"):gsub("\n| [^\n]*[+-][%d.]+ %%", ""))
+  local said = tonumber(support.read(root .. "README.md"):match "some (%d+) published values")
+  expect(said and math.abs(said - rows) < 0.1 * rows, "the README says some %s published values; %d are there", said,
+    rows)
+  local lines = 0
+  for line in io.lines(root .. "lua/guide/grid.lua") do
+    if line:find "%S" and not line:find "^%s*%-%-" then lines = lines + 1 end
+  end
+  equal(support.read(root .. "lua/guide/README.md"):match "a ten%-storey frame in (%d+) lines", ("%d"):format(lines),
+    "lines of the script of guide/grid.md")
+end)
+
 case("how long all tests take is said in one place", function()
   local places = {}
   for _, path in ipairs(pages) do
