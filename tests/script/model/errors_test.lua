@@ -62,13 +62,12 @@ local function line_of(text)
 end
 
 case("wrong options of hinge.model are refused", function()
-  wrong("hinge.model: field 'formulation' is 'asi_gaus'; must be one of 'conventional', 'asi', "
-    .. "'asi-gauss' (did you mean 'asi-gauss'?)",
+  wrong("hinge.model: field 'formulation' is 'asi_gaus'; ... (did you mean 'asi-gauss'?)",
     function() hinge.model { formulation = "asi_gaus" } end)
   wrong("hinge.model: field 'formulation' is 3; must be a string", function() hinge.model { formulation = 3 } end)
-  wrong("hinge.model: field 'mass' is 'cubick'; must be one of 'linear', 'cubic' (did you mean 'cubic'?)",
+  wrong("hinge.model: field 'mass' is 'cubick'; ... (did you mean 'cubic'?)",
     function() hinge.model { mass = "cubick" } end)
-  wrong("hinge.model: field 'mass' is 'cubic'; belongs to formulation 'asi-gauss', ... 'asi' takes 'linear'",
+  wrong("hinge.model: field 'mass' is 'cubic'; belongs to formulation 'asi-gauss', ... 'asi' ...",
     function() hinge.model { mass = "cubic", formulation = "asi" } end)
   wrong("model:fracture: a model with mass = 'cubic' cannot break, ... declare it with mass = 'linear'",
     function() hinge.model { mass = "cubic" }:fracture { curvature_x = 0.4 } end)
@@ -79,12 +78,11 @@ case("wrong options of hinge.model are refused", function()
         section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1, density = 1 } }
       model:dynamic { integrator = "explicit", dt = "auto", duration = 1 }
     end)
-  wrong("hinge.model: field 'displacement' is 'lagre'; must be one of 'small', 'large' (did you mean 'large'?)",
+  wrong("hinge.model: field 'displacement' is 'lagre'; ... (did you mean 'large'?)",
     function() hinge.model { displacement = "lagre" } end)
   wrong("hinge.model: field 'shift' is 'hole'; must be one of 'plastic', 'elastic_and_plastic'",
     function() hinge.model { shift = "hole" } end)
-  wrong("hinge.model: field 'elements_per_member' is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...); "
-    .. "'asi' and 'conventional' take any",
+  wrong("hinge.model: field 'elements_per_member' is 3; formulation 'asi-gauss' ... needs an even ...",
     function() hinge.model { elements_per_member = 3 } end)
   wrong("hinge.model: field 'elements_per_member' is 2.5; must be a whole number, 1 or above",
     function() hinge.model { elements_per_member = 2.5 } end)
@@ -94,11 +92,11 @@ case("wrong options of hinge.model are refused", function()
     function() hinge.model { elements_per_member = nan } end)
   wrong("hinge.model: field 'plasticity' is 'yes'; must be true or false",
     function() hinge.model { plasticity = "yes" } end)
-  wrong("hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes formulation, ...",
+  wrong("hinge.model: unknown field 'formulaton' (did you mean 'formulation'?)...",
     function() hinge.model { formulaton = "asi" } end)
   wrong("hinge.model: takes a table of options, got 'asi'", function() hinge.model "asi" end)
-  wrong("hinge: unknown field 'modle' (did you mean 'model'?); there are ...", function() hinge.modle {} end)
-  wrong("model has no field or method 'nod' (did you mean 'node'?); it has ...", function(s) s.model:nod { 0, 0,
+  wrong("hinge: unknown field 'modle' (did you mean 'model'?)...", function() hinge.modle {} end)
+  wrong("model has no field or method 'nod' (did you mean 'node'?)...", function(s) s.model:nod { 0, 0,
     0 } end)
   wrong("model:node: called on a table; write object:method(...) on a hinge.model",
     function(s) s.model.node { 0, 0, 0 } end)
@@ -119,8 +117,7 @@ case("wrong nodes and supports are refused", function()
   wrong("model:fix: node is node 2 of another model; use one of this model",
     function(s) s.model:fix(cantilever().tip) end)
   wrong("model:fix: item 2 is 5; must be a node made by model:node{x, y, z}", function(s) s.model:fix { s.tip, 5 } end)
-  wrong("model:fix: what to fix is 'xw'; give \"all\", or letters of \"xyz\" for displacements and \"rx\", \"ry\", "
-    .. "\"rz\" for rotations",
+  wrong("model:fix: what to fix is 'xw'; give \"all\", or letters of \"xyz\" for ...",
     function(s) s.model:fix(s.tip, "xw") end)
   wrong("model:fix: what to fix is 3; give a string such as \"all\" or \"xyz\"", function(s) s.model:fix(s.tip, 3) end)
   wrong("model:fix: what to fix is 'xyx': 'x' is there twice; rotations are \"rx\", \"ry\" and \"rz\"",
@@ -140,21 +137,18 @@ case("wrong materials and sections are refused", function()
     function() hinge.material { E = 1, density = -1 } end)
   wrong("hinge.material: field 'yield_stress' is 0 Pa; must be above 0 Pa",
     function() hinge.material { E = 1, yield_stress = 0 } end)
-  wrong("hinge.material: unknown field 'yeild_stress' (did you mean 'yield_stress'?); it takes E, nu, G, density, "
-    .. "yield_stress, hardening, rate, hot_curve",
+  wrong("hinge.material: unknown field 'yeild_stress' (did you mean 'yield_stress'?)...",
     function() hinge.material { E = 1, yeild_stress = 1 } end)
   wrong("material has no field 'yield'...", function() return steel.yield end)
   wrong("hinge.section.general: field 'Ix' is -1 m^4; must be above 0 m^4",
     function() hinge.section.general { area = 1, Ix = -1 } end)
   wrong("hinge.section.general: field 'Iy' is missing; give a number in m^4",
     function() hinge.section.general { area = 1, Ix = 1, J = 1 } end)
-  wrong("hinge.section.general: unknown field 'area_' (did you mean 'area'?); it takes area, Ix, ...",
+  wrong("hinge.section.general: unknown field 'area_' (did you mean 'area'?)...",
     function() hinge.section.general { area_ = 1, Ix = 1, Iy = 1, J = 1 } end)
   wrong("hinge.section.box: field 'width' is -1 m; must be a number above 0 m",
     function() hinge.section.box { width = -1, depth = 1, thickness = 0.1 } end)
-  wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?); there are angle, box, channel, "
-    .. "concrete, general, h, named, names, pipe, round, solid",
-    function() hinge.section.bxo {} end)
+  wrong("hinge.section: unknown field 'bxo' (did you mean 'box'?)...", function() hinge.section.bxo {} end)
 end)
 
 case("wrong sections of concrete are refused", function()
@@ -164,42 +158,37 @@ case("wrong sections of concrete are refused", function()
     for k, v in pairs(change) do options[k] = v end
     return function() hinge.section.concrete(options) end
   end
-  wrong("hinge.section.concrete: field 'concrete' is 'C31/37'; must be a number of at least 100000 Pa or 'C12/15' ...",
+  wrong("hinge.section.concrete: field 'concrete' is 'C31/37'; must be a number of at least 100000 Pa or ...",
     concrete { concrete = "C31/37" })
   wrong("hinge.section.concrete: field 'steel' is -1 Pa; must be a number of at least 100000 Pa or ...",
     concrete { steel = -1 })
   wrong("hinge.section.concrete: field 'effectiveness' is 1.1; must be a number above 0 and of at most 1",
     concrete { effectiveness = 1.1 })
-  wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or "
-    .. "'gross' or "
-    .. "'cracked'", concrete { stiffness = "craked" })
-  wrong("hinge.section.concrete: it has no bars; give 'bars' = { {x, y, diameter = d}, ... } or 'layers' = ...",
+  wrong("hinge.section.concrete: field 'stiffness' is 'craked'; must be a number above 0 and of at most 2 or ...",
+    concrete { stiffness = "craked" })
+  wrong("hinge.section.concrete: it has no bars; give 'bars' = { {x, y, diameter = d}, ... } or ...",
     concrete { bars = {} })
-  wrong("hinge.section.concrete, bar 1 is {0.1}; must be {x, y, diameter = d}, two numbers in m and a diameter or ...",
+  wrong("hinge.section.concrete, bar 1 is {0.1}; must be {x, y, diameter = d}, two numbers in m ...",
     concrete { bars = { { 0.1 } } })
   wrong("hinge.section.concrete, bar 1: give either 'diameter' (m) or 'area' (m^2)", concrete { bars = { { 0, 0 } } })
   wrong("hinge.section.concrete, bar 1: give either 'diameter' (m) or 'area' (m^2); both are given",
     concrete { bars = { { 0, 0, diameter = 0.02, area = 1e-4 } } })
-  wrong("hinge.section.concrete, bar 1: unknown field 'diametre' (did you mean 'diameter'?); there are area, diameter",
+  wrong("hinge.section.concrete, bar 1: unknown field 'diametre' (did you mean 'diameter'?)...",
     concrete { bars = { { 0, 0, diametre = 0.02 } } })
-  wrong("hinge.section.concrete, reinforcement, bar 2 at {0.195, 0} m is not within the outline; its radius is 0.01 m, "
-    .. "and all of the bar must be in the concrete",
+  wrong("hinge.section.concrete, reinforcement, bar 2 at {0.195, 0} m is not within the outline; its radius is 0.01 "
+    .. "m, and all of the bar must ...",
     concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.195, 0, diameter = 0.02 } } })
   wrong("hinge.section.concrete, reinforcement, bar 2 at {0.01, 0} m overlaps bar 1; two bars must be apart by the sum "
     .. "of their radii", concrete { bars = { { 0, 0, diameter = 0.02 }, { 0.01, 0, diameter = 0.02 } } })
-  wrong("hinge.section.concrete, reinforcement, bar 1: field 'compression' is 20000000 Pa; a bar must be as "
-    .. "strong as the "
-    .. "concrete it displaces, 28500000 Pa", concrete { bar_compression = 20e6 })
+  wrong("hinge.section.concrete, reinforcement, bar 1: field 'compression' is 20000000 Pa; a bar must be as strong "
+    .. "as the concrete it ...", concrete { bar_compression = 20e6 })
   wrong("hinge.section.concrete: field 'reinforcement' is too little; the bars leave less than 0.001 of the "
-    .. "strength in "
-    .. "some direction of N, Mx and My; give more of them, on more sides",
+    .. "strength ...",
     concrete { bars = { { 0, 0, diameter = 0.001 } } })
-  wrong("hinge.section.concrete: field 'cover' is missing; give the concrete between the surface and the bars "
-    .. "of layers, "
-    .. "a number above 0 m", concrete { layers = { { y = "top", count = 2, diameter = 0.02 } } })
-  wrong("hinge.section.concrete: field 'cover' is 0.3 m; with bars of 0.02 m it must be below half of the "
-    .. "smaller side, "
-    .. "0.19 m", concrete { cover = 0.3, layers = { { y = "top", count = 2, diameter = 0.02 } } })
+  wrong("hinge.section.concrete: field 'cover' is missing; give the concrete between the surface and the ...",
+    concrete { layers = { { y = "top", count = 2, diameter = 0.02 } } })
+  wrong("hinge.section.concrete: field 'cover' is 0.3 m; with bars of 0.02 m it must be below half of ...",
+    concrete { cover = 0.3, layers = { { y = "top", count = 2, diameter = 0.02 } } })
   wrong("hinge.section.concrete, layer 1: field 'count' is 1.5; must be a whole number of at least 1",
     concrete { cover = 0.03, layers = { { y = "top", count = 1.5, diameter = 0.02 } } })
   local square = { { corners = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.1 }, { 0, 0.1 } } } }
@@ -211,15 +200,12 @@ case("wrong sections of concrete are refused", function()
   end
   wrong("hinge.section.general: field 'N0' is given beside reinforcement; from which it follows; give one of the two",
     general { N0 = 1 })
-  wrong("hinge.section.general: field 'reinforcement' is given; needs the section's shape: give 'outline' as well",
+  wrong("hinge.section.general: field 'reinforcement' is given; needs the section's shape: give 'outline' as ...",
     general { outline = false })
-  wrong("hinge.section.general, reinforcement: field 'bars' is empty; must be a list of bars: { { x, y, area =, "
-    .. "tension =, "
-    .. "compression = }, ... }; without bars the section has no strength in tension",
+  wrong("hinge.section.general, reinforcement: field 'bars' is empty; must be a list of bars: { { x, y, area =, ...",
     general { reinforcement = { concrete = 30e6, bars = {} } })
-  wrong("model:member: member has a section of concrete, which has its own strengths, and a material with a "
-    .. "yield stress "
-    .. "of ...", function(s)
+  wrong("model:member: member has a section of concrete, which has its own strengths, and a material with a ...",
+    function(s)
     s.model:member { s.wall, s.tip, section = hinge.section.concrete { width = 0.1, depth = 0.1, concrete = 30e6,
       steel = 500e6, bars = { { 0, 0, diameter = 0.01 } } }, material = hinge.material { E = 1, yield_stress = 1 } }
   end)
@@ -240,30 +226,28 @@ case("wrong members are refused", function()
     function(s) s.model:member { s.tip, { 1, 1, 1 }, section = bar, material = steel } end)
   wrong("model:member: node [1] is node 2 of another model; use one of this model",
     function(s) s.model:member { cantilever().tip, s.tip, section = bar, material = steel } end)
-  wrong(
-    "model:member: field 'section' is missing; give hinge.section.named 'HEB 300' or the like, or one made by ...",
+  wrong("model:member: field 'section' is missing; give hinge.section.named 'HEB 300' or the like, ...",
     function(s) s.model:member { s.tip, s.far, material = steel } end)
-  wrong("model:member: unknown field 'sectoin' (did you mean 'section'?); it takes section, material, ...",
+  wrong("model:member: unknown field 'sectoin' (did you mean 'section'?)...",
     function(s) s.model:member { s.tip, s.far, sectoin = bar, material = steel, group = "new" } end)
   wrong("model:member: field 'section' is a hinge.material; give hinge.section.named...",
     function(s) s.model:member { s.tip, s.far, section = steel, material = bar } end)
-  wrong("model:member: field 'material' is missing; give hinge.material.steel 'S355' or the like, or one made by ...",
+  wrong("model:member: field 'material' is missing; give hinge.material.steel 'S355' or the like, ...",
     function(s) s.model:member { s.tip, s.far, section = bar } end)
   wrong("model:member: up is {2, 0, 0}, parallel to the member ({1, 0, 0} m); ... must point across the member",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, up = { 2, 0, 0 } } end)
   wrong("model:member: field 'up': component z is not a number (nan); must be finite",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, up = { 0, 0, nan } } end)
-  wrong("model:member: elements per member is 3; formulation 'asi-gauss' ... needs an even number (2, 4, ...)",
+  wrong("model:member: elements per member is 3; formulation 'asi-gauss' ... needs an even ...",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = 3, group = "new" } end)
   wrong("model:member: field 'elements' is -1; must be a whole number, 1 or above",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, elements = -1 } end)
   wrong("model:member: field 'group' is 5; must be a name, or a table of names",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, group = { "new", 5 } } end)
-  wrong("model:member: field 'carries' is 'tensile'; must be one of 'both', 'tension', 'compression' (did "
-    .. "you mean 'tension'?)",
+  wrong("model:member: field 'carries' is 'tensile'; ... (did you mean 'tension'?)",
     function(s) s.model:member { s.tip, s.far, section = bar, material = steel, carries = "tensile" } end)
-  wrong("model:member: carries is 'tension', and its material has hardening; a member that carries axial force of one "
-    .. "sign yields at a constant force: give it a material without hardening and rate",
+  wrong("model:member: carries is 'tension', and its material has hardening; a member that carries axial force of "
+    .. "one sign ...",
     function(s)
       local hardens = hinge.material { E = 2e11, yield_stress = 2e8, hardening = { modulus = 1e9 } }
       s.model:member { s.tip, s.far, section = bar, material = hardens, carries = "tension", group = "new" }
@@ -273,8 +257,7 @@ case("wrong members are refused", function()
   end)
   -- none of the above made it
   wrong("model:group: name: no group 'new'; the model has 'arms'", function(s) s.model:group "new" end)
-  wrong("member has no field or method 'lenght' (did you mean 'length'?); it has ...",
-    function(s) return s.member.lenght end)
+  wrong("member has no field or method 'lenght' (did you mean 'length'?)...", function(s) return s.member.lenght end)
 end)
 
 case("wrong loads, velocities and rules are refused", function()
@@ -287,11 +270,11 @@ case("wrong loads, velocities and rules are refused", function()
   wrong("model:load: field 'moment' is 5; must be a table {x, y, z} in N m",
     function(s) s.model:load { node = s.tip, moment = 5 } end)
   wrong("model:load: neither 'force' (N) nor 'moment' (N m) is given; give {x, y, z}, or a function of time and the "
-    .. "run",
+    .. "...",
     function(s) s.model:load { node = s.tip } end)
-  wrong("model:load: unknown field 'forces' (did you mean 'force'?); it takes ...",
+  wrong("model:load: unknown field 'forces' (did you mean 'force'?)...",
     function(s) s.model:load { node = s.tip, forces = { 1, 0, 0 } } end)
-  wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of {time, factor} pairs",
+  wrong("model:load: field 'history' is 5; must be a function of time (s) or a table of ...",
     function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = 5 } end)
   wrong("model:load: field 'history' is out of order at point 2 (time 0.5 s); times must rise, "
     .. "or be equal where it jumps",
@@ -300,27 +283,24 @@ case("wrong loads, velocities and rules are refused", function()
     function(s) s.model:load { node = s.tip, force = { 1, 0, 0 }, history = { { 2 } } } end)
   wrong("model:gravity: acceleration is -9.81; must be a table {x, y, z} in m/s^2",
     function(s) s.model:gravity(-9.81) end)
-  wrong("model:velocity: target: no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  wrong("model:velocity: target: no group 'amrs' (did you mean 'arms'?)...",
     function(s) s.model:velocity("amrs", { 1, 0, 0 }) end)
   wrong("model:velocity: target is member 1 of another model; use one of this model",
     function(s) s.model:velocity(cantilever().member, { 1, 0, 0 }) end)
   wrong("model:velocity: velocity is nil; must be a table {x, y, z} in m/s", function(s) s.model:velocity(s.tip) end)
-  wrong("model:fracture: no limit is given; give hinge_rotation_x, hinge_rotation_y (rad), elongation (m), "
-    .. "curvature_x, curvature_y (1/m), axial_strain, shear_strain, "
-    .. "or a function",
+  wrong("model:fracture: no limit is given; give hinge_rotation_x, hinge_rotation_y (rad), ...",
     function(s) s.model:fracture {} end)
   wrong("model:fracture: field 'curvature_x' is -0.4 1/m; must be above 0 1/m",
     function(s) s.model:fracture { curvature_x = -0.4 } end)
-  wrong("model:mass: field 'mass' is 0 kg; must be above 0 kg",
-    function(s) s.model:mass { node = s.tip, mass = 0 } end)
+  wrong("model:mass: field 'mass' is 0 kg; must be above 0 kg", function(s) s.model:mass { node = s.tip, mass = 0 } end)
   wrong("model:mass: field 'inertia': component y is -2 kg m^2; must be 0 kg m^2 or above",
     function(s) s.model:mass { node = s.tip, mass = 1, inertia = { 1, -2, 3 } } end)
-  wrong("model:fracture: unknown field 'curvature' (did you mean 'curvature_x'?); it takes ...",
+  wrong("model:fracture: unknown field 'curvature' (did you mean 'curvature_x'?)...",
     function(s) s.model:fracture { curvature = 0.4 } end)
   wrong("model:fracture: field 'group': no group 'legs'; the model has 'arms'",
     function(s) s.model:fracture { axial_strain = 0.3, group = "legs" } end)
   wrong("model:fracture: takes a table of limits or a function, got 0.4", function(s) s.model:fracture(0.4) end)
-  wrong("model:contact: field 'rule' is 'gaps'; must be one of 'surface', 'gap'... (did you mean 'gap'?)",
+  wrong("model:contact: field 'rule' is 'gaps'; ... (did you mean 'gap'?)",
     function(s) s.model:contact { rule = "gaps" } end)
   wrong("model:contact: field 'binding_time' is -1 s; must be above 0 s",
     function(s) s.model:contact { rule = "gap", binding_time = -1 } end)
@@ -328,9 +308,9 @@ case("wrong loads, velocities and rules are refused", function()
     function(s) s.model:contact { friction = -0.1 } end)
   wrong("model:contact: field 'friction' is given; belongs to rule 'surface'; rule is 'gap'",
     function(s) s.model:contact { rule = "gap", friction = 0.3 } end)
-  wrong("model:contact: field 'binding_time' is given; belongs to rule 'gap'; rule is 'surface', the default",
+  wrong("model:contact: field 'binding_time' is given; belongs to rule 'gap'; rule is 'surface', the ...",
     function(s) s.model:contact { binding_time = 1e-3 } end)
-  wrong("model:contact: unknown field 'bindingtime' (did you mean 'binding_time'?); it takes ...",
+  wrong("model:contact: unknown field 'bindingtime' (did you mean 'binding_time'?)...",
     function(s) s.model:contact { bindingtime = 1 } end)
   wrong("model:contact: field 'groups', item 1: no group 'legs'; the model has 'arms'",
     function(s) s.model:contact { groups = { "legs" } } end)
@@ -359,7 +339,7 @@ local function free_to_roll(s)
 end
 case("wrong statics is refused, and a model that can move freely", function()
   wrong("model:static: ... can ... without resistance: the model has no supports, so it can move as a rigid body; "
-    .. "statics needs supports that stop every rigid-body mode (model:fix, or fixed_group = a group)",
+    .. "statics needs supports that stop every ...",
     function(s) s.model:static {} end, without_supports)
   wrong("model:static: ... m can ... without resistance: the structure, or a part of it, "
     .. "is a mechanism or not supported against it; ...",
@@ -375,13 +355,10 @@ case("wrong statics is refused, and a model that can move freely", function()
     end)
   wrong("model:static: field 'steps' is 0; must be a whole number, 1 or above",
     function(s) s.model:static { steps = 0 } end)
-  wrong("model:static: unknown field 'stpes' (did you mean 'steps'?); it takes ...",
-    function(s) s.model:static { stpes = 1 } end)
-  wrong(
-    "model:static: field 'control' is 'ark'; must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", "
-      .. "to = } (did you mean 'arc'?)",
+  wrong("model:static: unknown field 'stpes' (did you mean 'steps'?)...", function(s) s.model:static { stpes = 1 } end)
+  wrong("model:static: field 'control' is 'ark'; ... (did you mean 'arc'?)",
     function(s) s.model:static { control = "ark" } end)
-  wrong("model:static, control: component is 'up'; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'...",
+  wrong("model:static, control: component is 'up'; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', ...",
     function(s) s.model:static { control = { node = s.tip, "up", to = 1 } } end)
   wrong("model:static, control: field 'to' is missing; give a number in m",
     function(s) s.model:static { control = { node = s.tip, "uz" } } end)
@@ -389,7 +366,7 @@ case("wrong statics is refused, and a model that can move freely", function()
     function(s) s.model:static { control = { node = s.tip, "uz", to = 0 } } end)
   wrong("model:static, control: 'uz' of node 1 is fixed by a support and cannot be driven",
     function(s) s.model:static { control = { node = s.wall, "uz", to = 1 } } end)
-  wrong("model:static: field 'fixed_group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  wrong("model:static: field 'fixed_group': no group 'amrs' (did you mean 'arms'?)...",
     function(s) s.model:static { fixed_group = "amrs" } end)
   wrong("model:static: field 'from' is a hinge.model; must be a run, whose state this one goes on from",
     function(s) s.model:static { from = s.model } end)
@@ -403,18 +380,17 @@ case("wrong dynamics is refused", function()
     function(s) s.model:dynamic { dt = nan, duration = 1 } end)
   wrong("model:dynamic: field 'duration' is 1e-05 s; must be at least one step, dt = 0.001 s",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1e-5 } end)
-  wrong("model:dynamic: unknown field 'durration' (did you mean 'duration'?); it takes dt, duration, ...",
+  wrong("model:dynamic: unknown field 'durration' (did you mean 'duration'?)...",
     function(s) s.model:dynamic { dt = 1e-3, durration = 1 } end)
   wrong("model:dynamic: field 'beta' is 2; Newmark's beta must be between 0 and 1 ...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, beta = 2 } end)
   local explicit = "integrator = 'explicit', which solves nothing; leave it out"
-  wrong("model:dynamic: field 'dt' is 0.001 s; explicit steps stay stable up to 1.385897889e-05 s here (element 1 of "
-    .. "member 1 (arms), nodes 1-2 has the highest frequency); give a shorter one, or dt = 'auto'",
+  wrong("model:dynamic: field 'dt' is 0.001 s; explicit steps stay stable up to ...",
     function(s) s.model:dynamic { integrator = "explicit", dt = 1e-3, duration = 1 } end)
   wrong("model:dynamic: field 'dt' is missing; give a number in s", function(s)
     s.model:dynamic { integrator = "explicit", duration = 1 }
   end)
-  wrong("model:dynamic: field 'dt' is 'atuo'; must be a number in s, or 'auto' (did you mean 'auto'?)",
+  wrong("model:dynamic: field 'dt' is 'atuo'; ... (did you mean 'auto'?)",
     function(s) s.model:dynamic { dt = "atuo", duration = 1 } end)
   wrong("model:dynamic: field 'beta' has no meaning with " .. explicit,
     function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, beta = 0.25 } end)
@@ -422,20 +398,17 @@ case("wrong dynamics is refused", function()
     function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, solver = "direct" } end)
   wrong("model:dynamic: field 'precision' has no meaning with " .. explicit,
     function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, precision = "double" } end)
-  wrong("model:dynamic: field 'integrator' is 'explict'; " ..
-      "must be one of 'newmark', 'energy-momentum', 'explicit' (did you mean 'explicit'?)",
+  wrong("model:dynamic: field 'integrator' is 'explict'; ... (did you mean 'explicit'?)",
     function(s) s.model:dynamic { integrator = "explict", dt = 1e-5, duration = 1 } end)
-  wrong("model:dynamic: field 'rho_infinity' is 1.5; must be between 0 and 1: "
-    .. "what a step leaves of the highest frequencies' amplitude ...",
+  wrong("model:dynamic: field 'rho_infinity' is 1.5; must be between 0 and 1: what a step leaves of ...",
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, rho_infinity = 1.5 } end)
-  wrong("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = 0.3086419753: leave one out",
+  wrong("model:dynamic: beta and rho_infinity are both given; rho_infinity sets beta = 0.3086419753: leave ...",
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, rho_infinity = 0.8, beta = 0.4 } end)
   wrong(
     "model:dynamic: field 'rho_infinity' has no meaning with integrator = 'explicit', which solves nothing; leave it "
     .. "out",
     function(s) s.model:dynamic { integrator = "explicit", dt = "auto", duration = 1, rho_infinity = 0.8 } end)
-  wrong("model:dynamic: field 'step_control' is 1; must be below 1: "
-    .. "the part of the largest energy that the run may lose, such as 0.01",
+  wrong("model:dynamic: field 'step_control' is 1; must be below 1: the part of the largest energy ...",
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, step_control = 1 } end)
   wrong("model:dynamic: field 'step_control' needs an energy balance that closes, "
     .. "and that of a model with shift = 'elastic_and_plastic' cannot; leave it out",
@@ -456,17 +429,17 @@ case("wrong dynamics is refused", function()
   wrong("model:dynamic: field 'threads' is 1000; must be at most 256", function(s)
     s.model:dynamic { dt = 1e-5, duration = 1, threads = 1000 }
   end)
-  wrong("model:dynamic: field 'precision' is 'singel'; must be one of 'single', 'double' (did you mean 'single'?)",
+  wrong("model:dynamic: field 'precision' is 'singel'; ... (did you mean 'single'?)",
     function(s) s.model:dynamic { dt = 1e-5, duration = 1, precision = "singel" } end)
   wrong("model:dynamic: field 'solver' is 'lu'; must be one of 'cg', 'direct'...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, solver = "lu" } end)
-  wrong("model:dynamic: field 'internals': field 'predictor' is 'acceleraton'; must be one of ... (did you mean 'acceleration'?)",
+  wrong("model:dynamic: field 'internals': field 'predictor' is 'acceleraton'; ... (did you mean 'acceleration'?)",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, internals = { predictor = "acceleraton" } } end)
-  wrong("model:dynamic: member 2 has density 0 kg/m^3; integrator = 'explicit' needs a mass at each node...",
+  wrong("model:dynamic: member 2 has density 0 kg/m^3; integrator = 'explicit' needs a mass at each ...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, integrator = "explicit" } end,
     function(s) s.model:member { s.tip, s.far, section = bar, material = hinge.material { E = 206e9 } } end)
   wrong("model:dynamic: field 'from' is a run of a structure with 5 nodes and 2 elements; this model has 6 and 4; "
-    .. "add nothing between the runs",
+    .. "add nothing between the ...",
     function(s) s.model:dynamic { dt = 1e-3, duration = 1, from = s.run } end,
     function(s) s.run = s.model:static {}:finish() s.model:member { s.tip, s.far, section = bar, material = steel } end)
   wrong("model:dynamic: field 'from' is a run of another model; must be a run of this one",
@@ -489,20 +462,19 @@ case("wrong calls of a run are refused", function()
     function(s) s.run:displacement(cantilever().tip) end, with_run)
   wrong("run:velocity: node is node 5, declared after this run was made", function(s) s.run:velocity(s.late) end,
     function(s) with_run(s) s.late = s.model:node { 5, 5, 5 } end)
-  wrong("run:probe: quantity is 'uq'; must be one of ux uy uz rx ry rz (displacement), ...",
+  wrong("run:probe: quantity is 'uq'; must be one of ux uy uz rx ry rz ...",
     function(s) s.run:probe { node = s.tip, "uq" } end, with_run)
-  wrong(
-    "run:probe: field 'name' is 'a,b'; it heads a column of history.csv and may not hold a comma, quote or line break",
+  wrong("run:probe: field 'name' is 'a,b'; it heads a column of history.csv and may not ...",
     function(s) s.run:probe { node = s.tip, "ux", name = "a,b" } end, with_run)
   wrong("run:probe: the run has begun (step 1); ask for probes before its first step",
     function(s) s.run:probe { node = s.tip, "ux" } end, function(s) with_run(s) s.run:finish() end)
-  wrong("probe has no field or method 'lsat' (did you mean 'last'?); it has ...", function(s) return s.probe.lsat end,
+  wrong("probe has no field or method 'lsat' (did you mean 'last'?)...", function(s) return s.probe.lsat end,
     function(s) with_run(s) s.probe = s.run:probe { node = s.tip, "ux" } end)
-  wrong("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', 'touched'",
+  wrong("run:count: field 'state' is missing; must be one of 'broken', 'yielded', 'elastic', ...",
     function(s) s.run:count {} end, with_run)
-  wrong("run:count: field 'state' is 'borken'; must be one of ... (did you mean 'broken'?)",
+  wrong("run:count: field 'state' is 'borken'; ... (did you mean 'broken'?)",
     function(s) s.run:count { state = "borken" } end, with_run)
-  wrong("run:count: field 'group': no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  wrong("run:count: field 'group': no group 'amrs' (did you mean 'arms'?)...",
     function(s) s.run:count { state = "broken", group = "amrs" } end, with_run)
   wrong("run:forces: member is 5; must be a member made by model:member{a, b, ...}",
     function(s) s.run:forces(5) end, with_run)
@@ -510,10 +482,9 @@ case("wrong calls of a run are refused", function()
     function(s) s.run:forces(cantilever().member) end, with_run)
   wrong("run:forces: member is member 2, declared after this run was made", function(s) s.run:forces(s.late) end,
     function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
-  wrong("run:read: quantity is 'fy'; must be one of members' 'f_y', ..., or of nodes' 'node', ... (did you mean "
-    .. "'f_y'?)",
+  wrong("run:read: quantity is 'fy'; ... (did you mean 'f_y'?)",
     function(s) s.run:read "fy" end, with_run)
-  wrong("run has no field or method 'vrdict' (did you mean 'verdict'?); it has ...",
+  wrong("run has no field or method 'vrdict' (did you mean 'verdict'?)...",
     function(s) return s.run.vrdict end, with_run)
   wrong("run:finish: called on nil; write object:method(...) on a hinge.run", function(s) s.run.finish() end, with_run)
 end)
@@ -560,7 +531,7 @@ case("handles are refused where there is nothing to read", function()
     function(s) s.tip:displacement() end)
   wrong("node:reaction: no run has been made of this model yet; ...", function(s) s.wall:reaction() end)
   wrong("member:state: no run has been made of this model yet; ...", function(s) s.member:state() end)
-  wrong("node:velocity: run is 3; must be one that model:static{} or model:dynamic{} returned",
+  wrong("node:velocity: run is 3; must be one that model:static{} or ...",
     function(s) s.tip:velocity(3) end, with_run)
   wrong("node:position: this is node 5, declared after this run was made", function(s) s.late:position() end,
     function(s) with_run(s) s.late = s.model:node { 5, 5, 5 } end)
@@ -568,16 +539,15 @@ case("handles are refused where there is nothing to read", function()
     function(s) with_run(s) s.late = s.model:member { s.tip, s.far, section = bar, material = steel } end)
   wrong("member:state: called on nil; write object:method(...) on a hinge.member",
     function(s) s.member.state() end, with_run)
-  wrong("node has no field or method 'displacment' (did you mean 'displacement'?); it has ...",
+  wrong("node has no field or method 'displacment' (did you mean 'displacement'?)...",
     function(s) s.tip:displacment() end)
-  wrong(
-    "group has no field or method 'member' (did you mean 'members'?); it has name, size, mass, length, members, nodes",
+  wrong("group has no field or method 'member' (did you mean 'members'?)...",
     function(s) s.model:group "arms":member() end)
-  wrong("load has no field or method 'forces' (did you mean 'force'?); it has node, force, moment, case, remove",
+  wrong("load has no field or method 'forces' (did you mean 'force'?)...",
     function(s) return s.model:loads()[1].forces end)
-  wrong("run:read: quantity is 'Nx_a'; must be one of ... (did you mean 'N_a'?)",
+  wrong("run:read: quantity is 'Nx_a'; ... (did you mean 'N_a'?)",
     function(s) s.run:read "Nx_a" end, with_run)
-  wrong("run:read: group: no group 'amrs' (did you mean 'arms'?); the model has 'arms'",
+  wrong("run:read: group: no group 'amrs' (did you mean 'arms'?)...",
     function(s) s.run:read("ux", "amrs") end, with_run)
 end)
 
@@ -633,23 +603,21 @@ case("a step is not closed or stepped on from within", function()
     s.run = s.model:dynamic { dt = 1e-5, duration = 1e-4 }
     s.run:finish()
   end
-  wrong(
-    "model:close: a run of this model is in a step; close it when the step is done (fracture rule of ...) at step 1, "
-    .. "...",
+  wrong("model:close: a run of this model is in a step; close it when the step is done (fracture rule ...",
     function(s) inside(s, function() s.model:close() end) end, function() end)
-  wrong("run:step: called from a function of this very run, in the middle of a step; "
-    .. "it steps on when that is done (fracture rule of ...) at step 1, ...",
+  wrong("run:step: called from a function of this very run, in the middle of a step; it steps on when that is done "
+    .. "(fracture rule of ...",
     function(s) inside(s, function() s.run:step() end) end, function() end)
 end)
 
 case("wrong scenarios and wrong options of the library's models are refused", function()
   wrong("hinge.scenario: field 'run' is missing; give a function", function() hinge.scenario {} end)
-  wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?); there are accuracy, cases, parameters, "
-    .. "proposals, run, vary", function() hinge.scenario { case = {}, run = print } end)
+  wrong("hinge.scenario: unknown field 'case' (did you mean 'cases'?)...",
+    function() hinge.scenario { case = {}, run = print } end)
   wrong("ten_storey.add: field 'storey' is 0 m; must be a number above 0 m", function(s)
     require "hinge.models.ten_storey".add(s.model, { storey = 0 })
   end)
-  wrong("aircraft.add: unknown field 'sizes' (did you mean 'size'?); there are ...",
+  wrong("aircraft.add: unknown field 'sizes' (did you mean 'size'?)...",
     function(s) require "hinge.models.aircraft".add(s.model, { sizes = 9 }) end)
 end)
 
