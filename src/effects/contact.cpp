@@ -51,7 +51,7 @@ public:
         now().release_step();  // it may come from a run in the middle of a step
     }
 
-    bool meet(const Step& step) override {
+    bool detect_contacts(const Step& step) override {
         if (bars_changed_) list_bars();
         place(w_.state.displacement);
         foreseen_.resize(w_.state.velocity.size());
@@ -94,7 +94,7 @@ public:
     bool has_blocks() const override { return !now().idle(); }
     bool blocks_follow() const override { return !now().surface_contacts().empty(); }
 
-    bool settled() override {
+    bool has_converged() override {
         if (now().idle() || now().surface_contacts().empty()) return true;
         place(w_.trial.displacement);
         return !now().unsettled(position_, w_.trial.rotation);
@@ -123,8 +123,8 @@ public:
     }
 
     /// Calls the script's functions for contacts that began or ended in the step, and marks their elements.
-    const char* decides() const override { return "events"; }
-    void decide(Step&) override {
+    const char* stage_name() const override { return "events"; }
+    void find_breaks(Step&) override {
         for (const contact::ContactEvent& event : now().events()) {
             const int a = member(event.element[0]), b = member(event.element[1]);
             const int rule = rule_for(a, b);

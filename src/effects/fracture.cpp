@@ -42,9 +42,9 @@ struct StrainFactors {
 class Fracture : public Effect, public Breaker, public BreakListener, public RunChecker {
 public:
     Fracture(Workspace& w, Host& host);
-    const char* decides() const override { return fracture_effect; }
+    const char* stage_name() const override { return fracture_effect; }
     bool by_strain() const override { return true; }
-    void decide(Step& step) override;
+    void find_breaks(Step& step) override;
     void after_commit(const Step&) override {
         for (const PlasticIncrement& y : w_.yielding) add_if_reachable(y.element);
     }
@@ -220,7 +220,7 @@ StrainFactors Fracture::strain_factors(int index) const {
 
 /// Eq 16, element by element, where a limit can be reached: in those that flow, and those that could break
 /// without.
-void Fracture::decide(Step& step) {
+void Fracture::find_breaks(Step& step) {
     step_ = &step;
     step.breaks.clear(), sections_.clear();
     list_newly_strained();

@@ -88,11 +88,11 @@ public:
     }
 
     /// Long steps end before something touches.
-    bool meet(const Step& step) override {
+    bool detect_contacts(const Step& step) override {
         return !step.longer || !any([&](const GroundLaw& law) { return law.touches_within(step); });
     }
-    bool settled() override {
-        return !any([](const GroundLaw& law) { return !law.settled(); });
+    bool has_converged() override {
+        return !any([](const GroundLaw& law) { return !law.has_converged(); });
     }
     void solved(const Step&, const std::vector<Vec6>&) override {
         each([](GroundLaw& law) { law.solved(); });

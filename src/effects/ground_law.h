@@ -111,7 +111,7 @@ public:
     virtual void add_stiffest(Blocks& most) const = 0;
     /// Whether something may touch a plane in the coming step.
     virtual bool touches_within(const Step& step) const = 0;
-    virtual bool settled() const = 0;
+    virtual bool has_converged() const = 0;
 
     virtual void solved() {}
     virtual void end(const Step& step) { (void)step; }

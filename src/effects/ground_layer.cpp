@@ -108,7 +108,7 @@ public:
     }
 
     /// Another solution is needed where the forces are others than those that the last one foresaw.
-    bool settled() const override {
+    bool has_converged() const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const GroundStrip& s = strips()[i];
             const StripTouch &before = touches_[i], now = touch(s, w_.trial);

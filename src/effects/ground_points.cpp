@@ -101,7 +101,7 @@ public:
     }
 
     /// Another solution is needed where a point has come to touch, or no longer does, or friction has become another.
-    bool settled() const override {
+    bool has_converged() const override {
         for (std::size_t i = 0; i < touches_.size(); ++i) {
             const GroundPoint& p = points()[i];
             const Touch now = touch(p, w_.trial), &before = touches_[i];

@@ -46,9 +46,9 @@ public:
         : Effect(removal_effect, w, host, {.forces_vanish = true}), done_(declared(w.structure).size(), 0) {
         if (!w.state.data.find<StandIns>(removal_effect)) w.state.data.set(removal_effect, StandIns{});
     }
-    const char* decides() const override { return removal_effect; }
+    const char* stage_name() const override { return removal_effect; }
 
-    void decide(Step& step) override {
+    void find_breaks(Step& step) override {
         next_.clear();
         time_ = step.end() + 1e-6 * step.dt;
         for (std::size_t i = 0; i < done_.size(); ++i) {

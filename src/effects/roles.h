@@ -120,9 +120,9 @@ public:
     virtual ~ContactLaw() = default;
     /// Finds what comes into contact in the coming step. False: the step is too long for what comes, and a shorter one
     /// is begun.
-    virtual bool meet(const Step& step) = 0;
-    /// Whether the solution agrees with the forces that it was found with; false: another iteration.
-    virtual bool settled() = 0;
+    virtual bool detect_contacts(const Step& step) = 0;
+    /// False if the forces that the solution was found with do not agree with it: another iteration follows.
+    virtual bool has_converged() = 0;
     /// Ends the contacts that are over at the end of the step, and adds the impulses that the step missed.
     virtual void end(const Step& step) { (void)step; }
 };
@@ -133,8 +133,8 @@ class Breaker {
 public:
     virtual ~Breaker() = default;
     /// The name of the stage; the stage of several has the first one's.
-    virtual const char* decides() const = 0;
-    virtual void decide(Step& step) = 0;
+    virtual const char* stage_name() const = 0;
+    virtual void find_breaks(Step& step) = 0;
     /// Whether it breaks elements that are strained too much.
     virtual bool by_strain() const { return false; }
 };

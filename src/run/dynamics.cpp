@@ -71,7 +71,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
     at_.correct = integrator_->correct_stage();
     if (meets_) at_.ends = stages_.add("contact ends");
     if (settings_.controlled()) at_.control = stages_.add("step control");
-    if (const auto& list = effects_->breakers; decides_) at_.decide = stages_.add(list.front()->decides());
+    if (const auto& list = effects_->breakers; decides_) at_.decide = stages_.add(list.front()->stage_name());
     at_.commit = stages_.add("commit");
 
     assembly_.update_active(state_);
@@ -172,7 +172,7 @@ void Dynamics::keep_constraints(bool moved) {
 /// A step too long for what comes is begun again as a shorter one.
 void Dynamics::meet() {
     for (const auto& law : effects_->contact_laws) {
-        if (law->meet(step_)) continue;
+        if (law->detect_contacts(step_)) continue;
         take_steps_of(size_.own_length());
         step_.dt = size_.dt(), step_.longer = false;
         begin_step();
@@ -213,7 +213,7 @@ bool Dynamics::correct() {
     if (again) return true;
     if (integrator_->may_go_on(step_))
         for (const auto& law : effects_->contact_laws)
-            if (!law->settled()) return true;
+            if (!law->has_converged()) return true;
     integrator_->solved(step_);
     for (const auto& e : effects_->all) e->solved(step_, integrator_->change());
     if (constraints_) constraints_->set_velocities();
@@ -235,7 +235,7 @@ void Dynamics::end_contacts() {
 }
 
 void Dynamics::decide() {
-    for (const auto& breaker : effects_->breakers) breaker->decide(step_);
+    for (const auto& breaker : effects_->breakers) breaker->find_breaks(step_);
 }
 
 /// What was tried becomes the state.
