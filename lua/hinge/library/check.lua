@@ -121,10 +121,9 @@ function allowed(rule)
     text = (rule.count or "two or more") .. " " .. number .. "s in braces, each"
   else
     return ({ string = "a string",
-      hinges = "true, false or a list of run:hinges that was given a limit", boolean = "true or false",
-      table = "a table", ["function"] = "a function",
+      boolean = "true or false", table = "a table", ["function"] = "a function",
       section = "a section, such as hinge.section.box{...} gives",
-      material = "a material, made by hinge.material{...}" })[kind]
+      material = "a material, made by hinge.material{...}" })[kind] or rule.words
   end
   local limits = {}
   for _, b in ipairs(bounds) do
@@ -164,7 +163,7 @@ local function good(value, rule)
   end
   local mark = ({ section = "area", material = "E" })[kind]
   if mark then return (type(value) == "userdata" or type(value) == "table") and type(value[mark]) == "number" end
-  if kind == "hinges" then return type(value) == "boolean" or require "hinge.results.hinges".can_be_drawn(value) end
+  if rule.good then return rule.good(value) end
   if type(value) ~= kind then return false end
   return not rule.one_of or among(value, rule.one_of)
 end
@@ -199,7 +198,8 @@ end
 --- Checks a table of named options and returns a copy with the defaults filled in.
 -- Each rule is { kind, unit=, default=, optional=, above=, at_least=, below=, at_most=, whole=,
 -- count=, one_of=, also= (other values that it may be) }; kinds: number, numbers (a list of `count`, or of any two or
--- more), string, boolean, table, function, section, material.
+-- more), string, boolean, table, function, section, material; or any other word with good = a function that says
+-- whether a value will do, and words = what it must be.
 function check.options(where, options, rules)
   if options == nil then options = {} end
   if type(options) ~= "table" then
