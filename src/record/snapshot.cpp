@@ -121,16 +121,10 @@ void add_loads(output::Snapshot& snapshot, const Run& run) {
         }
 }
 
-}  // namespace
-
-output::Snapshot make_snapshot(const Run& run) {
+/// Positions and displacements of the nodes.
+void add_points(output::Snapshot& snapshot, const Run& run) {
     const Structure& structure = run.structure();
     const State& state = run.state();
-    output::Snapshot snapshot;
-    snapshot.time = state.time;
-    if (run.is_static()) snapshot.factor = state.factor;
-    snapshot.groups = structure.model().groups();
-    snapshot.declared = int(structure.model().nodes().size());
     for (std::size_t i = 0; i < structure.position().size(); ++i) {
         const Vec3 x = structure.position()[i] + state.displacement[i];
         snapshot.points.push_back(numbers(x));
@@ -139,51 +133,85 @@ output::Snapshot make_snapshot(const Run& run) {
     }
     snapshot.is_virtual.assign(snapshot.points.size(), 0);
     snapshot.held = structure.fixed();
-    for (std::size_t m = 0; m < structure.model().members().size(); ++m)
-        for (const int g : structure.model().members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
-    for (const NodeLink& link : node_links(structure.model()))
+}
+
+/// Which members are in which groups, and which nodes are joined by other things than members.
+void add_groups(output::Snapshot& snapshot, const Model& model) {
+    snapshot.groups = model.groups();
+    snapshot.declared = int(model.nodes().size());
+    for (std::size_t m = 0; m < model.members().size(); ++m)
+        for (const int g : model.members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
+    for (const NodeLink& link : node_links(model))
         if (link.a >= 0) snapshot.connected.push_back({link.a, link.b});
+}
+
+/// The end of a broken element that no node carries any more has a point of its own.
+void add_loose_end(output::Snapshot& snapshot, output::Bar& bar, const Run& run, int element) {
+    const Structure& structure = run.structure();
+    const State& state = run.state();
+    const Element& e = structure.elements()[element];
+    const int side = state.broken[element] == 2 ? 1 : 0, carrier = e.node[1 - side];
+    const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
+                     state.rotation[carrier] * state.offset_arm[element];
+    bar.point[side] = int(snapshot.points.size());
+    const Vec3 moved = end - structure.position()[e.node[side]];
+    snapshot.points.push_back(numbers(end));
+    snapshot.displacement.push_back(numbers(moved));
+    snapshot.rotation.push_back(snapshot.rotation[std::size_t(carrier)]);
+    snapshot.is_virtual.push_back(1), snapshot.held.push_back(0);
+}
+
+/// The bar of an element, with its section's shape by number.
+output::Bar bar_of(const Run& run, int element, int shape) {
+    const State& state = run.state();
+    const Element& e = run.structure().elements()[element];
+    const auto& groups = run.structure().model().members()[e.member].groups;
+    output::Bar bar;
+    for (const int end : {0, 1}) bar.point[end] = bar.node[end] = e.node[end];
+    bar.state = state.broken[element]    ? output::BarState::broken
+                : state.yielded[element] ? output::BarState::yielded
+                                         : output::BarState::elastic;
+    bar.group = groups.empty() ? -1 : groups[0];
+    bar.member = e.member + 1;
+    bar.element = element + 1;
+    bar.width = 2 * e.radius;
+    bar.shape = shape;
+    bar.up = numbers(direction_up(run, element));
+    add_forces(bar, run, element);
+    add_yields(bar, run, element);
+    return bar;
+}
+
+/// A bar for each element, the shapes of their sections, and the names of their laws.
+void add_bars(output::Snapshot& snapshot, const Run& run) {
+    const Structure& structure = run.structure();
     std::map<const Section*, int> shape_at;
     std::set<std::string> laws;
     for (std::size_t i = 0; i < structure.elements().size(); ++i) {
         const Element& e = structure.elements()[i];
-        const Section* section = structure.model().members()[e.member].section.get();
-        const auto [shape, fresh] = shape_at.try_emplace(section, int(snapshot.shapes.size()));
-        if (fresh) snapshot.shapes.push_back(shape_of(*section));
-        const auto& groups = structure.model().members()[e.member].groups;
-        output::Bar bar;
-        bar.point[0] = e.node[0];
-        bar.point[1] = e.node[1];
-        bar.node[0] = e.node[0], bar.node[1] = e.node[1];
-        bar.state = state.broken[i]    ? output::BarState::broken
-                    : state.yielded[i] ? output::BarState::yielded
-                                       : output::BarState::elastic;
-        bar.group = groups.empty() ? -1 : groups[0];
-        bar.member = e.member + 1;
-        bar.element = int(i) + 1;
-        bar.width = 2 * e.radius;
-        bar.shape = shape->second;
-        bar.up = numbers(direction_up(run, int(i)));
-        add_forces(bar, run, int(i));
-        add_yields(bar, run, int(i));
-        if (e.law) laws.insert(law_text(*e.law, structure.model().members()[e.member]));
-        if (state.broken[i]) {
-            const int side = state.broken[i] == 2 ? 1 : 0, carrier = e.node[1 - side];
-            const Vec3 end = structure.position()[carrier] + state.displacement[carrier] +
-                             state.rotation[carrier] * state.offset_arm[i];
-            bar.point[side] = int(snapshot.points.size());
-            const Vec3 moved = end - structure.position()[e.node[side]];
-            snapshot.points.push_back(numbers(end));
-            snapshot.displacement.push_back(numbers(moved));
-            snapshot.rotation.push_back(snapshot.rotation[std::size_t(carrier)]);
-            snapshot.is_virtual.push_back(1), snapshot.held.push_back(0);
-        }
+        const MemberData& member = structure.model().members()[e.member];
+        const auto [shape, fresh] = shape_at.try_emplace(member.section.get(), int(snapshot.shapes.size()));
+        if (fresh) snapshot.shapes.push_back(shape_of(*member.section));
+        output::Bar bar = bar_of(run, int(i), shape->second);
+        if (e.law) laws.insert(law_text(*e.law, member));
+        if (run.state().broken[i]) add_loose_end(snapshot, bar, run, int(i));
         snapshot.bars.push_back(bar);
     }
-    add_joints(snapshot, run);
     if (!laws.empty() && laws != std::set<std::string>{"eq 14"}) snapshot.laws.assign(laws.begin(), laws.end());
+}
+
+}  // namespace
+
+output::Snapshot make_snapshot(const Run& run) {
+    output::Snapshot snapshot;
+    snapshot.time = run.state().time;
+    if (run.is_static()) snapshot.factor = run.state().factor;
+    add_points(snapshot, run);
+    add_groups(snapshot, run.structure().model());
+    add_bars(snapshot, run);
+    add_joints(snapshot, run);
     add_loads(snapshot, run);
-    for (const DeclaredPlane& plane : declared_planes(structure.model()))
+    for (const DeclaredPlane& plane : declared_planes(run.structure().model()))
         snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});
     return snapshot;
 }

@@ -58,19 +58,9 @@ void read_groups(Options& o, Model& m, std::vector<int>& groups, std::vector<std
     lua_pop(L, 1);
 }
 
-/// A member as the script gives it. Nothing of it is in the model yet: its groups may be new ones.
-struct GivenMember {
-    MemberData data;
-    std::vector<std::string> named;  ///< groups that are given by their names
-    std::array<std::optional<JointProperties>, 2> joints;
-    std::array<std::optional<Vec3>, 2> offsets;
-};
-
-GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a, int b) {
+/// Section and material of a member, and what follows its hinges: a backbone, or a law of the script.
+void read_section(Options& o, const std::shared_ptr<ScriptModel>& m, MemberData& data) {
     lua_State* L = o.L();
-    GivenMember given;
-    MemberData& data = given.data;
-    data.node[0] = a, data.node[1] = b;
     o.push_field("section");
     if (auto* s = find<SectionBox>(L, -1)) data.section = s->value;
     else
@@ -101,6 +91,31 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
     if (data.law && !std::isfinite(data.material->yield_stress) &&
         !(data.section->outline && data.section->outline->concrete()))
         o.complain("law", "given", "needs a material with yield_stress (Pa), or a section of concrete");
+}
+
+/// A member as the script gives it. Nothing of it is in the model yet: its groups may be new ones.
+struct GivenMember {
+    MemberData data;
+    std::vector<std::string> named;  ///< groups that are given by their names
+    std::array<std::optional<JointProperties>, 2> joints;
+    std::array<std::optional<Vec3>, 2> offsets;
+};
+
+/// The groups that it joins, each once.
+void read_own_groups(Options& o, Model& m, GivenMember& given) {
+    read_groups(o, m, given.data.groups, given.named);
+    std::vector<std::string> all = given.named;
+    for (const int g : given.data.groups) all.push_back(m.groups()[g]);
+    std::sort(all.begin(), all.end());
+    if (const auto twice = std::adjacent_find(all.begin(), all.end()); twice != all.end())
+        o.complain("group", "'" + *twice + "' twice", "give each group once");
+}
+
+GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a, int b) {
+    GivenMember given;
+    MemberData& data = given.data;
+    data.node[0] = a, data.node[1] = b;
+    read_section(o, m, data);
     given.offsets = read_offsets(o);
     const Vec3 none = Vec3::Zero(), chord = m->nodes()[b].position + given.offsets[1].value_or(none) -
                                             m->nodes()[a].position - given.offsets[0].value_or(none);
@@ -121,12 +136,7 @@ GivenMember read_member(Options& o, const std::shared_ptr<ScriptModel>& m, int a
     if (moved && !(data.up.cross(chord).norm() > 1e-6 * data.up.norm() * chord.norm()))
         o.complain("up", "{" + show(data.up.x()) + ", " + show(data.up.y()) + ", " + show(data.up.z()) + "}",
                    "parallel to the line between the member's ends, which 'offset' moves; it must point across");
-    read_groups(o, *m, data.groups, given.named);
-    std::vector<std::string> all = given.named;
-    for (const int g : data.groups) all.push_back(m->groups()[g]);
-    std::sort(all.begin(), all.end());
-    if (const auto twice = std::adjacent_find(all.begin(), all.end()); twice != all.end())
-        o.complain("group", "'" + *twice + "' twice", "give each group once");
+    read_own_groups(o, *m, given);
     try {
         m->check_member(data);
         MemberData in_groups = data;

@@ -6,7 +6,7 @@
 #include "model/member_ends.h"
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
-#include "script/bind/mode_box.h"
+#include "script/bind/static_settings.h"
 #include "advice/check.h"
 #include "advice/load_warnings.h"
 #include "effects/all_effects.h"
@@ -114,67 +114,21 @@ int record_every(Options& o, int usual) {
     return none ? 0 : o.integer("record", 1, usual);
 }
 
-/// What leads the way of a static run; `before`: the run that it goes on from, or null.
-void read_control(lua_State* L, Options& o, const std::shared_ptr<ScriptModel>& m, const ScriptRun* before,
-                  StaticSettings& s) {
-    const char* allowed = "must be 'load', 'arc', { 'arc', to = } or { node =, \"ux\", to = }";
-    const int type = o.push_field("control");
-    if (type == LUA_TSTRING) {
-        const std::string word = lua_tostring(L, -1);
-        if (word == "arc") s.control = Control::arc;
-        else if (word != "load") o.complain("control", "'" + word + "'", allowed + did_you_mean(word, {"load", "arc"}));
-    } else if (type == LUA_TTABLE) {
-        Options c(L, -1, "model:static, control");
-        c.push_item(1);
-        const std::string component = lua_type(L, -1) == LUA_TSTRING ? lua_tostring(L, -1) : "";
-        if (component == "arc") {
-            s.control = Control::arc;
-            s.target = c.number("to", "", Range::any);
-            if (s.target == 0) c.complain("to", "0", "must differ from 0, the load factor where the run begins");
-            c.finish(1);
-            return lua_pop(L, 2);
-        }
-        s.control = Control::displacement;
-        c.push_field("node");
-        s.node = node_argument(L, -1, "model:static, control: field 'node'", m.get()).index;
-        static const std::vector<std::string> names = {"ux", "uy", "uz", "rx", "ry", "rz"};
-        const auto at = std::find(names.begin(), names.end(), component);
-        if (at == names.end())
-            throw InputError("model:static, control: component is " + show(L, -2) +
-                             "; must be one of 'ux', 'uy', 'uz', 'rx', 'ry', 'rz'" + did_you_mean(component, names));
-        lua_pop(L, 2);
-        s.component = int(at - names.begin());
-        s.target = c.number("to", s.component < 3 ? "m" : "rad", Range::any);
-        if (s.target == 0 && !before) c.complain("to", "0", "must differ from 0");
-        c.finish(1);
-        if (m->nodes()[s.node].fixed >> s.component & 1)
-            throw InputError("model:static, control: '" + component + "' of node " + std::to_string(s.node + 1) +
-                             " is fixed by a support and cannot be driven");
-    } else if (type != LUA_TNIL) {
-        o.complain("control", show(L, -1), allowed);
-    }
-    lua_pop(L, 1);
-}
-
-/// The shape along which the run sets off; `nodes`: of the structure.
-void read_branch(lua_State* L, Options& o, std::size_t nodes, StaticSettings& s) {
-    if (o.push_field("branch") != LUA_TNIL) {
-        const auto* mode = find<ModeBox>(L, -1);
-        if (!mode) o.complain("branch", show(L, -1), "must be a shape of run:buckling or run:modes");
-        if (s.control != Control::displacement)
-            o.complain("branch", "given", "goes with control = { node =, \"ux\", to = }, which holds the branch");
-        if (mode->shape.size() != nodes)
-            o.complain("branch", "a shape of " + std::to_string(mode->shape.size()) + " nodes",
-                       "must be of this structure, which has " + std::to_string(nodes));
-        double largest = 0;
-        for (const Vec6& v : mode->shape)
-            largest = std::max(largest, (s.component < 3 ? v.head<3>() : v.tail<3>()).cwiseAbs().maxCoeff());
-        if (!(std::abs(mode->shape[s.node][s.component]) > 1e-3 * largest))
-            o.complain("branch", "a shape that does not move what 'control' drives",
-                       "drive a displacement that is large in the shape");
-        s.branch = mode->shape;
-    }
-    lua_pop(L, 1);
+void refuse_static_start(const Model& declared, const Structure& structure, const State& start, bool goes_on) {
+    if (structure.elements().empty())
+        throw InputError("model:static: the model has no members; add at least one with model:member");
+    const Model& model = structure.model();
+    refuse_lost_loads(model, structure, start, "model:static");
+    for (const DeclaredLoad& l : declared_loads(model))
+        if (l.follows_state)
+            throw InputError("model:static: a load on " + structure.node_name(l.node) +
+                             " is a function of time and the run, which acts in dynamics only; make the static run "
+                             "before it is declared, or put it into a load case that this run does not take");
+    if (!goes_on) refuse_no_loads(declared, model.set_aside());
+    if (const auto g = declared_gravity(model); g && !g->isZero(0) && is_weightless(structure))
+        throw InputError(
+            "model:static: the model has gravity, and nothing in it has mass: all densities are 0 kg/m^3; give "
+            "hinge.material a density, or leave gravity out");
 }
 
 }  // namespace
@@ -188,47 +142,10 @@ int static_run(lua_State* L) {
     Chain chain(o, before);
     const LoadChoice choice = read_choice(o, *m, before, true);
     const auto structure = std::make_shared<const Structure>(copy_of(L, *m, choice));
-    StaticSettings s;
-    s.steps = o.integer("steps", 1, 10);
-    s.iterations = o.integer("iterations", 2, s.iterations);
-    s.tolerance = o.number("tolerance", "", Range::positive, s.tolerance);
-    read_control(L, o, m, before, s);
-    read_branch(L, o, structure->position().size(), s);
-    s.past_unstable = o.word("unstable", {"fail", "continue"}, "fail") == "continue";
-    s.to_limit = o.flag("to_limit", false);
-    if (s.control != Control::load)
-        for (const char* field : {"unstable", "to_limit"})
-            if (o.has(field))
-                throw InputError(std::string("model:static: field '") + field +
-                                 "' has no meaning with control by displacement or arc length, which goes on past a "
-                                 "limit load; leave it out");
-    if (s.past_unstable && s.to_limit)
-        throw InputError(
-            "model:static: to_limit = true ends where the structure becomes unstable, unstable = 'continue' goes on; "
-            "leave one out");
-    if (o.push_field("fixed_group") != LUA_TNIL) {
-        s.held.assign(structure->position().size(), 0);
-        const int g = group_argument(L, -1, "model:static: field 'fixed_group'", *m);
-        for (std::size_t e = 0; e < structure->elements().size(); ++e)
-            if (structure->in_group(int(e), g))
-                for (int n : structure->elements()[e].node) s.held[n] = 63;
-    }
-    lua_pop(L, 1);
+    const StaticSettings s = read_static_settings(o, m, *structure, before != nullptr);
     const int every = record_every(o, 1);
     State start = start_state(o, *structure, before);
-    if (structure->elements().empty())
-        throw InputError("model:static: the model has no members; add at least one with model:member");
-    refuse_lost_loads(structure->model(), *structure, start, "model:static");
-    for (const DeclaredLoad& l : declared_loads(structure->model()))
-        if (l.follows_state)
-            throw InputError("model:static: a load on " + structure->node_name(l.node) +
-                             " is a function of time and the run, which acts in dynamics only; make the static run "
-                             "before it is declared, or put it into a load case that this run does not take");
-    if (!before) refuse_no_loads(*m, structure->model().set_aside());
-    if (const auto g = declared_gravity(structure->model()); g && !g->isZero(0) && is_weightless(*structure))
-        throw InputError(
-            "model:static: the model has gravity, and nothing in it has mass: all densities are 0 kg/m^3; give "
-            "hinge.material a density, or leave gravity out");
+    refuse_static_start(*m, *structure, start, before != nullptr);
     context(L)->running = L;
     weigh_static(*context(L), *structure, s.steps);
     try {

@@ -33,8 +33,7 @@ local exceptions = {
     "section/section_law.h SectionLaw",
   },
   functions = {
-    "record/snapshot.cpp make_snapshot", "run/fingerprint.cpp fingerprint", "script/bind/bind_members.cpp read_member",
-    "script/bind/bind_start.cpp static_run",
+    "run/fingerprint.cpp fingerprint",
   },
 }
 
