@@ -219,13 +219,10 @@ end
 -- Members -------------------------------------------------------------------------------------------------------------
 
 local function ends_of(member)
-  local a, b = member.a, member.b
-  return { a.x, a.y, a.z }, { b.x, b.y, b.z }
+  return vectors.of_node(member.a), vectors.of_node(member.b)
 end
 
-local function between(a, b, part)
-  return { a[1] + part * (b[1] - a[1]), a[2] + part * (b[2] - a[2]), a[3] + part * (b[3] - a[3]) }
-end
+local between = vectors.between
 
 -- The peaks of the pressure at both ends of a part of a member and in its middle, and whether they are near each other.
 local function peaks_along(self, where, from, to, normal)

@@ -5,6 +5,7 @@
 -- point load on it, with its exact end forces (model:load with `at`). The forces have no mass and no springs.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local chosen = require "hinge.model.chosen_members"
 
 local near = 1e-9 -- of the length of the line: places that differ by less are the same
@@ -83,11 +84,11 @@ end
 
 local function unit_vector(where, given)
   check.value(where, "direction", given, { "numbers", count = 3 })
-  local size = math.sqrt(given[1] ^ 2 + given[2] ^ 2 + given[3] ^ 2)
+  local unit, size = vectors.unit(given)
   if size == 0 then
     check.fail("%s: field 'direction' is {0, 0, 0}; must be a direction, of any length above 0", where)
   end
-  return { given[1] / size, given[2] / size, given[3] / size }
+  return unit
 end
 
 local function any(value) return { type(value), optional = true } end

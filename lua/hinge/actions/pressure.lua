@@ -21,7 +21,7 @@ local gauss = { { 0.5 - math.sqrt(0.15), 5 / 18 }, { 0.5, 8 / 18 }, { 0.5 + math
 
 local dot, cross, minus, times, size_of = vectors.dot, vectors.cross, vectors.minus, vectors.times, vectors.length
 local along = vectors.plus
-local function place_of(node) return { node.x, node.y, node.z } end
+local place_of = vectors.of_node
 
 local function unit_vector(field, given)
   check.value(where, field, given, { "numbers", count = 3 })

@@ -14,6 +14,14 @@ function vectors.times(factor, a) return { factor * a[1], factor * a[2], factor 
 --- a + factor b.
 function vectors.plus(a, factor, b) return { a[1] + factor * b[1], a[2] + factor * b[2], a[3] + factor * b[3] } end
 
+--- The place at the part t of the way from a to b.
+function vectors.between(a, b, t)
+  return { a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3]) }
+end
+
+--- The place of a node where the model has it.
+function vectors.of_node(node) return { node.x, node.y, node.z } end
+
 function vectors.length(a) return math.sqrt(vectors.dot(a, a)) end
 
 --- The vector of length 1 in the same direction, and the length.

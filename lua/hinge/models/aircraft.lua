@@ -55,9 +55,7 @@ local shape_rules = {
 local taper = { 0.75, 0.95, 1, 1, 1, 1, 0.95, 0.85, 0.72, 0.58, 0.45 }
 local wing_frames, tail_frames = { 4, 6 }, { 10, 11 } -- where front and rear spar start
 
-local function between(a, b, t)
-  return { a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3]) }
-end
+local between = vectors.between
 
 -- Joints, as parts of the size, and members. Body axes: x backwards from the nose, y to the left,
 -- z up from the fuselage's axis.

@@ -1,6 +1,7 @@
 -- hinge.results.base: reactions by support, the loads that act, and whether the two are in balance.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 
@@ -63,11 +64,7 @@ local function reactions(run, model, about, declared)
   return list, sum, idle
 end
 
-local function place_of(node) return { node.x, node.y, node.z } end
-
-local function between(a, b, t)
-  return { a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2]), a[3] + t * (b[3] - a[3]) }
-end
+local place_of, between = vectors.of_node, vectors.between
 
 -- A load along a bar from a to b as forces at points: two Gauss points are exact for what is linear. It is per length
 -- as declared.
