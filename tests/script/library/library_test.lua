@@ -235,4 +235,47 @@ case("the aircraft is in one piece, has its mass, and flies where it heads", fun
   expect(pieces == 1 and heard.fixed == 6 and #heard.points == 24 and #heard.members == 18 + 21, "a smaller building")
 end)
 
+-- What all folders of the library use ---------------------------------------------------------------------------------
+
+case("tables as text: widths in letters, columns to the left and to the right", function()
+  local columns = require "hinge.library.columns"
+  local rows = { { "√f", "N" }, { "beam", 12.5 }, { "", "" } }
+  local function lines(...) return table.concat(columns.lines(...), "|") end
+  expect(lines(rows) == "√f       N|beam  12.5|", "the first to the left: %s", lines(rows))
+  expect(lines(rows, {}, "> ") == ">   √f     N|> beam  12.5|>", "all to the right: %s", lines(rows, {}, "> "))
+  expect(lines(rows, "all") == "√f    N|beam  12.5|", "all to the left: %s", lines(rows, "all"))
+end)
+
+case("the kind of an object of hinge, and of what is none", function()
+  local model = hinge.model()
+  local steel, bar = hinge.material { E = 206e9 }, hinge.section.solid { width = 0.05, depth = 0.05 }
+  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(a)
+  local member = model:member { a, b, section = bar, material = steel, group = "arm" }
+  local kinds = { model = model, node = a, member = member, group = model:group "arm", material = steel, section = bar,
+    run = model:static() }
+  for kind, object in pairs(kinds) do
+    expect(core.kind_of(object) == kind, "a %s is called %s", kind, tostring(core.kind_of(object)))
+  end
+  for _, other in ipairs { 1, "model", {}, io.stdout, print } do
+    expect(core.kind_of(other) == nil, "%s is called %s", tostring(other), tostring(core.kind_of(other)))
+  end
+end)
+
+case("library requires no other folder, no file requires those of the paper, and none is long", function()
+  local data = { ["sections/profiles/american.lua"] = true, ["sections/profiles/hollow.lua"] = true }
+  local folder = support.root .. "lua/hinge/"
+  for path in support.output("cd " .. support.quote(folder) .. " && find . -name '*.lua'"):gmatch "%./([^\n]+)" do
+    local text, count = support.read(folder .. path), 0
+    for _ in text:gmatch "\n" do count = count + 1 end
+    expect(count <= 450 or data[path], "lua/hinge/%s has %d lines; at most 450", path, count)
+    for module in text:gmatch 'require "(hinge[%w_.]*)"' do
+      expect(not path:find "^library/" or module == "hinge.core" or module:find "^hinge%.library%.",
+        "lua/hinge/%s requires %s", path, module)
+      expect(module ~= "hinge.paper" or path:find "^models/" or path:find "^words/" or path:find "^program/sandbox",
+        "lua/hinge/%s requires %s", path, module)
+    end
+  end
+end)
+
 checks.done()
