@@ -163,7 +163,7 @@ int capacity_reached(const JointProperties& is, const JointState& j) {
     return over;
 }
 
-void add_step(JointRecord& r, const JointProperties& is, const JointNow& j) {
+void add_step(JointRecord& r, const JointProperties& is, const JointState& j) {
     double about[3] = {0, 0, 0};
     for (int k = 0; k < 3; ++k) {
         if (!is.axis[k].is_spring()) continue;

@@ -55,6 +55,6 @@ void add_joint_blocks(const ConfiguredJoint& joint, const RelativeRotation& r, c
 int capacity_reached(const JointProperties& is, const JointState& j);
 
 /// Adds the end of a step to what the joint has gone through.
-void add_step(JointRecord& record, const JointProperties& is, const JointNow& j);
+void add_step(JointRecord& record, const JointProperties& is, const JointState& j);
 
 }  // namespace hinge
