@@ -112,7 +112,7 @@ int case_of(Options& o, const Model& model) {
     return found;
 }
 
-LoadChoice read_choice(Options& o, const Model& m, const ScriptRun* from, bool is_static) {
+LoadChoice read_choice(Options& o, const Model& m, const RunRecord* from, bool is_static) {
     lua_State* L = o.L();
     LoadChoice choice;
     choice.is_static = is_static;
