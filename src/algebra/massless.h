@@ -23,7 +23,7 @@ struct MasslessNode {
     bool has_rotations() const { return !rotations.isZero(0); }
 };
 
-/// Whether a structure can have such degrees of freedom at all.
+/// True if a structure can have such degrees of freedom.
 bool may_be_massless(const Structure& structure);
 
 /// Those of the nodes that can move, rising. `reduction`: null where no degree of freedom depends on others; what

@@ -107,7 +107,7 @@ void Reduction::expand(std::vector<Vec6>& u) const {
     }
 }
 
-/// What the node's motion is made of: its own free components, and those on which the others depend.
+/// Free components that determine the node's motion: its own free components, and those on which the others depend.
 Reduction::Parts Reduction::parts_of(int node) const {
     Parts parts{{node, Mat6::Identity()}};
     if (!depends(node)) return parts;

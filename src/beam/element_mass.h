@@ -92,7 +92,7 @@ inline Inertia lumped_inertia(const Rigidity& c, double L, double part) {
     return {{first, m - first}, 0, {J, J}, Vec3::Zero()};
 }
 
-/// What is left at the nodes of an element of a pair whose other element has broken off: a quarter of its mass at the
+/// Mass left at the nodes of an element of a pair whose other element has broken off: a quarter of its mass at the
 /// outer node; the rest is attached to the inner one (state/lone_elements.h). `inner`: which end that is.
 inline Inertia lone_inertia(const Rigidity& c, double L, int inner) {
     Inertia m = lumped_inertia(c, L, 0.5);

@@ -51,7 +51,7 @@ template <class Real>
     return of;
 }
 
-/// What a rotation K of both ends makes in the middle beyond the moment at the node, in parts of EI/l K.
+/// Difference of the moment in the middle and that at the node by a rotation K of both ends, in parts of EI/l K.
 template <class Real>
 [[gnu::always_inline]] inline Real bow_of_rotation(const Real& p) {
     const auto c = [&](double v) { return spread(v, p); };

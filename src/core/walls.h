@@ -11,7 +11,7 @@
 
 namespace hinge {
 
-/// What a process may still open. Folders count with all that is in them. What does not exist is left out.
+/// Files and folders that a process may still open. Folders count with their contents; missing ones are left out.
 struct Reach {
     std::vector<std::string> read;
     std::vector<std::string> write;    ///< folders, in which files may be made and removed too; or single files
@@ -19,11 +19,11 @@ struct Reach {
     bool network = false;              ///< TCP, and sockets in folders that it writes or of other processes
 };
 
-/// What programs read that do nothing with the user's files: system libraries, time zones, what the C library and the
+/// Files that any program reads, none of the user's: system libraries, time zones, what the C library and the
 /// look at free memory open.
 std::vector<std::string> system_files();
 
-/// What this kernel has.
+/// Walls that this kernel has.
 struct KernelWalls {
     int landlock = 0;  ///< its version; 0: none
     bool seccomp = false;

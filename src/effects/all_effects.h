@@ -12,7 +12,7 @@ namespace hinge {
 
 const std::vector<EffectKind>& all_effects();
 
-/// What all effects damp each element by; empty where none does.
+/// Damping of each element by all effects; empty without damping.
 std::vector<ElementDamping> damping_of(const Structure& structure);
 /// Damping in proportion to the stiffness of what joins these nodes (-1: the ground), s: the mean of what the elements
 /// at them have for it. `damping`: of each element.
@@ -23,7 +23,7 @@ double joint_damping(const Structure& structure, const std::vector<ElementDampin
 bool may_break(const Model& model, const RunKind& run, int member);
 bool may_break(const Model& model, const RunKind& run);
 
-/// What is simulated and what is not, and why.
+/// The plan: effects that are simulated or left out, each with its reason.
 std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind);
 
 /// Names of the effects that a run can do without, and what takes one out of the run's own copy of a model. Other names

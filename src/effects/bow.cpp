@@ -17,7 +17,7 @@
 namespace hinge {
 namespace {
 
-/// What the middle sections of the pairs had in the last step that was kept, about x and y, N m. A step from there that
+/// Moments of the middle sections of the pairs in the last accepted step, about x and y, N m. A step from there that
 /// begins anew begins with the same forces.
 struct BowMoments {
     static constexpr bool in_state_hash = false;
@@ -128,7 +128,7 @@ private:
         Lanes point = {};       ///< the elements' integration points, -1 to 1
         Lanes yield[4] = {};    ///< of the law's screen for Mx, My, N, Mz; 0 without a law
     };
-    /// What the forces of a block's elements are.
+    /// Forces of the elements of a block.
     struct Forces {
         Forces(const Bow& bow, int block, const std::vector<Vec6>& force, const std::vector<beam::FixedEnd>& all) {
             const int from = block * lane_count, count = std::min(lane_count, int(force.size()) - from);
@@ -244,8 +244,8 @@ private:
         return below < -most ? -most : below;
     }
 
-    /// What the largest moment of a pair's span is beyond the one in the middle, about x and about y, where both sides
-    /// of the middle come near to the plastic one. `m`: the bow's part there.
+    /// Difference of the largest moment of a pair's span and the one in the middle, about x and about y, where both
+    /// sides of the middle come near to the plastic one. `m`: the bow's part there.
     Eigen::Vector2d beyond_middle(int first, const Eigen::Vector2d& p, const Eigen::Vector2d& m,
                                   const std::vector<Vec6>& force, const Pose& at, double factor,
                                   const std::vector<beam::FixedEnd>& all) const {
@@ -268,7 +268,7 @@ private:
         return beam::moment_at(p[2 * plane], p[2 * plane + 1], -w_.structure.elements()[element].s);
     }
 
-    /// What the middle section of a pair has beyond its elements' moments there, about x and about y, N m.
+    /// Difference of the moments of a pair's middle section and its elements' moments there, about x and about y, N m.
     Eigen::Vector2d middle_moment(int first, const std::vector<Vec6>& force, const Pose& at) const {
         Eigen::Vector2d m = Eigen::Vector2d::Zero();
         const auto& elements = w_.structure.elements();

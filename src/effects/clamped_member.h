@@ -79,7 +79,7 @@ struct MemberEnds {
         const double xi = double(element - first + end) / count;
         return (1 - xi) * m[0] - xi * m[1];
     }
-    /// What such moments, in the member's axes, are in the forces of a section at an end (0, 1) of an element.
+    /// Section forces by such moments, in the member's axes, at an end (0, 1) of an element.
     void add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const;
 };
 
@@ -97,7 +97,7 @@ template <class Real>
     return p * part * part * (c(3) - c(2) * part);
 }
 
-/// What the axial force N of a pair of elements changes in its fixed-end moments (p_delta = "member"; nothing in all
+/// Changes of a pair's fixed-end moments by its axial force N (p_delta = "member"; nothing in all
 /// other models). Between clamped ends the exact beam-column under a load has other end moments than the beam without
 /// N. With p = -N l^2 / EI, u^2 = p and A of beam/beam_column.h (l: one element, x from the middle of the pair):
 ///
@@ -126,8 +126,8 @@ public:
     /// By a unit force there, m, and by a unit moment about the axis of the plane; x: -1 to 1 over the pair.
     double of_force(int end, int plane, double x) const;
     double of_couple(int end, int plane, double x) const;
-    /// What the moment in the middle has beyond that at the node, with the section's sign, N m: by the mean q, N/m, of
-    /// a load per length; by a unit force, m.
+    /// Difference of the moment in the middle and that at the node, with the section's sign, N m: by the mean q, N/m,
+    /// of a load per length; by a unit force, m.
     double middle_of_spread(int plane, double q) const;
     double middle_of_force(int plane, double x) const;
     double middle_of_couple(int plane, double x) const;

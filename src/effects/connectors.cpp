@@ -182,7 +182,7 @@ public:
 private:
     static constexpr double infinite = std::numeric_limits<double>::infinity();
 
-    /// What it resisted with where forces were found last, in its axes.
+    /// Its forces at the last evaluation, in its axes.
     struct Evaluated {
         Vec6 deformation = Vec6::Zero(), rate = Vec6::Zero();
         Vec6 spring = Vec6::Zero(), dashpot = Vec6::Zero(), law = Vec6::Zero();
@@ -327,7 +327,7 @@ private:
         return end;
     }
 
-    /// What the rotation of axes, arm and moments adds to the stiffness; its symmetric part.
+    /// Stiffness by the rotation of axes, arm and moments; its symmetric part.
     static void add_rotation_of_axes(const Placed& p, const Vec6& f, bool ground, Mat12& K) {
         Mat12 G = Mat12::Zero();
         add_moment_curvature(p.turn, f.tail<3>(), G);

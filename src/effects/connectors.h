@@ -14,7 +14,7 @@ namespace hinge {
 
 inline constexpr const char* connectors_effect = "connectors";
 
-/// What a law of the script keeps from step to step, by name.
+/// Variables of a law of the script, kept from step to step, by name.
 using LawState = std::map<std::string, double>;
 
 /// Force (N, N m) at a deformation (m, rad), its rate, and dt (s) since the state was kept. It may change the state.

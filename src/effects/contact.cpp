@@ -100,7 +100,7 @@ public:
         return !now().unsettled(position_, w_.trial.rotation);
     }
 
-    /// Who is released, and what the step got wrong about contacts that began or ended in it.
+    /// Releases ties, and adds the impulses of contacts that began or ended in the step.
     void end(const Step& step) override {
         if (now().idle()) return;
         const double time = step.end();
@@ -274,7 +274,7 @@ private:
         add_to_trial(w_, k.factor_for(work), k);
     }
 
-    /// What a tie held when it was released springs back at once, along its own forces and so that the two bars part.
+    /// The energy of a released tie springs back at once, along its own forces and so that the two bars part.
     /// They are in balance, so momentum is kept; so is the energy.
     double spring_back(const Step& step, const contact::Released& tie) {
         for (Vec6& n : impulse_) n.setZero();

@@ -312,9 +312,9 @@ private:
         return 0.5 * (by_stiffness_before_[std::size_t(index_of(element))] + now).dot(way);
     }
 
-    /// Whether the dashpot of an element has done more work than it has taken: forces by elastic rates do work on the
-    /// flow of a section as well, and where this turns from step to step that may be more than what they take from the
-    /// elastic motion. From then on the dashpot takes the whole rate, which always dissipates.
+    /// True if the dashpot of an element has given more work than it has dissipated: forces by elastic rates do work on
+    /// the flow of a section as well, and where this turns from step to step that may be more than what they take from
+    /// the elastic motion. From then on the dashpot takes the whole rate, which always dissipates.
     bool gave(int element) const {
         const auto at = dashpots_.find(element);
         return at != dashpots_.end() && at->second.taken < 0;

@@ -66,7 +66,7 @@ std::vector<ScriptFunctions> script_functions(const Model& model);
 /// Load cases of what is declared and is no load: heat, prestress.
 std::vector<int> declared_cases(const Model& model);
 
-/// What one kind of effect declares; null for nothing.
+/// Functions that list the declarations of one kind of effect; null for none.
 struct Declarer {
     std::vector<DeclaredLoad> (*loads)(const Model& model) = nullptr;
     std::vector<AddedMass> (*masses)(const Model& model) = nullptr;

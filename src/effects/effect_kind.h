@@ -31,7 +31,7 @@ struct EffectKind {
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
     /// stiffness and shortens explicit steps. The forces are the effect's (Force::add_forces).
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;
-    /// What a model declares of it.
+    /// Lists its declarations in a model.
     Declarer declarer = {};
     /// Whether what a model declares of it may break elements of a member.
     bool (*may_break)(const Model& model, int member) = nullptr;

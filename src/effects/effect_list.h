@@ -41,7 +41,7 @@ struct EffectList {
     RoleList<StaticPrescriber> static_prescribers;
 };
 
-/// Whether a role says so of one of the list.
+/// True if a function of the role is true for one of the list.
 template <class Role>
 bool any_of(const RoleList<Role>& list, bool (Role::*says)() const) {
     return std::any_of(list.begin(), list.end(), [&](const InRole<Role>& r) { return (r.role->*says)(); });

@@ -281,7 +281,7 @@ Vec6 Fracture::deformation_before(int index) const {
     return deformation;
 }
 
-/// Whether the section at an end flows in the step.
+/// True if the section at an end flows in the step.
 bool Fracture::flows_at(const beam::ReturnMapResult* flow, int end, int weaker) const {
     return flow && (w_.structure.conventional() ? end == weaker : flow->lambda[end - 1] > 0);
 }

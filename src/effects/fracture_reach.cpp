@@ -14,7 +14,7 @@ double resultant(double w) { return w > 0 ? 1 / std::sqrt(w) : std::numeric_limi
 /// Part of EI that stays: no section bends by four times its yield curvature without flowing.
 constexpr double least_bending = 0.25;
 
-/// What an element's elastic strains cannot exceed: curvatures, 1/m, axial and shear strain.
+/// Upper bounds of an element's elastic strains: curvatures, 1/m, axial and shear strain.
 struct ElasticBound {
     double curvature[2], axial, shear;
 };

@@ -6,7 +6,7 @@
 
 namespace hinge {
 
-/// Whether a limit can ever be reached with this plastic deformation. Elastic curvature is a mean of the two end
+/// True if a limit can ever be reached with this plastic deformation. Elastic curvature is a mean of the two end
 /// moments over EI, and neither is above the fully plastic one. Where bending follows N (`p_delta`), S and A of
 /// beam/beam_column.h at the fully plastic compression take from EI, and the chord shortens by bowing.
 bool ever_within_reach(const FractureRule& rule, const Element& e, const Vec6& plastic, bool p_delta);

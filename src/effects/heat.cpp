@@ -46,7 +46,7 @@ struct Temperature {
     double middle = beam::room_temperature, across[2] = {0, 0};
 };
 
-/// What an element of such a section has at a temperature; `properties`: null where it is not heated.
+/// Heat of an element of such a section at a temperature; `properties`: null where it is not heated.
 ElementHeat heat_at_temperature(const Temperature& t, const HeatProperties* known, const Section& section,
                                 double length, double prestrain) {
     ElementHeat heat;

@@ -45,7 +45,7 @@ public:
     virtual void constraints_changed() = 0;
     /// Elements' part in M has changed.
     virtual void mass_changed(int element) = 0;
-    /// What an impulse does to the nodes where the step is tried to end.
+    /// Changes of velocity by an impulse, at the trial end of the step.
     virtual ImpulseResponse respond(const std::vector<Vec6>& impulse) = 0;
     /// F of a node changes for good: a weight is gone.
     virtual void change_steady_load(int node, const Vec3& force) = 0;

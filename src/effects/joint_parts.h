@@ -30,7 +30,7 @@ inline std::vector<JointPart> parts_of(const JointAxis& axis) {
     return parts;
 }
 
-/// What an axis resists with at a rotation.
+/// Moment of an axis at a rotation.
 struct Resistance {
     double moment = 0, slope = 0, stored = 0, dissipated = 0;
 };

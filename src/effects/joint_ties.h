@@ -38,7 +38,7 @@ public:
     void set_accelerations(Configuration& of) const;
     void add_curvature(const Pose& at, const std::vector<Vec6>& unbalanced, Blocks& blocks) const;
 
-    /// Whether a node that hangs on joints rotates with the end of this one, the first of those that are whole.
+    /// True if a node that hangs on joints rotates with the end of this one, the first of those that are whole.
     bool carries_node(const ConfiguredJoint& joint, std::size_t i) const;
     /// A node that hung on joints and offset ends, and has lost the last of them, is gone. One with a point mass flies
     /// on; where that has no rotary inertia, without a rotation.

@@ -5,7 +5,7 @@
 namespace hinge {
 namespace {
 
-/// What a change of the nodes' places and rotations rotates two nodes' axes by: that of the chord, and about it the
+/// Rotation of two nodes' axes by a change of the nodes' places and rotations: that of the chord, and about it the
 /// mean of the nodes. 3 x 12. `span`: of the chord, m.
 Eigen::Matrix<double, 3, 12> rotation_of_axes(const Vec3& span) {
     const Vec3 z = span.normalized();

@@ -10,7 +10,7 @@
 
 namespace hinge {
 
-/// What an element passes on to its two nodes, in the load's axes, N and N m.
+/// Forces and moments of an element on its two nodes, in the load's axes, N and N m.
 struct LoadShare {
     Vec3 force[2] = {Vec3::Zero(), Vec3::Zero()}, moment[2] = {Vec3::Zero(), Vec3::Zero()};
 };
@@ -35,7 +35,7 @@ struct LoadedMember {
     bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
     StepFactor over = {};  ///< where its history may jump within a step
 };
-/// What N changes in the moments at a pair's two ends, in its axes, and in the section between its elements.
+/// Changes by N of the moments at a pair's two ends, in its axes, and in the section between its elements.
 struct CompressionMoments {
     bool counts = false;
     MemberEnds pair;
@@ -52,7 +52,7 @@ std::vector<LoadedMember> loaded_members(const Workspace& w, const MemberLoad& l
 Vec3 end_moment(const LoadedMember& l, int end, const Mat3& axes);
 /// The corrections at the member's ends, in its axes; none where it is not whole.
 void find_moments(const Workspace& w, const LoadedMember& l, double factor, const Pose& at, Vec3 m[2]);
-/// What a load adds to the resultants of an element, with the corrections m at its member's ends.
+/// Adds a load's part of the resultants of an element, with the corrections m at its member's ends.
 void add_fixed_end(const Workspace& w, const LoadedMember& l, int element, double factor, const Pose& at,
                    const Vec3 m[2], beam::FixedEnd& to);
 /// `force`: p of all elements, of which N is taken.

@@ -143,7 +143,7 @@ private:
         int node;
         Vec6 now = Vec6::Zero(), before = Vec6::Zero();
     };
-    /// What a function of the state gave where the last step ended, and for the end of this one.
+    /// Values of a function of the state at the end of the last step, and for the end of this one.
     struct FunctionValue {
         Vec6 kept = Vec6::Zero(), tried = Vec6::Zero();
     };

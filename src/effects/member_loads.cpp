@@ -278,7 +278,7 @@ private:
     /// True if this is a further pair of the load before: a function of the script is called once.
     bool is_next_pair(std::size_t i) const { return i > 0 && loads_[i - 1].declared == loads_[i].declared; }
 
-    /// What acts of a load on the trial at this load factor, 1 in dynamics; and on the state.
+    /// Factor of a load on the trial at this load factor, 1 in dynamics; and on the state.
     static double factor_now(const LoadedMember& l, double load_factor) { return l.held ? 1 : load_factor * l.factor; }
     double kept_factor(const LoadedMember& l) const { return l.held ? 1 : w_.acting_factor() * l.kept_factor; }
     /// On each of nodes_, now.

@@ -84,12 +84,12 @@ private:
                            std::vector<beam::FixedEnd>& all);
     /// moment_by_N of its members, in two planes, by gravity of 1 m/s^2 across each. False: they are all zero.
     bool find_by_N(const Block& b, const std::vector<Vec6>& force, const ElementHeats& heat, Lanes (&of)[2]) const;
-    /// What N changes in the fixed-end moments (PressedPair), in the member's axes: the moment at its first end, the
+    /// Changes of the fixed-end moments by N (PressedPair), in the member's axes: the moment at its first end, the
     /// opposite one at its second; zero where nothing. Mean over its pairs, between which the moments cancel. `local`:
     /// gravity in these axes.
     Vec3 moment_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, const ElementHeats& heat,
                      int member) const;
-    /// What N adds to the moments in the middle of the pair of an element, in the member's axes.
+    /// Moments by N in the middle of the pair of an element, in the member's axes.
     Vec3 middle_by_N(const Structure& s, const Vec3& local, const std::vector<Vec6>& force, const ElementHeats& heat,
                      int element) const;
 

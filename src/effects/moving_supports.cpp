@@ -55,7 +55,7 @@ public:
             if (!is_gone(m)) list.push_back({m.node, m.component});
     }
 
-    /// What is tried has the supports where they are at the end of the step; their rows of the solution stay zero.
+    /// The trial has the supports at their places at the end of the step; their rows of the solution stay zero.
     void predicted(const Step&) override {
         for (const Moved& m : moved_) {
             if (is_gone(m)) continue;

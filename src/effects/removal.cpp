@@ -17,7 +17,7 @@ bool is_of(const Structure& s, const Removal& r, int element) {
     return r.group >= 0 ? s.in_group(element, r.group) : s.elements()[std::size_t(element)].member == r.member;
 }
 
-/// What a removed element has put on a node: part of R. It falls to nothing in a straight line.
+/// Force of a removed element on a node: part of R. It falls to nothing in a straight line.
 struct StandIn {
     int node;
     Vec6 force = Vec6::Zero();  ///< N, N m

@@ -57,7 +57,7 @@ public:
     virtual void add_blocks(const Pose& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add now.
     virtual bool has_blocks() const { return false; }
-    /// Whether the blocks depend on where the nodes are: they are renewed wherever stresses are recovered.
+    /// True if the blocks depend on the places of the nodes: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
 };
 
@@ -135,7 +135,7 @@ public:
     /// The name of the stage; the stage of several has the first one's.
     virtual const char* stage_name() const = 0;
     virtual void find_breaks(Step& step) = 0;
-    /// Whether it breaks elements that are strained too much.
+    /// True if it breaks elements by their strains.
     virtual bool by_strain() const { return false; }
 };
 
@@ -156,7 +156,7 @@ public:
     virtual ~StepLimiter() = default;
     /// Whether steps may be longer than the shortest: nothing happens that needs those.
     virtual bool allows_long_step() const { return true; }
-    /// Whether a load or a support changes at one of these times after now, s.
+    /// True if a load or a support changes at one of these times after now, s.
     virtual bool changes_within(double now, std::span<const double> after) const {
         return (void)now, (void)after, false;
     }

@@ -22,7 +22,7 @@ struct RunKind {
     bool rest = true;         ///< bodies at rest may be left alone
     bool conserving = false;  ///< the energy-momentum method: forces count by their mean over a step
     double dt = 0;            ///< s, the script's own step; 0 in statics
-    /// Whether it has what acts in dynamics only, or in statics too.
+    /// True if the run has effects that act in dynamics only, or in statics too.
     bool takes(bool dynamic_only) const { return dynamic || !dynamic_only; }
 };
 
@@ -32,7 +32,7 @@ struct RunKind {
 struct Scheme {
     double beta = 0.25, gamma = 0.5, alpha = 0;
 
-    /// What a change of the acceleration at the end adds to the displacement, s^2; to the velocity, s.
+    /// Factors of a change of the acceleration at the end: on the displacement, s^2; on the velocity, s.
     double to_displacement(double dt) const { return beta * dt * dt; }
     double to_velocity(double dt) const { return gamma * dt; }
     /// v' - v.
@@ -45,7 +45,7 @@ struct Scheme {
     V displacement_beyond_velocity(const V& a, const V& next, double dt) const {
         return dt * dt * ((0.5 - beta) * a + beta * next);
     }
-    /// What eq 15 takes of a quantity that changes from a to next.
+    /// The value of a quantity in eq 15 that changes from a to next.
     template <class V>
     V weighted(const V& a, const V& next) const {
         return (1 - alpha) * next + alpha * a;
@@ -80,7 +80,7 @@ class Constraints;
 /// Part of the half depth: what is no further from the ground carries when a static run begins.
 inline constexpr double just_touches = 1e-6;
 
-/// What a run works with: set where it begins.
+/// Structure, state and helpers of a run, set at its start.
 struct RunParts {
     const Structure& structure;
     State& state;  ///< where the last step that was kept ended
@@ -139,7 +139,7 @@ struct Workspace : RunParts, AppliedLoads, TrialMotion, TrialForces, KeptChanges
         force = state.force;
     }
 
-    /// Whether the node belongs to a body at rest.
+    /// True if the node belongs to a body at rest.
     bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }
     /// F on a node at the trial pose.
     Vec6 load(int node) const {

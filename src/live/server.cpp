@@ -159,7 +159,7 @@ private:
         c.until = Clock::now() + for_goodbye;
     }
 
-    /// What a client says after its request; its end above all.
+    /// Reads further bytes of a client after its request, and its end.
     void ignore(Client& c) {
         char some[4096];
         const ssize_t n = ::recv(c.fd, some, sizeof some, 0);

@@ -24,7 +24,7 @@ std::string time_text(double seconds) {
     return text;
 }
 
-/// What the picture leaves out or enlarges, so that nobody takes a part for the whole.
+/// Remarks on parts that the picture leaves out or enlarges.
 std::string remarks(const CaptionInput& input) {
     const View& view = input.view;
     std::vector<std::string> notes;
@@ -113,7 +113,7 @@ std::vector<Entry> legend(const CaptionInput& input, int dots) {
     return entries;
 }
 
-/// What the dots show. It depends on what can yield, not on what has: all pictures of a film have the same words.
+/// Meaning of the dots. It depends on what can yield, not on what has: all pictures of a film have the same words.
 const char* text_of_dots(const Snapshot& snapshot) {
     if (is_compared(snapshot))
         return snapshot.joints ? "rotation or force against the limit" : "rotation against the limit";

@@ -47,7 +47,7 @@ bool answers(const char* name) {
     return good;
 }
 
-/// What VTK is about to ask for.
+/// The same request as VTK makes.
 bool has_opengl(Display* display) {
     if (!::glXQueryExtension(display, nullptr, nullptr)) return false;
     const int wanted[] = {GLX_DRAWABLE_TYPE,

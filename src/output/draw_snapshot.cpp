@@ -169,7 +169,7 @@ public:
 
 private:
     static void append(Actors& to, const Actors& more) { to.insert(to.end(), more.begin(), more.end()); }
-    /// What these show between caption and title.
+    /// The scene between caption and title.
     vtkSmartPointer<vtkRenderer> layer(const Actors& actors) const {
         auto made = vtkSmartPointer<vtkRenderer>::New();
         made->SetViewport(0, 1.0 * margins_.bottom / view_.height, 1, 1 - 1.0 * margins_.top / view_.height);

@@ -343,7 +343,7 @@ std::vector<std::array<double, 3>> read_vectors(vtkFieldData* from, const char* 
     return vectors;
 }
 
-/// What frames of earlier versions do not have.
+/// Fields that frames of earlier versions lack.
 void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     vtkCellData* cells = data->GetCellData();
     const auto n = static_cast<vtkIdType>(snapshot.bars.size());
