@@ -16,12 +16,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Each scene has a folder of its own: one that a process has locked may not be made anew.
+fs::path new_folder() {
+    static int count = 0;
+    return fs::temp_directory_path() /
+           ("hinge_recording_" + std::to_string(::getpid()) + "_" + std::to_string(++count));
+}
+
 /// A cantilever that a load at its tip bends until it breaks.
 struct Cantilever {
     int tip = 0;
     std::shared_ptr<const Structure> structure;
     DynamicSettings settings;
-    fs::path folder = fs::temp_directory_path() / ("hinge_recording_" + std::to_string(::getpid()));
+    fs::path folder = new_folder();
     std::shared_ptr<Context> context = std::make_shared<Context>();
 
     Cantilever() {
