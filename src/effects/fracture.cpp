@@ -98,7 +98,7 @@ private:
                       const beam::ReturnMapResult* flow);
     void call_rule();
 
-    RuleNumbers& numbers() const { return *w_.state.data.find<RuleNumbers>(fracture_effect); }
+    FractureRuleData& numbers() const { return *w_.state.data.find<FractureRuleData>(fracture_effect); }
     int rule_of(const Element& e) const { return rule_of_member_[e.member]; }  ///< its index, -1: none
 
     const std::vector<FractureRule>& rules_;
@@ -137,7 +137,7 @@ Fracture::Fracture(Workspace& w, Host& host)
     const bool news = std::any_of(rules_.begin(), rules_.end(), [](const FractureRule& r) {
         return r.hook && r.where == FractureRule::Where::plastic;
     });
-    if (!w.state.data.find<RuleNumbers>(fracture_effect)) w.state.data.set(fracture_effect, RuleNumbers{});
+    if (!w.state.data.find<FractureRuleData>(fracture_effect)) w.state.data.set(fracture_effect, FractureRuleData{});
     numbers().resize(news ? 3 * elements : 0, 2 * elements * kept_a_section_);
     called_.assign(rules_.size(), 0);
     in_candidates_.assign(elements, 0);
@@ -156,7 +156,7 @@ bool Fracture::restored(std::span<const State* const> states) {
     for (const StrainFactors& w : yielded_)
         if (!within(w.element)) return false;
     for (const State* s : states)
-        if (const auto* there = s->data.find<RuleNumbers>(fracture_effect); !there || !there->is_alike(numbers()))
+        if (const auto* there = s->data.find<FractureRuleData>(fracture_effect); !there || !there->is_alike(numbers()))
             return false;
     in_candidates_.assign(n, 0);
     for (int e : candidates_) in_candidates_[e] = 1;

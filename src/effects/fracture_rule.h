@@ -118,7 +118,7 @@ struct FractureRule : beam::FractureLimits {
 };
 
 /// What rules of the script keep from step to step.
-struct RuleNumbers {
+struct FractureRuleData {
     /// Where one is asked of plastic sections: the most of |curvature_x|, |curvature_y|, |axial strain| of each
     /// element. It says what was asked, not how the structure is.
     std::vector<double> strained;
@@ -129,7 +129,7 @@ struct RuleNumbers {
         if (strained.size() != of_strained) strained.assign(of_strained, 0);
         if (kept.size() != of_kept) kept.assign(of_kept, 0);
     }
-    bool is_alike(const RuleNumbers& other) const {
+    bool is_alike(const FractureRuleData& other) const {
         return strained.size() == other.strained.size() && kept.size() == other.kept.size();
     }
 
