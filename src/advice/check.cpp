@@ -6,13 +6,13 @@
 
 #include "core/errors.h"
 #include "core/text.h"
-#include "model/warnings.h"
+#include "advice/adviser.h"
+#include "advice/curvature_limits.h"
 #include "advice/damping_check.h"
 #include "advice/implausible_values.h"
 #include "advice/load_warnings.h"
 #include "advice/plan.h"
 #include "effects/all_effects.h"
-#include "effects/curvature_limits.h"
 #include "effects/declared.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
@@ -75,7 +75,7 @@ AddedToModes added_by_effects(const Run& run) {
     for (std::size_t n = 0; n < s.offset_mass.size(); ++n)
         if (s.offset_mass[n].mass > 0)
             added.mass.push_back({int(n), offset_mass_in_space(s.offset_mass[n], s.rotation[n])});
-    if (!added.damping.empty() && !dynamic_cast<const Dynamics*>(&run)) damp_masses(run.structure(), added);
+    if (!added.damping.empty() && !run.dynamics()) damp_masses(run.structure(), added);
     return added;
 }
 
@@ -145,10 +145,10 @@ Periods periods(const Structure& structure, const Piece& body, int rigid, const 
 }
 
 /// Of the loads that are declared; none where the model is large. Bodies without supports are held.
-LinearSolution linear_solution(const RunRecord& record, int most) {
-    const Structure& declared = record.run->structure();
+LinearSolution linear_solution(const AdvisedRun& of, int most) {
+    const Structure& declared = of.run->structure();
     if (int(declared.position().size()) > most) return {};
-    const auto* held = record.run->held();
+    const auto* held = of.run->held();
     return solve_linearly(declared.model(), held ? *held : std::vector<std::uint8_t>{});
 }
 
@@ -175,83 +175,79 @@ double longest_period(const Structure& s, const std::vector<Piece>& bodies, cons
 }
 
 /// Steps that follow no vibration; where asked for, also those that spread an impact.
-std::optional<Warning> long_steps(const RunRecord& record, const std::vector<Piece>& bodies, const AddedToModes& added,
+std::optional<Warning> long_steps(const AdvisedRun& of, const std::vector<Piece>& bodies, const AddedToModes& added,
                                   double dt, int most, bool impacts) {
-    const Structure& s = record.run->structure();
+    const Structure& s = of.run->structure();
     if (const double longest = longest_period(s, bodies, added, dt, most); longest > 0 && dt * few_steps > longest)
         return Warning{
+            Warning::Kind::time_step,
             "dt is " + digits(dt) + " s, and the longest natural period " + digits(longest) + " s",
             "steps longer than a fifth of it follow no vibration; give dt = " + digits(longest / 50, 1) + " or less",
-            record.asked_at};
+            of.asked_at};
     const Waves waves = shortest_waves(s);
     if (!impacts || waves.in_element < 0 || !(dt > waves.member)) return {};
-    return Warning{"dt is " + digits(dt) + " s, and an axial wave runs through member " +
+    return Warning{Warning::Kind::time_step,
+                   "dt is " + digits(dt) + " s, and an axial wave runs through member " +
                        std::to_string(s.elements()[waves.in_member].member + 1) + " in " + digits(waves.member) + " s",
                    "an impact is then spread over more than one member; give dt = 'auto', or less, where that matters",
-                   record.asked_at};
+                   of.asked_at};
 }
 
 }  // namespace
 
-std::string warning_text(const Warning& d) {
-    std::string where = d.asked_at;
-    if (d.more > 0)
-        where += (where.empty() ? "" : ", ") + std::string("and ") + std::to_string(d.more) + " more like it";
-    return d.what + (where.empty() ? "" : " (" + where + ")") + "; " + d.advice;
+std::vector<std::pair<int, int>> linked_nodes(const Model& model) {
+    std::vector<std::pair<int, int>> pairs;
+    for (const NodeLink& link : node_links(model))
+        if (link.a >= 0 && link.b >= 0) pairs.emplace_back(link.a, link.b);
+    return pairs;
 }
 
-Warning warning_of(const Run& run, const RunWarning& w) {
-    const Model& model = run.structure().model();
-    return {w.what, w.advice, w.member < 0 ? "" : model.asked_at("member " + std::to_string(w.member + 1))};
-}
-
-std::vector<Warning> warnings_of_run(const RunRecord& record, int most_solved, bool all, bool loads) {
-    const Structure& s = record.run->structure();
+std::vector<Warning> warnings_of_run(const AdvisedRun& of, int most_solved, bool all, bool loads) {
+    const Structure& s = of.run->structure();
     const bool impact = !s.model().asked_at("contact").empty() || !s.model().asked_at("ground").empty();
-    std::vector<Warning> list = record.likely_mistakes;
-    const AddedToModes added = added_by_effects(*record.run);
+    std::vector<Warning> list = of.likely_mistakes;
+    const AddedToModes added = added_by_effects(*of.run);
     const std::vector<Piece> bodies = bodies_of(s, added);
     for (const Piece& body : bodies) {
         const auto motions = free_motions(s, body.nodes);
         if (!motions.empty() && !body.supports.empty() && !body.held_by_effects)
             list.push_back(
-                {"mechanism: the body of " + count(body.members, "member") + " held at " +
+                {Warning::Kind::support,
+                 "mechanism: the body of " + count(body.members, "member") + " held at " +
                      s.node_name(body.supports[0]) +
                      (body.supports.size() > 1 ? " and " + count(body.supports.size() - 1, "more node") : "") +
                      " can " + ways_to_move(s, body.supports, motions) + " without resistance",
                  "fix what it may not do with model:fix",
                  s.model().asked_at("support " + std::to_string(body.supports[0] + 1))});
     }
-    if (const auto* d = dynamic_cast<const Dynamics*>(record.run.get());
-        d && !d->explicit_steps() && !d->settings().automatic)
-        if (auto w = long_steps(record, bodies, added, d->settings().dt, most_solved, all || impact))
-            list.push_back(*w);
-    const LinearSolution solution = linear_solution(record, most_solved);
+    if (const auto* d = std::as_const(*of.run).dynamics(); d && !d->explicit_steps() && !d->settings().automatic)
+        if (auto w = long_steps(of, bodies, added, d->settings().dt, most_solved, all || impact)) list.push_back(*w);
+    const LinearSolution solution = linear_solution(of, most_solved);
     if (loads)
-        for (Warning& w : huge_loads(record, solution)) list.push_back(std::move(w));
-    for (Warning& w : near_euler(record, solution)) list.push_back(std::move(w));
+        for (Warning& w : huge_loads(of, solution)) list.push_back(std::move(w));
+    for (Warning& w : near_euler(of, solution)) list.push_back(std::move(w));
     if (all)
         for (Warning& w : implausible_values(s)) list.push_back(std::move(w));
     if (all)
-        for (Warning& w : unsafe_eq14(record, solution)) list.push_back(std::move(w));
+        for (Warning& w : unsafe_eq14(of, solution)) list.push_back(std::move(w));
     return list;
 }
 
-std::string checked_run(const RunRecord& record) {
-    const Structure& s = record.run->structure();
+std::string checked_run(const AdvisedRun& of) {
+    const Structure& s = of.run->structure();
     double mass = 0;
     for (const Element& e : s.elements()) mass += e.mass();
-    for (const Blocks::Node& n : added_by_effects(*record.run).mass) mass += n.K(0, 0);
-    return std::string(record.run->kind()) + " run" + (record.asked_at.empty() ? "" : ", " + record.asked_at) + ": " +
+    for (const Blocks::Node& n : added_by_effects(*of.run).mass) mass += n.K(0, 0);
+    return std::string(of.run->kind()) + " run" + (of.asked_at.empty() ? "" : ", " + of.asked_at) + ": " +
            count(s.model().members().size(), "member") + ", " + count(s.elements().size(), "element") + ", " +
            count(s.position().size(), "node") + ", " + std::to_string(s.free_dofs()) +
            (s.free_dofs() == 1 ? " degree" : " degrees") + " of freedom" + ", " + digits(mass, 6) + " kg\n" +
-           kinetic_at_start(*record.run);
+           kinetic_at_start(*of.run);
 }
 
-std::string checked_model(const RunRecord& record) {
-    const Structure& s = record.run->structure();
-    const AddedToModes added = added_by_effects(*record.run);
+std::string checked_model(const AdvisedRun& of) {
+    const Structure& s = of.run->structure();
+    const AddedToModes added = added_by_effects(*of.run);
     const std::vector<Piece> bodies = bodies_of(s, added);
     std::string text;
     std::vector<Warning> list = warnings(s.model(), linked_nodes(s.model()), declared_gravity(s.model()));
@@ -260,9 +256,9 @@ std::string checked_model(const RunRecord& record) {
         const std::string name = body.supports.empty() ? "free body of " + count(body.members, "member")
                                                        : count(body.members, "member") + " on " +
                                                              count(body.supports.size(), "supported node");
-        const Periods of = periods(s, body, int(free_motions(s, body.nodes).size()), added);
-        text += "  " + name + ", " + digits(body.mass, 6) + " kg: " + of.text + damping_ratios(of.modes) + "\n";
-        if (auto w = damped_otherwise(s, body.nodes, of.modes, name)) list.push_back(std::move(*w));
+        const Periods found = periods(s, body, int(free_motions(s, body.nodes).size()), added);
+        text += "  " + name + ", " + digits(body.mass, 6) + " kg: " + found.text + damping_ratios(found.modes) + "\n";
+        if (auto w = damped_otherwise(s, body.nodes, found.modes, name)) list.push_back(std::move(*w));
     }
     if (bodies.size() > bodies_told)
         text += "  and " + std::to_string(bodies.size() - bodies_told) +
@@ -271,10 +267,10 @@ std::string checked_model(const RunRecord& record) {
     if (const Waves waves = shortest_waves(s); waves.in_element >= 0)
         text +=
             "  shortest wave time " + digits(waves.element) + " s, through " + s.element_name(waves.in_element) + "\n";
-    for (Warning& d : warnings_of_run(record, most_nodes, true, !of_units(list))) list.push_back(std::move(d));
-    std::vector<RunWarning> notes;
-    if (dynamic_cast<const Dynamics*>(record.run.get())) name_curvature_limits(s, nullptr, notes);
-    for (const RunWarning& n : notes) text += "  note: " + n.what + "; " + n.advice + "\n";
+    for (Warning& d : warnings_of_run(of, most_nodes, true, !of_units(list))) list.push_back(std::move(d));
+    std::vector<Warning> notes;
+    if (std::as_const(*of.run).dynamics()) name_curvature_limits(s, nullptr, notes);
+    for (const Warning& n : notes) text += "  note: " + n.what + "; " + n.advice + "\n";
     for (const Warning& d : list) text += "  warning: " + warning_text(d) + "\n";
     return text + (list.empty() ? "  no warnings\n" : "");
 }

@@ -56,6 +56,7 @@ std::optional<Warning> damped_otherwise(const Structure& structure, const std::v
     const double low = std::min(d.period[0], d.period[1]), high = std::max(d.period[0], d.period[1]);
     const bool hertz = T < low && T >= 0.5 / high && T <= 2 / low;
     return Warning{
+        Warning::Kind::damping,
         "the longest natural period of the " + body + " is " + number_text(T, 3) +
             " s, where model:damping has a ratio of " + percent(has) + " %; it asks for " + percent(d.ratio[0]) +
             (most == least ? "" : " and " + percent(d.ratio[1])) + " % at the periods " + two(d.period[0], d.period[1]),

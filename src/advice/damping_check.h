@@ -7,7 +7,7 @@
 
 #include "algebra/modes.h"
 #include "model/structure.h"
-#include "model/warnings.h"
+#include "advice/warning.h"
 
 namespace hinge {
 

@@ -49,10 +49,10 @@ void settlements(const Model& model, std::vector<Warning>& list) {
                              (first->component < 3 ? axis_name(first->component) : "r" + axis_name(first->component)) +
                              " = " + digits(first->by);
     if (first->component < 3)
-        list.push_back({what + " m, more than a tenth of the structure's size", "is it in mm? settlements are in m",
-                        model.asked_at(settlement_effect)});
+        list.push_back({Warning::Kind::value, what + " m, more than a tenth of the structure's size",
+                        "is it in mm? settlements are in m", model.asked_at(settlement_effect)});
     else
-        list.push_back({what + " rad, which is " + digits(first->by * degrees, 3) + " degrees",
+        list.push_back({Warning::Kind::value, what + " rad, which is " + digits(first->by * degrees, 3) + " degrees",
                         "is it in degrees? rotations are in rad", model.asked_at(settlement_effect)});
     list.back().more = int(std::count_if(all.begin(), all.end(), is_large)) - 1;
 }
@@ -62,7 +62,8 @@ void fracture_limits(const Model& model, std::vector<Warning>& list) {
         const auto tell = [&](const char* field, double value, double most, const char* unit, const std::string& means,
                               const char* advice) {
             if (!(value > most && std::isfinite(value))) return;
-            list.push_back({std::string("model:fracture has ") + field + " = " + digits(value) + unit + means, advice,
+            list.push_back({Warning::Kind::value,
+                            std::string("model:fracture has ") + field + " = " + digits(value) + unit + means, advice,
                             rule.asked_at});
         };
         const auto strain = [&](const char* field, double value) {
@@ -92,7 +93,8 @@ void speeds(const Model& model, std::vector<Warning>& list) {
     if (first == all.end() || first->nodes.empty()) return;
     const double speed = first->linear.norm();
     list.push_back(
-        {"model:velocity gives " + digits(speed) + " m/s to node " + std::to_string(first->nodes[0] + 1) +
+        {Warning::Kind::value,
+         "model:velocity gives " + digits(speed) + " m/s to node " + std::to_string(first->nodes[0] + 1) +
              (first->nodes.size() > 1 ? " and others" : "") + ", which is " + digits(3.6 * speed) + " km/h",
          "is it in km/h? velocities are in m/s: " + digits(speed) + " km/h are " + digits(speed / 3.6, 4) + " m/s",
          first->asked_at});
@@ -106,7 +108,8 @@ void spins(const Model& model, std::vector<Warning>& list) {
     const auto first = std::find_if(all.begin(), all.end(), is_large);
     if (first == all.end() || first->nodes.empty()) return;
     const double spin = first->angular.norm();
-    list.push_back({"model:velocity turns node " + std::to_string(first->nodes[0] + 1) +
+    list.push_back({Warning::Kind::value,
+                    "model:velocity turns node " + std::to_string(first->nodes[0] + 1) +
                         (first->nodes.size() > 1 ? " and others" : "") + " at " + digits(spin) + " rad/s, which is " +
                         digits(spin * degrees / 360, 3) + " turns a second",
                     "is it in degrees per second, or in turns per minute? rates of rotation are in rad/s",
@@ -124,14 +127,16 @@ void motions(const Model& model, std::vector<Warning>& list) {
             largest = std::max(largest, std::abs((*points)[i].second));
         if (m.component >= 3) {
             if (!(largest > 2 * std::numbers::pi)) continue;
-            list.push_back({"model:move rotates node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
+            list.push_back({Warning::Kind::value,
+                            "model:move rotates node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
                                 " rad about " + axis_name(m.component - 3) + ", more than a whole turn",
                             "is it in degrees? rotations are in rad",
                             model.asked_at("motion of node " + std::to_string(m.node))});
             return;
         }
         if (!(largest > most)) continue;
-        list.push_back({"model:move moves node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
+        list.push_back({Warning::Kind::value,
+                        "model:move moves node " + std::to_string(m.node + 1) + " by up to " + digits(largest) +
                             " m along " + axis_name(m.component) + ", more than the structure's size, " +
                             digits(most, 3) + " m",
                         "is it in mm? motions are in m", model.asked_at("motion of node " + std::to_string(m.node))});
@@ -161,7 +166,8 @@ void gravity_across(const Model& model, std::vector<Warning>& list) {
     if (supports < 2) return;
     Eigen::Index axis = 0;
     g->cwiseAbs().maxCoeff(&axis);
-    list.push_back({"gravity acts along " + axis_name(int(axis)) + ", and the structure stands along z: all " +
+    list.push_back({Warning::Kind::value,
+                    "gravity acts along " + axis_name(int(axis)) + ", and the structure stands along z: all " +
                         std::to_string(supports) + " supports are at its lowest z, and a member rises from each",
                     "z is up: model:gravity { 0, 0, -9.80665 }", model.asked_at(gravity_effect)});
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "model/warnings.h"
+#include "advice/warning.h"
 
 namespace hinge {
 class Structure;

@@ -77,10 +77,10 @@ std::vector<char> free_ends(const Model& model, const std::vector<std::uint8_t>&
     return free;
 }
 
-std::vector<Compressed> compressed_members(const RunRecord& record, const LinearSolution& solution) {
+std::vector<Compressed> compressed_members(const AdvisedRun& of, const LinearSolution& solution) {
     const Structure& structure = solution.run->structure();
     const Model& model = structure.model();
-    const std::vector<char> is_free = free_ends(record.run->structure().model(), *solution.run->held());
+    const std::vector<char> is_free = free_ends(of.run->structure().model(), *solution.run->held());
     std::vector<Compressed> found;
     const auto& elements = structure.elements();
     for (int i = 0; i < int(elements.size()); ++i) {
@@ -172,6 +172,7 @@ std::optional<Warning> doubt(const UsedHistory& told, double begin, double durat
                       times = "from " + digits(first) + " to " + digits(last) + " s";
     if (begin > 0 && last <= begin)
         return Warning{
+            Warning::Kind::loads,
             its + "changes " + times + ", and this run begins at " + digits(begin) +
                 " s, where the run that it goes on from ended: all along it is " + digits(points.back().second),
             "times go on through runs; add " + digits(begin) + " s to them for it to begin with this run", told.line};
@@ -185,6 +186,7 @@ std::optional<Warning> doubt(const UsedHistory& told, double begin, double durat
     }
     if (last > end && inside <= few_points && to - from < little * (most - least))
         return Warning{
+            Warning::Kind::loads,
             its + "changes " + times + ", and this run ends at " + digits(end) + " s: in it " +
                 (to > from ? digits(100 * (to - from) / (most - least), 2) + " % of the change" : "nothing of that") +
                 " is seen",
@@ -193,17 +195,18 @@ std::optional<Warning> doubt(const UsedHistory& told, double begin, double durat
             told.line};
     const bool pulse = points.back().second == 0 && (points.front().second == 0 || first <= begin);
     if (pulse && last > first && last - first < fewest_steps * dt)
-        return Warning{its + "is over within " + digits(last - first) + " s, and dt is " + digits(dt) + " s",
+        return Warning{Warning::Kind::loads,
+                       its + "is over within " + digits(last - first) + " s, and dt is " + digits(dt) + " s",
                        "times are in s; a shorter dt follows it, this one keeps its impulse alone", told.line};
     return {};
 }
 
 }  // namespace
 
-std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& solution) {
+std::vector<Warning> huge_loads(const AdvisedRun& of, const LinearSolution& solution) {
     if (!solution.run) return {};
     const Structure& structure = solution.run->structure();
-    const Structure& declared = record.run->structure();
+    const Structure& declared = of.run->structure();
     const Model& model = declared.model();
     Worst strained, yielded;
     for (int i = 0; i < int(structure.elements().size()); ++i) {
@@ -219,11 +222,9 @@ std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& s
             yielded.take(std::sqrt(w.x * f.Mx * f.Mx + w.y * f.My * f.My + w.n * f.N * f.N + w.z * f.Mz * f.Mz), i);
         }
     }
-    const auto* statics = dynamic_cast<const Statics*>(record.run.get());
+    const auto* statics = dynamic_cast<const Statics*>(of.run.get());
     const auto member = [&](const Worst& w) { return std::to_string(structure.elements()[w.element].member + 1); };
-    Warning w;
-    w.asked_at = model.asked_at("loads");
-    w.of_units = true;
+    Warning w{.kind = Warning::Kind::units, .asked_at = model.asked_at("loads")};
     if (strained.value > (statics ? much_strain : much_strain_in_dynamics)) {
         const auto percent = [](double part) {
             return (part > 0.1 ? number_text(std::round(100 * part), 9) : digits(100 * part, 2)) + " %";
@@ -244,15 +245,15 @@ std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& s
     return {w};
 }
 
-std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& solution) {
+std::vector<Warning> near_euler(const AdvisedRun& of, const LinearSolution& solution) {
     if (!solution.run) return {};
     const Model& model = solution.run->structure().model();
     std::vector<Alike> groups;
     std::map<std::string, std::size_t> place;
-    for (const Compressed& m : compressed_members(record, solution)) {
-        const auto& of = model.members()[m.member].groups;
-        const std::string label = of.empty() ? "" : " (" + model.groups()[of[0]] + ")",
-                          key = (of.empty() ? digits(m.euler) : label) + (m.stands_free ? ", free" : "");
+    for (const Compressed& m : compressed_members(of, solution)) {
+        const auto& named = model.members()[m.member].groups;
+        const std::string label = named.empty() ? "" : " (" + model.groups()[named[0]] + ")",
+                          key = (named.empty() ? digits(m.euler) : label) + (m.stands_free ? ", free" : "");
         const auto [known, fresh] = place.try_emplace(key, groups.size());
         if (fresh) groups.push_back({label, {}});
         groups[known->second].members.push_back(m);
@@ -263,16 +264,15 @@ std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& s
             list.back().more += int(group.members.size());
             continue;
         }
-        const std::string shows = record.run->structure().p_delta()
+        const std::string shows = of.run->structure().p_delta()
                                       ? "that shows with a small imperfection; beyond Euler's load between its nodes, "
                                         "which clamped ends allow, it takes four elements"
                                       : "that shows in large displacement with p_delta = \"member\", its default, or "
                                         "eight elements a member, and a small imperfection";
-        list.push_back({text_of(group),
+        list.push_back({Warning::Kind::buckling, text_of(group),
                         "it may buckle, and a frame that sways buckles earlier than its members alone: " + shows,
                         model.asked_at("member " + std::to_string(group.members[0].member + 1))});
         list.back().tells_of = int(group.members.size());
-        list.back().of_buckling = true;
     }
     return list;
 }
@@ -316,7 +316,8 @@ std::vector<Warning> lone_velocities(const Structure& s, const State& start, con
             ++list[0].more;
             continue;
         }
-        list.push_back({"the velocity of " + s.node_name(int(n)) + " is given to that node alone and brings " +
+        list.push_back({Warning::Kind::value,
+                        "the velocity of " + s.node_name(int(n)) + " is given to that node alone and brings " +
                             digits(elements + masses[n], 3) + " J, " + digits(elements, 3) +
                             " J of them by the part of its elements' mass that is at the node, which depends on how "
                             "short the elements are",
@@ -356,7 +357,8 @@ std::vector<Warning> damped_free_bodies(const Structure& s, const State& start) 
         }
         const int member = s.elements()[i].member;
         const auto& groups = s.model().members()[member].groups;
-        list.push_back({"the body of member " + std::to_string(member + 1) +
+        list.push_back({Warning::Kind::damping,
+                        "the body of member " + std::to_string(member + 1) +
                             (groups.empty() ? "" : " (" + s.model().groups()[groups[0]] + ")") +
                             " is held by no support, and alpha = " + digits(alpha, 3) +
                             " 1/s of model:damping slows it down in flight, by " +
@@ -378,7 +380,8 @@ std::vector<Warning> empty_cases(const Model& m, int gravity_case, const LoadCho
     std::vector<Warning> list;
     for (std::size_t i = 0; i < holds.size(); ++i)
         if (!holds[i] && choice.named[i] && choice.factor[i] != 0)
-            list.push_back({"load case '" + m.cases()[i] + "', which this run takes, has no load and no gravity",
+            list.push_back({Warning::Kind::loads,
+                            "load case '" + m.cases()[i] + "', which this run takes, has no load and no gravity",
                             "give loads case = \"" + m.cases()[i] + "\", before the run is made", line});
     return list;
 }

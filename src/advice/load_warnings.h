@@ -4,20 +4,19 @@
 #include <vector>
 
 #include "run/linear_solution.h"
-#include "record/context.h"
-#include "record/run_record.h"
+#include "advice/advised_run.h"
 
 namespace hinge {
 
 /// Loads that would strain a section beyond any real structure, or bend it to many times its plastic moment.
-std::vector<Warning> huge_loads(const RunRecord& record, const LinearSolution& solution);
+std::vector<Warning> huge_loads(const AdvisedRun& of, const LinearSolution& solution);
 
 /// Members whose compression is beyond half of Euler's load, equal ones in one warning, the worst first.
-std::vector<Warning> near_euler(const RunRecord& record, const LinearSolution& solution);
+std::vector<Warning> near_euler(const AdvisedRun& of, const LinearSolution& solution);
 
-/// The member whose axial force makes eq 14 most unsafe (effects/axial_strength.h), with the others counted. Beside the
+/// The member whose axial force makes eq 14 most unsafe (unsafe_strength.h), with the others counted. Beside the
 /// forces found, as they act before anything yields.
-std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& solution);
+std::vector<Warning> unsafe_eq14(const AdvisedRun& of, const LinearSolution& solution);
 
 /// Slender members that are heated, whose strength is that at 2 % strain and whose material has no curve up to it.
 std::vector<Warning> heated_without_curve(const Structure& structure);
@@ -37,7 +36,7 @@ std::vector<Warning> massless_loads(const Structure& structure, const std::strin
 std::vector<Warning> floors_twice(const Structure& structure);
 
 /// Dynamic run that continues `before`: gravity that did not act there, and so acts at once.
-std::vector<Warning> late_gravity(const Structure& structure, const RunRecord& before, const std::string& line);
+std::vector<Warning> late_gravity(const Structure& structure, const AdvisedRun& before, const std::string& line);
 
 /// Dynamic run, the first with contact: members of different bodies that overlap where it begins, the deepest with the
 /// others counted.

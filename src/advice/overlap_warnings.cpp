@@ -60,7 +60,8 @@ std::vector<Warning> overlapping_bars(const Structure& s, const State& start) {
         const auto& node = model.members()[member].node;
         return " between nodes " + std::to_string(node[0] + 1) + " and " + std::to_string(node[1] + 1);
     };
-    return {{member_text(model, worst[0]) + nodes_of(worst[0]) + " and " + member_text(model, worst[1]) +
+    return {{Warning::Kind::contact,
+             member_text(model, worst[0]) + nodes_of(worst[0]) + " and " + member_text(model, worst[1]) +
                  nodes_of(worst[1]) + " overlap by " + number_text(depth, 3) + " m where this run begins, at " +
                  vector_text(place, 4) +
                  " m: contact leaves such a pair alone until it has parted, so one may pass through the other",

@@ -3,18 +3,14 @@
 
 #include <string>
 
-#include "record/context.h"
-#include "record/run_record.h"
+#include "advice/advised_run.h"
 
 namespace hinge {
-
-/// The effects of a run, including recording by the script layer.
-std::vector<PlanLine> effects_of(const RunRecord& record);
 
 /// A line with the initial kinetic energy, J, of a dynamic run; "" if there is none.
 std::string kinetic_at_start(const Run& run);
 
 /// The run and its effects as a table: name, on or off, why, the script's line.
-std::string plan_of(const RunRecord& record);
+std::string plan_of(const AdvisedRun& of, const std::vector<PlanLine>& effects);
 
 }  // namespace hinge

@@ -10,9 +10,8 @@
 #include <limits>
 
 #include "algebra/factor_size.h"
-#include "record/events.h"
-#include "record/recording.h"
 #include "core/errors.h"
+#include "core/text.h"
 
 namespace hinge {
 namespace {
@@ -22,8 +21,6 @@ constexpr std::size_t many = 100000;         ///< members: a line while they are
 constexpr double of_element = 8e3;           ///< bytes, of a run, at most (measured: 1.4e3 explicit, 7e3 static)
 constexpr double operations_a_second = 7e8;  ///< of a factorisation, on one core of a common machine
 constexpr double long_time = 20;             ///< s, of a factorisation
-
-bool tells(const Context& c) { return c.messages.progress || c.messages.warns; }
 
 /// 201720 as "201,720"
 std::string grouped(std::size_t n) {
@@ -69,36 +66,27 @@ double memory_left() {
     return left;
 }
 
-void tell_line(Context& c, const std::string& text) {
-    if (tells(c)) std::fprintf(stderr, "%s\n", text.c_str());
-    write_event(c, "size", {{"text", text}});
-}
-
 }  // namespace
 
-void tell_members(const Context& c, std::size_t members) {
-    if (members < many || members % many != 0 || !tells(c)) return;
+std::string members_notice(std::size_t members) {
     const std::size_t times = members / many;
-    if ((times & (times - 1)) == 0)
-        std::fprintf(stderr, "a large model: %s members so far\n", grouped(members).c_str());
+    if (members < many || members % many != 0 || (times & (times - 1)) != 0) return "";
+    return "a large model: " + grouped(members) + " members so far";
 }
 
-void tell_size(Context& c, const Model& model) {
+std::string size_notice(const Model& model) {
     const std::size_t members = model.members().size();
-    static std::size_t told = 0;  // a loop's models of one size are told of once
-    if (members < large || members == told) return;
-    told = members;
+    if (members < large) return "";
     std::size_t elements = 0;
     for (const MemberData& m : model.members()) elements += std::size_t(m.elements);
     const std::size_t nodes = model.nodes().size() + elements - members;
-    tell_line(c, "a large model: " + grouped(members) + " members, " + grouped(elements) + " elements, " +
-                     grouped(nodes) + " nodes, at most " + grouped(6 * nodes) + " degrees of freedom");
+    return "a large model: " + grouped(members) + " members, " + grouped(elements) + " elements, " + grouped(nodes) +
+           " nodes, at most " + grouped(6 * nodes) + " degrees of freedom";
 }
 
-void weigh_static(Context& c, const Structure& structure, int steps) {
-    if (c.mode.planning) return;
+std::string static_notice(const Structure& structure, int steps) {
     const std::size_t elements = structure.elements().size();
-    if (elements < 2000) return;
+    if (elements < 2000) return "";
     std::vector<std::pair<int, int>> pairs;
     pairs.reserve(elements);
     for (const Element& e : structure.elements()) pairs.emplace_back(e.node[0], e.node[1]);
@@ -111,16 +99,16 @@ void weigh_static(Context& c, const Structure& structure, int steps) {
         throw InputError("model:static: a run of it " + what + ", and " + bytes_text(std::max(0.0, left)) +
                          " are left; make the model smaller (fewer members, elements_per_member), or give it more "
                          "memory");
-    if (structure.model().members().size() < large && time < long_time && bytes < 0.5 * left) return;
-    tell_line(c, "a static run of it " + what + " (" + bytes_text(left) + " are left) and about " +
-                     duration_text(std::max(1.0, time)) + " of time, at least " + std::to_string(steps + 1) + " times");
+    if (structure.model().members().size() < large && time < long_time && bytes < 0.5 * left) return "";
+    return "a static run of it " + what + " (" + bytes_text(left) + " are left) and about " +
+           duration_text(std::max(1.0, time)) + " of time, at least " + std::to_string(steps + 1) + " times";
 }
 
-void weigh_dynamic(Context& c, const Structure& structure) {
-    if (c.mode.planning || structure.model().members().size() < large) return;
+std::string dynamic_notice(const Structure& structure) {
+    if (structure.model().members().size() < large) return "";
     const double bytes = of_element * double(structure.elements().size()), left = memory_left();
-    tell_line(c, "a dynamic run of it takes about " + bytes_text(bytes) + " of memory; " + bytes_text(left) +
-                     " are left" + (bytes > left ? ": that is too little, and the system may end the program" : ""));
+    return "a dynamic run of it takes about " + bytes_text(bytes) + " of memory; " + bytes_text(left) + " are left" +
+           (bytes > left ? ": that is too little, and the system may end the program" : "");
 }
 
 }  // namespace hinge

@@ -5,7 +5,8 @@
 #include <numbers>
 
 #include "core/text.h"
-#include "effects/axial_strength.h"
+#include "advice/unsafe_strength.h"
+#include "section/plastic_shape.h"
 #include "effects/heat.h"
 #include "effects/member_loads.h"
 #include "model/member_text.h"
@@ -20,8 +21,8 @@ constexpr double told_from = 0.05, told_moment = 0.02;
 
 }  // namespace
 
-std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& solution) {
-    const Structure& declared = record.run->structure();
+std::vector<Warning> unsafe_eq14(const AdvisedRun& of, const LinearSolution& solution) {
+    const Structure& declared = of.run->structure();
     if (!solution.run || !declared.can_yield()) return {};
     const Model& model = declared.model();
     const auto& elements = solution.run->structure().elements();
@@ -49,8 +50,7 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
     }
     if (worst_member < 0) return {};
     const char* about = worst_axis == 0 ? "x" : "y";
-    std::vector<Warning> list(1);
-    Warning& w = list.front();
+    Warning w{.kind = Warning::Kind::strength};
     w.what = member_text(model, worst_member) + ", section " + model.members()[worst_member].section->kind +
              ", carries N / N0 = " + number_text(worst_n, 2) + " in a linear solution of the loads: beside that " +
              "N eq 14, interaction = \"paper\", gives it " + excess_text(excess) + " more bending strength about its " +
@@ -58,7 +58,7 @@ std::vector<Warning> unsafe_eq14(const RunRecord& record, const LinearSolution& 
     w.advice = "a run finds it too strong; leave that option out, or give \"exact\"";
     w.asked_at = model.asked_at("member " + std::to_string(worst_member + 1));
     w.more = members - 1, w.tells_of = members;
-    return list;
+    return {w};
 }
 
 namespace {
@@ -94,7 +94,7 @@ std::vector<Warning> heated_without_curve(const Structure& s) {
         if (first < 0) first = e.member, most = T;
     }
     if (first < 0) return {};
-    Warning w;
+    Warning w{.kind = Warning::Kind::strength};
     w.what = member_text(model, first) + " is heated to " + number_text(most) +
              " degrees Celsius, and is elastic up to its yield stress, that at a strain of 2 %: compressed, it would "
              "buckle at up to 80 degrees less than a run finds";
@@ -135,7 +135,7 @@ std::vector<Warning> loads_beside_hinges(const Structure& s) {
             if (std::abs(l.at * k - std::round(l.at * k)) < 1e-6) worst_elements = k;
     }
     if (worst_member < 0) return {};
-    Warning w;
+    Warning w{.kind = Warning::Kind::strength};
     w.what = "the load at " + number_text(worst_at) + " of the length of " + member_text(model, worst_member) +
              " acts between the ends of its elements, where no hinge forms";
     w.advice = "a run may find it too strong; " +

@@ -81,7 +81,8 @@ std::string weight_by_source(const Structure& structure) {
 std::vector<Warning> massless_loads(const Structure& s, const std::string& line) {
     const auto w = weights_of(s);
     if (!w || w->loads() < much_load * (w->members + w->point_masses)) return {};
-    return {{"the loads along gravity, " + digits(w->loads(), 3) + " N, are " +
+    return {{Warning::Kind::loads,
+             "the loads along gravity, " + digits(w->loads(), 3) + " N, are " +
                  digits(w->loads() / (w->members + w->point_masses), 2) + " times the weight of the model's " +
                  digits(w->mass + w->point_mass, 3) +
                  " kg; loads have no inertia, so what falls under them falls faster than free",
@@ -107,7 +108,8 @@ std::vector<Warning> floors_twice(const Structure& s) {
         return a.weight > 0 && b.weight > 0 && a.weight <= by * b.weight && b.weight <= by * a.weight;
     };
     const auto twice = [&](const Way& a, const Way& b, const char* advice) -> std::vector<Warning> {
-        return {{std::string(a.what) + ", " + a.weighs + digits(a.weight) + " N, and " + b.what + ", " + b.weighs +
+        return {{Warning::Kind::loads,
+                 std::string(a.what) + ", " + a.weighs + digits(a.weight) + " N, and " + b.what + ", " + b.weighs +
                      digits(b.weight) + " N, act together: " + digits(w->all()) + " N with the members",
                  std::string("are they the same floors? Then these count twice: ") + advice,
                  s.model().asked_at(b.effect)}};
@@ -123,12 +125,13 @@ std::vector<Warning> floors_twice(const Structure& s) {
     return {};
 }
 
-std::vector<Warning> late_gravity(const Structure& s, const RunRecord& before, const std::string& line) {
+std::vector<Warning> late_gravity(const Structure& s, const AdvisedRun& before, const std::string& line) {
     const std::optional<Vec3> now = declared_gravity(s.model());
     const Vec3 then = declared_gravity(before.run->structure().model()).value_or(Vec3::Zero());
     if (!now || now->isZero(0) || now->isApprox(then)) return {};
     const std::string run = std::string(before.run->kind()) + " run made at " + before.asked_at;
-    return {{"gravity " + vector_text(*now) + " m/s^2 acts at once in this run, and " +
+    return {{Warning::Kind::loads,
+             "gravity " + vector_text(*now) + " m/s^2 acts at once in this run, and " +
                  (then.isZero(0) ? "did not act in the " + run : "was " + vector_text(then) + " m/s^2 in the " + run) +
                  ", from which it goes on",
              "weight that acts at once moves a structure about twice as far as at rest; declare model:gravity before "

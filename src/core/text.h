@@ -1,6 +1,7 @@
 // Formats numbers, vectors, counts and times for messages.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -41,6 +42,17 @@ inline std::string time_text(double s, int digits = 3) {
     if (size == 0 || size >= 0.9995) return number_text(s, digits) + " s";
     if (size >= 0.9995e-3) return number_text(1e3 * s, digits) + " ms";
     return size >= 0.9995e-6 ? number_text(1e6 * s, digits) + " us" : number_text(1e9 * s, digits) + " ns";
+}
+
+/// "12 s", "3 min 20 s", "2 h 5 min"
+inline std::string duration_text(double s) {
+    const long whole = std::lround(s);
+    const auto two = [](long a, const char* large, long b, const char* small) {
+        return std::to_string(a) + large + (b > 0 ? " " + std::to_string(b) + small : "");
+    };
+    if (whole < 120) return std::to_string(whole) + " s";
+    return whole < 7200 ? two(whole / 60, " min", whole % 60, " s")
+                        : two(whole / 3600, " h", whole % 3600 / 60, " min");
 }
 
 }  // namespace hinge

@@ -7,7 +7,6 @@
 
 #include "effects/contact.h"
 #include "effects/kinds.h"
-#include "effects/struck_members.h"
 
 namespace hinge {
 namespace {
@@ -32,13 +31,10 @@ class ContactEffect : public Effect,
                       public Breaker,
                       public BreakListener,
                       public StepLimiter,
-                      public Sleeper,
-                      public RunChecker {
+                      public Sleeper {
 public:
     ContactEffect(Workspace& w, Host& host)
-        : Effect(contact_effect, w, host, {.forces_vanish = true}),
-          rules_(contact_rules(w.structure.model())),
-          struck_(w.structure) {
+        : Effect(contact_effect, w, host, {.forces_vanish = true}), rules_(contact_rules(w.structure.model())) {
         traits_.calls_script = laws_call_functions(w.structure.model());
         if (!w.state.data.find<Contact>(contact_effect)) {
             std::vector<contact::ContactSettings> rules;
@@ -160,10 +156,6 @@ public:
         host_.blocks_changed(w_.state);
     }
     void release_step() override { now().release_step(); }
-    void after_commit(const Step& step) override {
-        if (!now().idle()) struck_.add_step(w_.structure, w_.state, now(), step.end(), step.dt);
-    }
-    void check_run(std::vector<RunWarning>& list) const override { struck_.check_run(w_.structure, w_.state, list); }
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         const auto keep = [&](const auto& pairs) {
@@ -194,8 +186,8 @@ public:
         sums["contact_stored"] += copy.stored_energy();
     }
 
-    void save(Writer& to) const override { to(bars_changed_, age_, pair_rules_, struck_); }
-    void restore(Reader& from) override { from(bars_changed_, age_, pair_rules_, struck_); }
+    void save(Writer& to) const override { to(bars_changed_, age_, pair_rules_); }
+    void restore(Reader& from) override { from(bars_changed_, age_, pair_rules_); }
     bool restored(std::span<const State* const> states) override {
         list_bars();
         for (const State* s : states)
@@ -300,7 +292,6 @@ private:
     }
 
     const std::vector<ContactRule>& rules_;
-    StruckMembers struck_;
     std::vector<char> collides_;         ///< of each member
     std::vector<double> member_length_;  ///< m
     std::vector<contact::Bar> bars_;

@@ -30,6 +30,7 @@
 
 #include "core/text.h"
 #include "effects/declared.h"
+#include "effects/facts.h"
 #include "effects/joined_bodies.h"
 #include "effects/kinds.h"
 #include "model/member_text.h"
@@ -48,7 +49,7 @@ constexpr double rotation_lag_cosine = 1 - 5e-5;
 /// it stays. Where hinges just flow, or just not, Newton's method would else go to and fro between the two.
 constexpr int shares_follow = 4;
 
-/// A run warns of whole rates in more steps than these, which are more than this part of those in which the hinge
+/// Whole rates count in more steps than these, which are more than this part of those in which the hinge
 /// turned.
 constexpr int few_steps = 10;
 constexpr double small_part = 0.1;
@@ -84,7 +85,7 @@ struct Footing {
     }
 };
 
-class RayleighDamping : public Effect, public Force, public BreakListener, public RunChecker {
+class RayleighDamping : public Effect, public Force, public BreakListener, public WholeRates {
 public:
     RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
         : Effect(damping_effect, w, host, {.mean_forces = true}), damping_(std::move(damping)) {
@@ -168,22 +169,15 @@ public:
     }
     void acceleration_found() override { before_ = now_, by_stiffness_before_ = by_stiffness_; }
 
-    void check_run(std::vector<RunWarning>& list) const override {
-        int first = -1, count = 0;
-        double most = 0;
+    Counts whole_rates() const override {
+        Counts counts;
         for (const auto& [element, of] : dashpots_) {
             const double part = double(of.whole) / std::max(1, of.flowed);
             if (!(of.whole >= few_steps && part > small_part)) continue;
-            if (count++ == 0) first = w_.structure.elements()[element].member;
-            most = std::max(most, part);
+            if (counts.elements++ == 0) counts.first = element;
+            counts.most_part = std::max(counts.most_part, part);
         }
-        if (count == 0) return;
-        list.push_back({"the damping by beta of " + count_text(count, "element") + ", the first of " +
-                            member_text(w_.structure.model(), first) + ", acted on plastic hinges, too, in up to " +
-                            number_text(100 * most, 2) +
-                            " % of the steps in which they turned: without that it would have " +
-                            "made energy, since the hinges turn to and fro from step to step",
-                        "for blows damp by alpha alone, or give a smaller beta", first});
+        return counts;
     }
 
     void save(Writer& to) const override { to(before_, built_, flowed_, dashpots_, by_stiffness_before_); }

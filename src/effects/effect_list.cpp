@@ -23,12 +23,16 @@ EffectList::EffectList(Workspace& w, Host& host) {
     list_those(all, constrainers), list_those(all, matrix_watchers), list_those(all, contact_laws);
     list_those(all, breakers), list_those(all, break_listeners), list_those(all, step_limiters),
         list_those(all, sleepers);
-    list_those(all, rest_keepers), list_those(all, run_checkers), list_those(all, heaters);
+    list_those(all, rest_keepers), list_those(all, heaters);
     list_those(all, static_prescribers);
 }
 
 bool EffectList::any(bool EffectTraits::*trait) const {
     return std::any_of(all.begin(), all.end(), [&](const auto& effect) { return effect->traits().*trait; });
+}
+
+bool EffectList::has(std::string_view name) const {
+    return std::any_of(all.begin(), all.end(), [&](const auto& effect) { return effect->name() == name; });
 }
 
 AccountList accounts_of(const EffectList& effects) {

@@ -22,6 +22,14 @@ struct EffectList {
     EffectList(Workspace& w, Host& host);
     /// Whether one of the effects has this trait.
     bool any(bool EffectTraits::*trait) const;
+    bool has(std::string_view name) const;
+    /// The facts of this kind that an effect has of the run, for advice (facts.h); null where no effect has them.
+    template <class Facts>
+    const Facts* facts() const {
+        for (const auto& effect : all)
+            if (const auto* found = dynamic_cast<const Facts*>(effect.get())) return found;
+        return nullptr;
+    }
 
     std::vector<std::unique_ptr<Effect>> all;
     RoleList<Load> loads;
@@ -36,7 +44,6 @@ struct EffectList {
     RoleList<StepLimiter> step_limiters;
     RoleList<Sleeper> sleepers;
     RoleList<RestKeeper> rest_keepers;
-    RoleList<RunChecker> run_checkers;
     RoleList<Heater> heaters;
     RoleList<StaticPrescriber> static_prescribers;
 };

@@ -7,11 +7,10 @@
 #include <limits>
 
 #include "core/errors.h"
-#include "effects/curvature_limits.h"
+#include "effects/facts.h"
 #include "effects/fracture.h"
 #include "effects/fracture_reach.h"
 #include "effects/hinge_limits.h"
-#include "effects/idle_rules.h"
 #include "effects/kinds.h"
 #include "state/hinges.h"
 #include "state/turned_ends.h"
@@ -39,7 +38,7 @@ struct StrainFactors {
     }
 };
 
-class Fracture : public Effect, public Breaker, public BreakListener, public RunChecker {
+class Fracture : public Effect, public Breaker, public BreakListener, public RuleCalls {
 public:
     Fracture(Workspace& w, Host& host);
     const char* stage_name() const override { return fracture_effect; }
@@ -62,10 +61,7 @@ public:
     void save(Writer& to) const override { to(candidates_, yielded_, called_); }
     void restore(Reader& from) override { from(candidates_, yielded_, called_); }
     bool restored(std::span<const State* const>) override;
-    void check_run(std::vector<RunWarning>& list) const override {
-        name_idle_rules(w_.structure, called_, list);
-        name_curvature_limits(w_.structure, &w_.state, list);
-    }
+    const std::vector<long>& calls() const override { return called_; }
 
 private:
     void add_if_reachable(int element);

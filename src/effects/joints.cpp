@@ -22,6 +22,7 @@
 #include "effects/all_effects.h"
 #include "effects/constrainer.h"
 #include "effects/joint_ties.h"
+#include "effects/facts.h"
 #include "effects/kinds.h"
 #include "model/member_ends.h"
 #include "state/joint_records.h"
@@ -48,7 +49,7 @@ class Joints : public Effect,
                public Constrainer,
                public BreakListener,
                public StepLimiter,
-               public RunChecker {
+               public JointBreaks {
 public:
     Joints(Workspace& w, Host& host)
         : Effect(joints_effect, w, host), joints_(configured_joints(w)), ties_(w, joints_) {
@@ -185,25 +186,33 @@ public:
         });
     }
 
-    // ---- energy, warnings and checkpoint --------------------------------------------------------------------------
+    // ---- energy, facts for advice and checkpoint -------------------------------------------------------------------
     void add_energy(const State& state, Accounts& sums) const override { sums["joint_stored"] += stored(state); }
-    /// Statics breaks no joint. In dynamics the order in which they break may hang on the settings.
-    void check_run(std::vector<RunWarning>& warnings) const override {
-        if (close_.times > 0)
-            warnings.push_back(
-                {name_of(close_.broke) + " broke at t = " + number_text(close_.time, 4) + " s, when " +
-                     name_of(close_.other) + " had " + number_text(100 * close_.part, 3) + " % of its capacity" +
-                     (close_.times > 1 ? ", and so " + std::to_string(close_.times - 1) + " more times" : "") +
-                     ": which of them breaks first may hang on dt, the integrator and the elements, and "
-                     "what follows with it",
-                 "compare with another integrator, and with twice the elements", joints_[close_.broke].member});
-        for (std::size_t i = 0; i < joints_.size(); ++i) {
-            const JointState& j = list()[i];
-            if (w_.kind.dynamic || j.over < 0) continue;
-            warnings.push_back({name_of(i) + " is beyond its capacity: " + why(i) + "; statics breaks no joint",
-                                "a dynamic run that goes on from here breaks it", joints_[i].member});
-        }
+    const Close& close_break() const override { return close_; }
+    std::vector<std::size_t> beyond_capacity() const override {
+        std::vector<std::size_t> beyond;
+        for (std::size_t i = 0; i < joints_.size(); ++i)
+            if (list()[i].over >= 0) beyond.push_back(i);
+        return beyond;
     }
+    std::string name_of(std::size_t i) const override {
+        if (declared()[i].is_between_nodes())
+            return "the joint between nodes " + std::to_string(joints_[i].node + 1) + " and " +
+                   std::to_string(joints_[i].end + 1);
+        return "the joint at end " + std::string(joints_[i].side == 0 ? "a" : "b") + " of member " +
+               std::to_string(joints_[i].member + 1);
+    }
+    std::string reached_by(std::size_t i) const override {
+        const JointState& j = list()[i];
+        char text[80] = "its node has lost its last member";
+        if (j.over >= 0 && j.over < 3)
+            std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
+                          axis_names[j.over]);
+        if (j.over == 3) std::snprintf(text, sizeof text, "tension of %.4g N", j.tension);
+        if (j.over == 4) std::snprintf(text, sizeof text, "shear force of %.4g N", j.shear);
+        return text;
+    }
+    int member_of(std::size_t i) const override { return joints_[i].member; }
     bool restored(std::span<const State* const> states) override {
         if (close_.times < 0 || close_.broke >= joints_.size() || close_.other >= joints_.size()) return false;
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
@@ -364,30 +373,12 @@ private:
         return energy;
     }
 
-    std::string name_of(std::size_t i) const {
-        if (declared()[i].is_between_nodes())
-            return "the joint between nodes " + std::to_string(joints_[i].node + 1) + " and " +
-                   std::to_string(joints_[i].end + 1);
-        return "the joint at end " + std::string(joints_[i].side == 0 ? "a" : "b") + " of member " +
-               std::to_string(joints_[i].member + 1);
-    }
-    std::string why(std::size_t i) const {
-        const JointState& j = list()[i];
-        char text[80] = "its node has lost its last member";
-        if (j.over >= 0 && j.over < 3)
-            std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
-                          axis_names[j.over]);
-        if (j.over == 3) std::snprintf(text, sizeof text, "tension of %.4g N", j.tension);
-        if (j.over == 4) std::snprintf(text, sizeof text, "shear force of %.4g N", j.shear);
-        return text;
-    }
-
     void release(std::size_t i, double time) {
         JointState& j = list()[i];
         w_.state.accumulated["joint_dissipated"] += evaluate(i, j.rotation).stored;
         j.broken = true;
         j.broken_at = time;
-        host_.note_activation(joints_effect, false, name_of(i) + " broke: " + why(i));
+        host_.note_activation(joints_effect, false, name_of(i) + " broke: " + reached_by(i));
     }
     void changed(const Pose& at) {
         host_.accelerations_anew();
@@ -398,16 +389,7 @@ private:
     JointTies ties_;
     std::vector<EndForces> end_forces_;
     bool lost_any_ = false;
-    /// The first break at which another joint was close to its own, and how many there were.
-    struct Close {
-        long times = 0;
-        std::size_t broke = 0, other = 0;
-        double part = 0, time = 0;
-        template <class Self, class A>
-        static void fields(Self& s, A& a) {
-            a(s.times, s.broke, s.other, s.part, s.time);
-        }
-    } close_;
+    Close close_;
 };
 
 std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {

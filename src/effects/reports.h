@@ -1,4 +1,4 @@
-// What effects report of a run: lines of the plan, section forces, loads to be drawn, warnings.
+// What effects report of a run: lines of the plan, section forces, loads to be drawn.
 #pragma once
 
 #include <string>
@@ -29,16 +29,6 @@ struct ShownLoad {
     Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the two ends of the part that it covers, per m
     double from = 0, to = 1;   ///< that part of the element's length
     bool is_partial() const { return from > 0 || to < 1; }
-};
-
-/// A warning about a run, as hinge run prints it: "member 3 ...", and what can be done about it.
-struct RunWarning {
-    std::string what, advice;
-    int member = -1;
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.what, s.advice, s.member);
-    }
 };
 
 }  // namespace hinge

@@ -196,11 +196,4 @@ public:
     virtual void heat_at(double factor) = 0;
 };
 
-/// Checks a run as a whole, where the run ends and whenever a script reads run.warnings.
-class RunChecker {
-public:
-    virtual ~RunChecker() = default;
-    virtual void check_run(std::vector<RunWarning>& list) const = 0;
-};
-
 }  // namespace hinge

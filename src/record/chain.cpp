@@ -1,6 +1,7 @@
 #include "record/chain.h"
 
 #include "core/text.h"
+#include "advice/adviser.h"
 
 namespace hinge {
 namespace {
@@ -36,7 +37,7 @@ Verdict verdict_of(const RunRecord& r) {
 }
 
 std::string reason_of(const RunRecord& r) {
-    const std::string reason = r.run->reason();
+    const std::string reason = reason_with_advice(*r.run);
     if (r.run->verdict() != Verdict::failed && is_weak(r))
         return "goes on from " + r.weak + "; allow_failed = true of model:" + r.run->kind() + " accepts that";
     if (r.run->verdict() != Verdict::failed || !r.of_units) return reason;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "model/warnings.h"
+#include "advice/warning.h"
 
 namespace hinge {
 

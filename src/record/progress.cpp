@@ -6,22 +6,13 @@
 
 #include "core/text.h"
 #include "record/chain.h"
-#include "advice/check.h"
+#include "advice/adviser.h"
 #include "record/events.h"
 #include "record/recording.h"
+#include "record/told_warnings.h"
 #include "record/summary.h"
 
 namespace hinge {
-
-std::string duration_text(double s) {
-    const long whole = std::lround(s);
-    const auto two = [](long a, const char* large, long b, const char* small) {
-        return std::to_string(a) + large + (b > 0 ? " " + std::to_string(b) + small : "");
-    };
-    if (whole < 120) return std::to_string(whole) + " s";
-    return whole < 7200 ? two(whole / 60, " min", whole % 60, " s")
-                        : two(whole / 3600, " h", whole % 3600 / 60, " min");
-}
 
 namespace {
 
@@ -164,8 +155,8 @@ void tell_instability(const Context& c, RunRecord& r) {
 
 void tell_step(Context& c, RunRecord& r, bool over) {
     tell_changes(c, r, over);
-    for (const auto& list = r.run->warnings(); r.progress.warnings_seen < list.size(); ++r.progress.warnings_seen)
-        tell(c, warning_of(*r.run, list[r.progress.warnings_seen]));
+    for (const auto& list = warnings_of(*r.run); r.progress.warnings_seen < list.size(); ++r.progress.warnings_seen)
+        tell(c, list[r.progress.warnings_seen]);
     if (over) tell_findings(c, r);
     tell_instability(c, r);
     if (over) show_progress(c, r, true);

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "advice/check.h"
 #include "core/doing.h"
 #include "core/files.h"
 #include "core/quoting.h"
@@ -19,6 +18,7 @@
 #include "record/run_observer.h"
 #include "record/summary.h"
 #include "run/energy_monitor.h"
+#include "record/told_warnings.h"
 namespace hinge {
 
 std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* lost) {

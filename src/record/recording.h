@@ -63,7 +63,4 @@ RunHistory history_of(const RunRecord& record);
 /// Number of the member's element that broke first and the time (s) of it, -inf where that was before this run.
 std::optional<std::pair<int, double>> break_of(const RunRecord& r, int member);
 
-/// 12 s, 3 min 20 s, 2 h 5 min
-std::string duration_text(double s);
-
 }  // namespace hinge

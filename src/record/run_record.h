@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "model/warnings.h"
+#include "advice/advised_run.h"
 #include "record/probe.h"
 #include "run/run.h"
 
@@ -86,8 +86,7 @@ struct CheckpointPlan {
 };
 
 /// A run with its recorded results.
-struct RunRecord : Recorded {
-    std::shared_ptr<Run> run;
+struct RunRecord : Recorded, AdvisedRun {
     std::vector<std::shared_ptr<Probe>> probes;
     long every = 1;  ///< steps between rows of history.csv; 0: none is kept
     /// The files that grow as the run goes.
@@ -97,15 +96,12 @@ struct RunRecord : Recorded {
         std::string past;                       ///< of history.csv, from a checkpoint
         std::size_t events_written = 0;         ///< of the happenings
     } files;
-    std::string asked_at;                  ///< the script's line that made the run
-    std::vector<Warning> likely_mistakes;  ///< likely mistakes found when it was made
-    std::optional<Warning> of_units;       ///< of its model: a value that looks as if in another unit
-    std::string weak;                      ///< the run before that did not reach its end (weak_link); "" for none
-    bool weak_allowed = false;             ///< allow_failed = true
-    std::string changed;                   ///< the first declaration since, and its line; "" for none
-    bool begun = false;                    ///< its files are open
-    bool stepping = false;                 ///< inside a step: the program's functions may not start another
-    bool mid_step = false;                 ///< inside a step that was not completed
+    std::string weak;           ///< the run before that did not reach its end (weak_link); "" for none
+    bool weak_allowed = false;  ///< allow_failed = true
+    std::string changed;        ///< the first declaration since, and its line; "" for none
+    bool begun = false;         ///< its files are open
+    bool stepping = false;      ///< inside a step: the program's functions may not start another
+    bool mid_step = false;      ///< inside a step that was not completed
     std::optional<CheckpointPlan> checkpoint;
     int number = 0;  ///< of the program's runs that have begun, from 1
     /// Changes of state of an effect.

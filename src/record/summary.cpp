@@ -8,8 +8,8 @@
 #include "run/element_count.h"
 #include "record/element_events.h"
 #include "record/joint_ratings.h"
-#include "advice/plan.h"
 #include "record/recording.h"
+#include "record/told_warnings.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
 #include "core/text.h"
@@ -101,6 +101,14 @@ Json probes_json(const RunRecord& r) {
         if (p->height > 0) list.back()["quantity"] = p->component == 0 ? "drift_x" : "drift_y";
         if (p->height > 0) list.back()["height"] = p->height;
     }
+    return list;
+}
+
+std::vector<PlanLine> effects_of(const RunRecord& record) {
+    std::vector<PlanLine> list = record.run->effects();
+    const std::string rows = record.every > 1 ? "a row of history.csv every " + std::to_string(record.every) + " steps"
+                                              : "a row of history.csv at every step";
+    list.push_back({"recording", record.every > 0, record.every > 0 ? rows : "record = false", ""});
     return list;
 }
 

@@ -9,6 +9,9 @@ namespace hinge {
 /// Adds the fields of summary.json from "kind" to "instability", for the present state of the run.
 void describe_run(Json& j, const RunRecord& record);
 
+/// The effects of a run, with its recording.
+std::vector<PlanLine> effects_of(const RunRecord& record);
+
 /// Description of the run's probes for probes.json and summary.json: a list of { name, node, quantity, unit }.
 Json probes_json(const RunRecord& record);
 

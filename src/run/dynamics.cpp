@@ -250,6 +250,7 @@ void Dynamics::commit() {
     integrator_->after_commit();
     if (constraints_) constraints_->commit();
     for (const auto& e : effects_->all) e->after_commit(step_);
+    call_watches(step_);
     if (constraints_due_) rebuild_constraints();
     if (unseen_) control_.not_looked_at(size_);
     if (built::fracture && !step_.breaks.empty()) break_elements();
@@ -364,13 +365,7 @@ void Dynamics::return_to_yield_surface() {
         initial_ -= energy_of(state_).error;
         const double work = state_.accumulated["plastic"] - before;
         if (work > 0)
-            warn(RunWarning{"heat or prestress acts at once where the run begins and brings " +
-                                count_text(long(count), "element") + " beyond yield, first " +
-                                structure_->element_name(first) +
-                                "; the run begins on the yield surface, "
-                                "with " +
-                                number_text(work, 4) + " J of plastic work",
-                            "a static run before it (from = ...) applies them step by step"});
+            note({.kind = Notice::Kind::starts_beyond_yield, .element = first, .count = long(count), .value = work});
     }
     w_.yielding.clear();
     step_ = {};
@@ -484,9 +479,7 @@ bool Dynamics::advance() {
     if (settings_.controlled() && !unseen_ && verdict_ != Verdict::failed)
         energy_monitor_.take(control_.kept_share(), state_.time);
     check_energy();
-    tell_error();
-    look_at_pairs();
-    look_at_shape();
+    end_step();
     return verdict_ != Verdict::failed;
 }
 
@@ -639,71 +632,9 @@ void Dynamics::control_step() {
     });
 }
 
-/// Now and then, and at the end: whether a pair is pressed beyond what two elements can show.
-void Dynamics::look_at_pairs() {
-    constexpr long looks = 20, most_between = 100;
-    if (verdict_ == Verdict::failed || !structure_->large()) return;
-    const long steps = size_.whole() / size_.own_length();
-    if (verdict_ == Verdict::running && steps_done() % std::clamp(steps / looks, 1L, most_between) != 0) return;
-    const std::string where = "at t = " + number_text(state_.time, 4) + " s";
-    warn(pairs_.beyond_euler(*structure_, state_, where));
-    if (!explicit_steps() && !settings_.conserving) warn(spin_.look(*structure_, state_, dt()));
-    // F on a middle node, and what loads between nodes pass on to it: the jump that they make in the shear forces
-    const auto load_on = [this](int node) -> Vec3 {
-        double jump[2] = {0, 0};
-        const auto at = structure_->elements_at(node);
-        for (int i : at) {
-            const Element& e = structure_->elements()[i];
-            const double side = e.node[1] == node ? 1 : -1;
-            const SectionForces whole = section_forces(i, side);
-            const Vec6& p = state_.force[i];
-            jump[0] -= side * (whole.Qx + (p[2] + p[3]) / e.length);
-            jump[1] -= side * (whole.Qy - (p[0] + p[1]) / e.length);
-        }
-        const Mat3 axes = axes_of(element_frame(*structure_, at[0], state_));
-        return w_.external[node].head<3>() + jump[0] * axes.col(0) + jump[1] * axes.col(1);
-    };
-    warn(pairs_.missed_moments(
-        *structure_, state_, load_on, [this](int element) { return largest_moment(element); }, where));
-    // Of slow motion alone: under a blow, or as it falls, a member does not sag as it would at rest.
-    constexpr double slow = 0.2;
-    const auto at_rest = [&](int node) -> Vec3 {
-        const Element& e = structure_->elements()[structure_->elements_at(node)[0]];
-        const Vec3 load = load_on(node), inertia = e.mass() * state_.acceleration[node].head<3>();
-        return inertia.norm() <= slow * load.norm() ? load : Vec3(Vec3::Zero());
-    };
-    warn(pairs_.missed_tension(*structure_, state_, at_rest, where));
-}
-
-/// Now and then: whether the structure could buckle in a way in which nothing moves it.
-void Dynamics::look_at_shape() {
-    if (verdict_ != Verdict::running || settings_.trial || !structure_->large()) return;
-    if (!shape_.due(state_, size_.whole() / size_.own_length(), steps_done())) return;
-    if (effects_->any(&EffectTraits::calls_script)) return;
-    warn(shape_.look(*this, "at t = " + number_text(state_.time, 4) + " s"));
-}
-
-/// Whatever energy_tolerance is: a run that completes with a large energy error, or had one on its way, warns of it.
-void Dynamics::tell_error() {
-    if (verdict_ != Verdict::completed || settings_.trial ||
-        structure_->model().options().shift == Shift::elastic_and_plastic)
-        return;
-    LargestEnergy largest = largest_energy_;
-    const double share = largest.share(energy(), accounts_);
-    const LargestError& worst = energy_monitor_.largest_error();
-    const bool large = !(std::abs(share) <= large_error);
-    if (!large && std::abs(worst.share) <= large_error) return;
-    char what[160];
-    if (large)
-        std::snprintf(what, sizeof what, "the energy error at the end of the run is %.3g %% of the largest energy",
-                      100 * share);
-    else
-        std::snprintf(what, sizeof what,
-                      "the energy error at t = %.4g s was %.3g %% of the largest energy up to then (at the end of the "
-                      "run %.3g %%)",
-                      worst.time, 100 * worst.share, 100 * share);
-    warn(RunWarning{what,
-                    "a shorter dt, dt = \"auto\" or more elements a member may make it smaller; see step_control"});
+double Dynamics::energy_error_share() const {
+    LargestEnergy largest = largest_energy_;  // it grows at the checks of the energy monitor alone
+    return largest.share(energy(), accounts_);
 }
 
 /// The largest error of explicit steps is that of a few steps, which the energy monitor may miss between two checks.
@@ -725,7 +656,6 @@ void Dynamics::check_energy() {
         lost = energy_monitor_.look(state_, energy(), accounts_, largest_energy_, running,
                                     EnergyMonitor::may_grow(tolerance()));
     if (!lost && !failed) return;
-    // a fold has advice of its own; no step helps against a load that is not finite
     if (!lost && (assembly_.folded() >= 0 || failure_.what.cause == Cause::load_not_finite)) return;
     RunFailure failure = failed ? failure_ : RunFailure{lost};
     if (lost && failed) failure.remarks.push_back({Remark::Kind::before, lost});
@@ -735,9 +665,6 @@ void Dynamics::check_energy() {
         failure.remarks.push_back(
             {Remark::Kind::went_back,
              {.value = energy_monitor_.lost()->good_share, .count = state_.step, .time = state_.time}});
-    fail(failure);
-    if (settings_.trial) return;
-    failure.advice = advice();
     fail(std::move(failure));
 }
 

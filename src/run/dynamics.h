@@ -7,9 +7,7 @@
 
 #include "run/energy_monitor.h"
 #include "run/integrator.h"
-#include "run/perfect_shape.h"
 #include "run/settings.h"
-#include "run/spinning.h"
 
 namespace hinge {
 
@@ -46,10 +44,17 @@ public:
     double shortest_taken() const { return size_.least_taken(); }  ///< s
     long rejected() const override { return size_.rejected(); }
     std::optional<double> shortest_controlled() const override;
+    long own_steps() const { return size_.whole() / size_.own_length(); }  ///< of length dt in the whole run
     bool explicit_steps() const { return settings_.explicit_steps(); }
     double largest_energy() const override { return largest_energy_.most(); }
     /// Of a run whose energy balance no longer closed: the moment at which this was seen.
     const LostBalance* lost() const override { return energy_monitor_.lost() ? &*energy_monitor_.lost() : nullptr; }
+    /// Of the state: the energy error as a part of the largest energy.
+    double energy_error_share() const;
+    const LargestError& largest_error() const { return energy_monitor_.largest_error(); }
+    /// The part of the largest energy that the balance may miss before the run ends, failed; 0: it never does.
+    double tolerance() const { return settings_.energy_tolerance.value_or(energy_may_miss()); }
+    const StepControl& step_control() const { return control_; }
     const Fastest& fastest() const { return integrator_->fastest; }
     const Fastest* fastest_node() const override { return fastest().node < 0 ? nullptr : &fastest(); }
     const Dynamics* dynamics() const override { return this; }
@@ -88,7 +93,6 @@ private:
     void control_step();
     bool is_abrupt();
     double motion_of_trial() const;
-    double tolerance() const { return settings_.energy_tolerance.value_or(energy_may_miss()); }
     bool calls_for_control() const;
     void commit();
     void break_elements();
@@ -102,19 +106,9 @@ private:
     void roll_back();
     bool again_shorter();
     Failure crushed() const;
-    struct Trial {
-        Remedy remedy;
-        std::optional<DynamicSettings> settings;  ///< to be tried; none where the model would be another one
-    };
-    std::vector<Trial> trials() const;
-    Advice advice() const;
-    std::optional<bool> holds(const Trial& trial, double from, double beyond, long& budget) const;
     double energy_may_miss() const;
     void check_energy();
     void look_between();
-    void tell_error();
-    void look_at_pairs();
-    void look_at_shape();
     void add_inertia_to_reactions();
     void must_be_solved(const SolveReport& report);
     void find_acceleration(std::vector<Vec6>& out_of_balance);
@@ -125,7 +119,8 @@ private:
 
     template <class Self, class A>
     static void fields(Self& s, A& a);
-    void read(std::string_view saved);
+    void save_run(std::string& to) const;  ///< without its watches
+    void read(Reader& reader);
     bool makes_sense() const;
 
     const DynamicSettings settings_;
@@ -140,8 +135,6 @@ private:
     EnergyMonitor energy_monitor_;
     StepControl control_;
     bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
-    FastSpin spin_;
-    PerfectShape shape_;
     Step step_;
     bool constraints_due_ = false;  ///< constraints have ended in the step
     bool anew_ = false;             ///< the next step begins with the acceleration found anew

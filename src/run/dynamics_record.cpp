@@ -64,8 +64,8 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.size_, s.spin_, s.shape_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force,
-      s.w_.supported, s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
+    a(s.size_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported,
+      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
     if constexpr (A::reading) s.energy_monitor_.make_room(s.state_);
     a(s.energy_monitor_);
     for (const auto& e : s.effects_->all)
@@ -77,6 +77,12 @@ void Dynamics::fields(Self& s, A& a) {
 }
 
 void Dynamics::save(std::string& to) const {
+    save_run(to);
+    Writer write(to);
+    save_watches(write);
+}
+
+void Dynamics::save_run(std::string& to) const {
     Writer write(to);
     fields(*this, write);
     write(assembly_);
@@ -85,35 +91,44 @@ void Dynamics::save(std::string& to) const {
 void Dynamics::restore(std::string_view saved) {
     std::string now;
     save(now);
+    const auto read_all = [this](std::string_view from) {
+        Reader reader(from);
+        read(reader);
+        restore_watches(reader);
+        reader.must(reader.rest().empty());
+    };
     try {
-        read(saved);
+        read_all(saved);
     } catch (...) {
-        read(now);
+        read_all(now);
         throw;
     }
 }
 
 /// All that a checkpoint would hold, but for what belongs to the run itself.
 void Dynamics::go_on_as(const Dynamics& before) {
-    std::string saved;
-    before.save(saved);
+    std::string saved, now;
+    before.save_run(saved), save_run(now);
     const Stages stages = stages_;
-    const std::vector<RunWarning> warnings = warnings_;
+    const std::vector<Notice> notices = notices_;
     const std::vector<Activation> activations = activations_;
-    const PressedPairs pairs = pairs_;
     const double its_error = before.energy().error;
     const StepSize size = size_;
     size_.lengthen(before.size_);
     try {
-        restore(saved);
+        Reader reader(saved);
+        read(reader);
     } catch (const Damaged&) {
+        Reader reader(now);
+        read(reader);
         size_ = size;
         return;
     }
+    watch_as(before);
     if (auto* records = state_.data.find<HingeRecords>(hinge_records))
         for (HingeRecord& hinge : records->list) ++hinge.runs_ago;
     if (auto* records = state_.data.find<JointRecords>(joint_records)) records->one_run_later();
-    stages_ = stages, warnings_ = warnings, activations_ = activations, pairs_ = pairs;
+    stages_ = stages, notices_ = notices, activations_ = activations;
     verdict_ = Verdict::running, failure_ = {};
     state_.step = first_step_ = breaks_ = 0;
     at_start_ = state_.accumulated;
@@ -132,8 +147,7 @@ void Dynamics::go_on_as(const Dynamics& before) {
     energy_monitor_.begin(state_);
 }
 
-void Dynamics::read(std::string_view saved) {
-    Reader reader(saved);
+void Dynamics::read(Reader& reader) {
     fields(*this, reader);
     reader.must(makes_sense());
     w_.trial = state_;
@@ -144,7 +158,6 @@ void Dynamics::read(std::string_view saved) {
     if (constraints_) constraints_->rebuild();
     assembly_.update_active(state_);
     reader(assembly_);
-    reader.must(reader.rest().empty());
 }
 
 /// Whether what was read fits the structure and its settings.
@@ -163,8 +176,11 @@ bool Dynamics::makes_sense() const {
     for (int n = 0; states && mass_.now() && structure_->lumped() && n < nodes; ++n)
         for (int c = 0; c < 6; ++c)
             held = held && (!(state_.held[n] >> c & 1) || mass_.now()->lumped_inverse()[n][c] == 0);
-    return states && lengths && held && hinge::makes_sense(failure_, *structure_) && size_.makes_sense() &&
-           sleepers_.size() == effects_->sleepers.size() && verdict_ >= Verdict::running &&
+    const auto good_notice = [&](const Notice& n) {
+        return n.kind == Notice::Kind::starts_beyond_yield && within(elements)(n.element);
+    };
+    return states && lengths && held && all(notices_, good_notice) && hinge::makes_sense(failure_, *structure_) &&
+           size_.makes_sense() && sleepers_.size() == effects_->sleepers.size() && verdict_ >= Verdict::running &&
            verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
            all(w_.yielding, [&](const PlasticIncrement& y) { return within(elements)(y.element); }) &&
            all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;

@@ -14,7 +14,7 @@
 #include "core/errors.h"
 #include "core/text.h"
 #include "run/constraints.h"
-#include "run/pressed_pairs.h"
+#include "run/pair_compression.h"
 #include "state/node_mass.h"
 
 namespace hinge {
@@ -230,7 +230,7 @@ public:
     double hidden() const {
         double most = 0;
         for (std::size_t i = 0; i + 1 < run_.structure().elements().size(); i += 2)
-            most = std::max(most, pressed(run_.structure(), state_, forces_, int(i)).most());
+            most = std::max(most, pair_compression(run_.structure(), state_, forces_, int(i)).most());
         return most > 0 ? 1 / most : std::numeric_limits<double>::infinity();
     }
     std::vector<Vec6> shape(const Eigen::VectorXd& x) const {
@@ -258,7 +258,7 @@ private:
         const std::vector<Element>& elements = run_.structure().elements();
         if (!run_.structure().p_delta()) return;
         for (std::size_t i = 0; i + 1 < elements.size(); i += 2) {
-            const PairCompression by = pressed(run_.structure(), state_, state_.force, int(i));
+            const PairCompression by = pair_compression(run_.structure(), state_, state_.force, int(i));
             for (const int plane : {0, 1}) {
                 constexpr double clamped = std::numbers::pi * std::numbers::pi;
                 const Element& e = elements[i];

@@ -40,7 +40,7 @@ struct BucklingMode {
 /// The lowest `count` factors up to `most` by which the internal forces of the run's state are to be multiplied for the
 /// structure, in its declared place, to buckle: where its tangent stiffness with these forces becomes singular. With
 /// p_delta = "member" by the exact stability functions, without a linearisation. What a pair of elements between
-/// clamped ends cannot show (pressed_pairs.h) ends the list: `hidden` is that factor, infinite where there is none.
+/// clamped ends cannot show (pair_compression.h) ends the list: `hidden` is that factor, infinite where there is none.
 struct BucklingModes {
     std::vector<BucklingMode> list;
     double hidden;

@@ -49,13 +49,7 @@ bool makes_sense(const Remark& r, const Structure& s) {
 }  // namespace
 
 bool makes_sense(const RunFailure& f, const Structure& s) {
-    const Advice& a = f.advice;
-    return makes_sense(f.what, s) &&
-           std::ranges::all_of(f.remarks, [&](const Remark& r) { return makes_sense(r, s); }) &&
-           is_one_of(a.kind, Advice::Kind::in_vain) && is_one_of(a.why, Advice::Untried::too_long) &&
-           a.element >= (a.kind == Advice::Kind::more_nodes ? 0 : -1) && a.element < int(s.elements().size()) &&
-           std::ranges::all_of(a.remedies,
-                               [](const Remedy& r) { return is_one_of(r.kind, Remedy::Kind::explicit_steps); });
+    return makes_sense(f.what, s) && std::ranges::all_of(f.remarks, [&](const Remark& r) { return makes_sense(r, s); });
 }
 
 }  // namespace hinge

@@ -166,31 +166,6 @@ std::string text_of(const Remark& r, const Structure& s) {
     }
 }
 
-std::string text_of(const Advice& a, const Structure& s) {
-    static constexpr const char* untried[] = {"it needs another model", "it would call functions of the script",
-                                              "no good state is kept", "a trial would take too long"};
-    std::string remedies;
-    for (const Remedy& r : a.remedies) remedies += (remedies.empty() ? "" : ", ") + text_of(r);
-    switch (a.kind) {
-        case Advice::Kind::none: return {};
-        case Advice::Kind::more_nodes:
-            return "; " + s.element_name(a.element) + " yields by the loads between its nodes alone: their fixed-end " +
-                   "forces are " + number_text(a.value, 3) +
-                   " times what it can carry. Where they act at once no shorter step helps; give the member more "
-                   "elements, with a node where a point load acts, or let the load grow over a time (history)";
-        case Advice::Kind::untried: return "; " + remedies + " may hold (not tried: " + untried[int(a.why)] + ")";
-        case Advice::Kind::holds:
-            return "; " + remedies + " holds: tried from t = " + number_text(a.from, 4) + " s to " +
-                   number_text(a.to, 4) + " s";
-        default: {
-            std::string text = "; tried in vain from t = " + number_text(a.from, 4) + " s: " + remedies;
-            for (const Remedy& r : a.left)
-                text += "; " + text_of(r) + " may hold (not tried: a trial would take too long)";
-            return text;
-        }
-    }
-}
-
 }  // namespace
 
 const char* word(Cause cause) {
@@ -225,22 +200,6 @@ std::string text_of(const Failure& f, const Structure& s) {
     return at + sentence_of(f, s);
 }
 
-std::string text_of(const Remedy& r) {
-    switch (r.kind) {
-        case Remedy::Kind::more_elements: return "more elements a member";
-        case Remedy::Kind::more_elements_conserving:
-            return "more elements a member together with integrator = 'energy-momentum'";
-        case Remedy::Kind::direct_solver: return "solver = 'direct'";
-        case Remedy::Kind::iterations: return "iterations = " + number_text(r.value, 3);
-        case Remedy::Kind::step_control: return "step_control = " + number_text(r.value, 3);
-        case Remedy::Kind::automatic_dt: return "dt = 'auto'";
-        case Remedy::Kind::dt: return "dt = " + number_text(r.value, 3);
-        case Remedy::Kind::energy_momentum: return "integrator = 'energy-momentum'";
-        case Remedy::Kind::rho_infinity: return "rho_infinity = " + number_text(r.value, 3);
-        default: return "integrator = 'explicit' with dt = 'auto'";
-    }
-}
-
 std::string text_of(const RunFailure& failure, const Structure& structure) {
     return text_of(failure.what, structure) + text_of_rest(failure, structure, false);
 }
@@ -250,7 +209,7 @@ std::string text_of_rest(const RunFailure& failure, const Structure& structure, 
     if (!brief) text += advice_of(failure.what);
     for (const Remark& r : failure.remarks)
         if (!brief || is_brief(r.kind)) text += text_of(r, structure);
-    return brief ? text : text + text_of(failure.advice, structure);
+    return text;
 }
 
 }  // namespace hinge

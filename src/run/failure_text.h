@@ -13,12 +13,11 @@ const char* word(Cause cause);
 
 /// "step 3, t = 0.02 s: the load on node 4 ... is not finite". Unstable statics: Statics::text_of_cause.
 std::string text_of(const Failure& failure, const Structure& structure);
-std::string text_of(const Remedy& remedy);
 
-/// All of it: the sentence, remarks and advice.
+/// All of it: the sentence and remarks.
 std::string text_of(const RunFailure& failure, const Structure& structure);
 
-/// Remarks and advice that follow the sentence of the cause; `brief`: no more than where the structure gives way.
+/// Remarks that follow the sentence of the cause; `brief`: no more than where the structure gives way.
 std::string text_of_rest(const RunFailure& failure, const Structure& structure, bool brief);
 
 }  // namespace hinge

@@ -140,14 +140,38 @@ std::string Run::brief_reason() const {
     return text_of_cause(failure_.what) + text_of_rest(failure_, *structure_, true);
 }
 
-void Run::warn(std::optional<RunWarning> warning) {
-    if (warning) warnings_.push_back(std::move(*warning));
+void Run::call_watches(const Step& step) {
+    for (const auto& watch : watches_) watch->after_commit(*this, step);
 }
 
-std::vector<RunWarning> Run::findings() const {
-    std::vector<RunWarning> list;
-    for (const auto& checker : effects_->run_checkers) checker->check_run(list);
-    return list;
+void Run::save_watches(Writer& to) const {
+    to(long(watches_.size()));
+    for (const auto& watch : watches_) watch->save(to);
+}
+
+void Run::restore_watches(Reader& from) {
+    long count = 0;
+    from(count);
+    from.must(count == long(watches_.size()));
+    for (const auto& watch : watches_) watch->restore(from);
+    for (const auto& watch : watches_) from.must(watch->fits(*this));
+}
+
+void Run::watch_as(const Run& before) {
+    for (std::size_t i = 0; watches_.size() == before.watches_.size() && i < watches_.size(); ++i) {
+        if (!watches_[i]->goes_on()) continue;
+        std::string bytes;
+        Writer to(bytes);
+        before.watches_[i]->save(to);
+        Reader from(bytes);
+        watches_[i]->restore(from);
+    }
+}
+
+void Run::end_step() {
+    for (const auto& watch : watches_) watch->after_step(*this);
+    if (verdict_ == Verdict::running) return;
+    for (const auto& watch : watches_) watch->finish(*this);
 }
 
 Vec6 Run::displacement(int node) const {
@@ -195,11 +219,6 @@ std::vector<ShownLoad> Run::shown_loads() const {
     std::vector<ShownLoad> loads;
     for (const auto& load : effects_->loads) load->show_loads(loads);
     return loads;
-}
-
-Eigen::Vector2d Run::largest_moment(int element) const {
-    const SectionForces a = section_forces(element, -1), b = section_forces(element, 1);
-    return {std::max(std::abs(a.Mx), std::abs(b.Mx)), std::max(std::abs(a.My), std::abs(b.My))};
 }
 
 double Run::yield_value(int element, double r) const {

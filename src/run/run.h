@@ -13,8 +13,9 @@
 #include "effects/workspace.h"
 #include "run/constraints.h"
 #include "run/failure_text.h"
-#include "run/pressed_pairs.h"
+#include "run/notice.h"
 #include "run/run_report.h"
+#include "run/watch.h"
 
 namespace hinge {
 
@@ -42,9 +43,10 @@ public:
 
     void stop();  ///< the script has seen enough
     Verdict verdict() const { return verdict_; }
-    /// In words: why it failed, or what is to be said of its end; "" for nothing. Nothing reads that back.
+    /// In words: why it failed, or what is to be said of its end; "" for nothing. Nothing reads that back. What may
+    /// help is reason_with_advice (advice/adviser.h).
     std::string reason() const;
-    /// The same of a run that failed or reached a limit load, without advice.
+    /// The same of a run that failed or reached a limit load, no more than where the structure gives way.
     std::string brief_reason() const;
     /// Null for a run that has not failed.
     const RunFailure* failure() const { return verdict_ == Verdict::failed ? &failure_ : nullptr; }
@@ -77,10 +79,14 @@ public:
         }
     };
     const std::vector<Activation>& activations() const { return activations_; }
-    /// What it cannot show, or may have passed over; each once.
-    const std::vector<RunWarning>& warnings() const { return warnings_; }
-    /// What effects have to say of the run as a whole, up to now.
-    std::vector<RunWarning> findings() const;
+    /// What it has seen that its results do not show.
+    const std::vector<Notice>& notices() const { return notices_; }
+    /// Before the first step: calls the watch from then on.
+    void attach(std::unique_ptr<Watch> watch) { watches_.push_back(std::move(watch)); }
+    const std::vector<std::unique_ptr<Watch>>& watches() const { return watches_; }
+    /// What its stages and effects work on.
+    const Workspace& workspace() const { return w_; }
+    const EffectList& effect_list() const { return *effects_; }
     long breaks() const { return breaks_; }  ///< elements that broke in this run
     /// What broke in the step done last, with its cause.
     virtual std::span<const Break> broken_last() const { return {}; }
@@ -112,9 +118,13 @@ protected:
     virtual std::string text_of_cause(const Failure& failure) const { return text_of(failure, *structure_); }
     /// What is to be said of a run that has completed; "" for nothing.
     virtual std::string reason_at_end() const { return {}; }
-    void warn(std::optional<RunWarning> warning);
+    void note(const Notice& notice) { notices_.push_back(notice); }
+    void call_watches(const Step& step);  ///< after a commit
+    void end_step();                      ///< calls the watches where advance() ends
+    void save_watches(Writer& to) const;
+    void restore_watches(Reader& from);
+    void watch_as(const Run& before);  ///< watches that go on where this run goes on as another
     void begin_constraints();
-    Eigen::Vector2d largest_moment(int element) const;  ///< about x and about y, at either end, N m
     Energy energy_of(const State& state) const;
 
     // Host: what a static run has no use for does nothing.
@@ -137,7 +147,7 @@ protected:
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.state_, s.initial_, s.at_start_, s.reaction_, s.verdict_, s.failure_, s.activations_, s.first_step_,
-          s.breaks_, s.warnings_, s.pairs_);
+          s.breaks_, s.notices_);
     }
 
     std::shared_ptr<const Structure> structure_;
@@ -153,8 +163,8 @@ protected:
     Accounts at_start_;   ///< what had been added up before this run
     Verdict verdict_ = Verdict::running;
     std::vector<Activation> activations_;
-    std::vector<RunWarning> warnings_;
-    PressedPairs pairs_;
+    std::vector<Notice> notices_;
+    std::vector<std::unique_ptr<Watch>> watches_;
     RunFailure failure_;  ///< of statics also what ended it at a limit load
     long first_step_, breaks_ = 0;
 };

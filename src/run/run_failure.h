@@ -1,4 +1,4 @@
-// What is known of a run that has failed: the failure itself, what else was seen, and what may help.
+// What is known of a run that has failed: the failure itself, and what else was seen.
 #pragma once
 
 #include <vector>
@@ -42,57 +42,12 @@ struct Remark {
     }
 };
 
-/// Another setting of a dynamic run, which may hold where the run's own has not.
-struct Remedy {
-    enum class Kind : int {
-        more_elements,
-        more_elements_conserving,  ///< together with the energy-momentum method
-        direct_solver,
-        iterations,    ///< value
-        step_control,  ///< value
-        automatic_dt,
-        dt,  ///< value, s
-        energy_momentum,
-        rho_infinity,  ///< value
-        explicit_steps,
-    };
-    Kind kind = Kind::more_elements;
-    double value = 0;
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.kind, s.value);
-    }
-};
-
-/// What a failed dynamic run advises.
-struct Advice {
-    enum class Kind : int {
-        none,
-        more_nodes,  ///< element: it yields by the loads between its nodes alone; value: times what it can carry
-        untried,     ///< the first remedy, and why it was not tried
-        holds,       ///< the last remedy, tried from one time to another
-        in_vain,     ///< all of them
-    };
-    enum class Untried : int { other_model, calls_script, no_good_state, too_long };
-    Kind kind = Kind::none;
-    Untried why = Untried::other_model;
-    int element = -1;
-    double value = 0, from = 0, to = 0;  ///< from, to: s
-    std::vector<Remedy> remedies = {};
-    std::vector<Remedy> left = {};  ///< with in_vain: the first that could not be tried in the time
-    template <class Self, class A>
-    static void fields(Self& s, A& a) {
-        a(s.kind, s.why, s.element, s.value, s.from, s.to, s.remedies, s.left);
-    }
-};
-
 struct RunFailure {
     Failure what = {};
     std::vector<Remark> remarks = {};
-    Advice advice = {};
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.what, s.remarks, s.advice);
+        a(s.what, s.remarks);
     }
 };
 

@@ -50,9 +50,8 @@ struct DynamicSettings {
     bool controlled_by_default = false;
     static constexpr double default_control = 1e-3;
     void control(double by) { step_control = by, controlled_by_default = false; }
-    bool rest = true;    ///< bodies at rest are left alone until something reaches them
-    bool trial = false;  ///< a short trial of other settings: it names no remedy itself
-    int threads = 1;     ///< how many share the work of a step; the bits are the same for any number
+    bool rest = true;  ///< bodies at rest are left alone until something reaches them
+    int threads = 1;   ///< how many share the work of a step; the bits are the same for any number
     SolverSettings solver;
 
     bool explicit_steps() const { return beta == 0; }

@@ -218,7 +218,7 @@ std::string text_of(const Instability& i, const Structure& structure) {
 
 /// Whether a run stops at a plateau or a snap, or passes it, is a matter of its steps. So it is where Newton's method
 /// has come by unstable tangents, and the run goes on all the same.
-std::optional<RunWarning> StabilityMonitor::check_for_snap(double increment) {
+std::optional<Notice> StabilityMonitor::find_snap(double increment) {
     if (snap_told_ || !w_.structure.large()) return {};
     const std::vector<Vec6>& moved = newton_.result().displacements;
     std::size_t node = 0;
@@ -233,17 +233,14 @@ std::optional<RunWarning> StabilityMonitor::check_for_snap(double increment) {
     const bool far = times > far_times && most > far_part * problem_.reach;
     if (!far && !may_have_snapped_) return {};
     snap_told_ = true;
-    std::string what = "between load factors " + number_text(w_.state.factor) + " and " + number_text(w_.factor) + " ";
-    what += far ? component_name(component) + (" of " + w_.structure.node_name(int(node))) + " changes by " +
-                      number_text(moved[node][component], 3) + " m, and the structure moves " +
-                      number_text(std::round(times), 9) + " times as far as under such a load at first"
-                : std::string("the run may have leapt to another branch of equilibria");
-    const std::string advice =
-        "a limit load may lie there, or a snap, at which a static run with other steps may end; control by "
-        "displacement or arc length follows the path";
-    const bool plastic = newton_.yields();
-    return RunWarning{
-        what, advice + (plastic ? ", displacement = 'small' gives the plastic limit load whatever the steps" : ""), -1};
+    return Notice{.kind = far ? Notice::Kind::snap : Notice::Kind::left_branch,
+                  .node = int(node),
+                  .component = component,
+                  .value = moved[node][component],
+                  .times = times,
+                  .from = w_.state.factor,
+                  .to = w_.factor,
+                  .plastic = newton_.yields()};
 }
 
 }  // namespace hinge

@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "effects/reports.h"
 #include "run/newton.h"
+#include "run/notice.h"
 
 namespace hinge {
 
@@ -83,8 +83,8 @@ public:
     void accept_modes(int modes) { most_modes_ = modes; }
     void count_ways(int modes) { instability_->count = modes - modes_at_start_; }
 
-    /// Under load control: a warning if the step that was tried may have snapped, once in a run.
-    std::optional<RunWarning> check_for_snap(double increment);
+    /// Under load control: whether the step that was tried may have snapped; once in a run.
+    std::optional<Notice> find_snap(double increment);
 
     const std::optional<Instability>& instability() const { return instability_; }
     const std::optional<double>& branching() const { return branching_; }  ///< load factor

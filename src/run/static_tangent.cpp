@@ -7,7 +7,7 @@
 #include "core/errors.h"
 #include "run/constraints.h"
 #include "run/effect_forces.h"
-#include "run/pressed_pairs.h"
+#include "run/pair_compression.h"
 #include "run/yield_tangents.h"
 
 namespace hinge {
@@ -156,7 +156,7 @@ int StaticTangent::modes_within_pairs() {
     double worst = 1;
     overloaded_member_ = -1;
     for (std::size_t i = 0; i + 1 < w_.structure.elements().size(); i += 2) {
-        for (const double part : pressed(w_.structure, w_.state, w_.force, int(i)).part) {
+        for (const double part : pair_compression(w_.structure, w_.state, w_.force, int(i)).part) {
             if (!(part > 1)) continue;
             ++modes;
             if (part > worst) worst = part, overloaded_member_ = w_.structure.elements()[i].member;

@@ -52,14 +52,11 @@ bool Statics::advance() {
     const long substeps_before = substeps_;
     halving_.begin_step(1 - part_done());
     while (halving_.left() > 0 && verdict_ == Verdict::running) take_substep();
-    if (substeps_ == substeps_before) return false;
-    ++state_.step;
-    if (verdict_ == Verdict::running && is_over()) {
-        verdict_ = Verdict::completed;
-        warn_if_nothing_acts();
-    }
-    if (verdict_ != Verdict::failed) warn_of_missed_moments();
-    return true;
+    const bool moved = substeps_ != substeps_before;
+    if (moved) ++state_.step;
+    if (moved && verdict_ == Verdict::running && is_over()) verdict_ = Verdict::completed;
+    end_step();
+    return moved;
 }
 
 /// From one equilibrium to the next.
@@ -69,7 +66,8 @@ void Statics::take_substep() {
     if (path_->reaches_target(state_.factor, w_.factor)) substep = step_to_target(*substep);
     stability_.accept_branching(*path_);
     if (stability_.has_more_modes() && !pass_instability(*substep)) return;
-    if (path_->kind() == Control::load) warn(stability_.check_for_snap(substep->increment));
+    if (path_->kind() == Control::load)
+        if (const auto snap = stability_.find_snap(substep->increment)) note(*snap);
     branches_left_ = 0;
     commit(*substep);
 }
@@ -225,6 +223,7 @@ void Statics::commit_state() {
     to_unheld_ = 0;
     if (constraints_) constraints_->commit();
     for (const auto& e : effects_->all) e->after_commit(step);
+    call_watches(step);
     tangent_.commit(w_.points_moved);
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     ++substeps_;

@@ -39,6 +39,8 @@ public:
     }
     /// Of the instability: where, how many, by what motion and in which members; "" for none.
     std::string instability_text() const override { return instability() ? text_of(*instability(), *structure_) : ""; }
+    /// Force and moment of the loads on a node where the state is, N and N m.
+    Vec6 load_on(int node) const { return forces_.load(std::size_t(node), state_.factor); }
     /// The part of the way to factor 1, to the target, or of the steps, that is done: 0 to 1.
     double part_done() const override { return path_->part_done(state_.factor, steps_done()); }
     std::string way_done() const override;
@@ -75,7 +77,6 @@ private:
     bool goes_on_before_leap(double part) const;
     std::vector<int> slack_elements() const;
     bool leans_on_slack_members();
-    RunWarning warning_of_lean(const Instability& upright, int member) const;
 
     // statics_ends.cpp: the end of a run
     void end_at_limit(const Failure& why);
@@ -87,8 +88,6 @@ private:
     std::vector<Remark> remarks_under_load();
     Remark control_that_goes_on(bool unstable);
     std::vector<Remark> remarks_when_driven();
-    void warn_of_missed_moments();
-    void warn_if_nothing_acts();
 
     // statics_refusals.cpp: what is refused before a run begins
     std::unique_ptr<PathControl> make_path() const;

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/rotation.h"
-#include "core/text.h"
 #include "run/statics.h"
 
 namespace hinge {
@@ -59,18 +58,6 @@ std::vector<int> Statics::slack_elements() const {
     return list;
 }
 
-/// `member`: the one that holds the structure where it leans.
-RunWarning Statics::warning_of_lean(const Instability& upright, int member) const {
-    const std::string name = "member " + std::to_string(member + 1);
-    return {
-        "beyond load factor " + number_text(upright.factor) + " " + name +
-            " and others that carry one sign of N alone are slack, and nothing holds " +
-            structure_->node_name(upright.node) + " upright, " + component_name(upright.component) +
-            ": the structure leans over until " + name + " holds it",
-        "a perfect structure may lean either way; a small load across, or model:imperfection { sway = }, says which",
-        member};
-}
-
 /// A bay whose crossed rods are slack stands upright only if it is perfect. It leans over until one of them is taut, by
 /// what the loads have shortened it, and is held there. Goes on from that equilibrium where it is found, to the side of
 /// the positive axis first. False where nothing slack would hold the structure.
@@ -92,7 +79,11 @@ bool Statics::leans_on_slack_members() {
                                  to[std::size_t(upright.node)][upright.component];
             const auto holds = std::find_if(slack.begin(), slack.end(), [&](int e) { return w_.force[e][4] != 0; });
             if (holds == slack.end() || !(side * moved > 0)) continue;
-            warn(warning_of_lean(upright, structure_->elements()[std::size_t(*holds)].member));
+            note({.kind = Notice::Kind::leans,
+                  .node = upright.node,
+                  .component = upright.component,
+                  .member = structure_->elements()[std::size_t(*holds)].member,
+                  .from = upright.factor});
             stability_.forget_instability();
             commit({path_.get(), increment});
             return true;

@@ -78,30 +78,6 @@ std::string Statics::reason_at_end() const {
                      : std::string("can be held, but another may be the one that the structure goes to"));
 }
 
-/// A pair of elements that is pressed so much that it misses moments of the loads along it.
-void Statics::warn_of_missed_moments() {
-    warn(pairs_.missed_moments(
-        *structure_, state_,
-        [this](int node) -> Vec3 { return forces_.load(std::size_t(node), state_.factor).head<3>(); },
-        [this](int element) { return largest_moment(element); }, "at load factor " + number_text(state_.factor)));
-    warn(pairs_.missed_tension(
-        *structure_, state_,
-        [this](int node) -> Vec3 { return forces_.load(std::size_t(node), state_.factor).head<3>(); },
-        "at load factor " + number_text(state_.factor)));
-    warn(pairs_.stiffer_than_beam(*structure_, state_));
-}
-
-/// A run whose results are all 0, since a load or a load case was forgotten.
-void Statics::warn_if_nothing_acts() {
-    for (std::size_t i = 0; i < state_.displacement.size(); ++i)
-        if (!displacement(int(i)).isZero(0) || !forces_.load(i, state_.factor).isZero(0)) return;
-    for (const Vec6& p : state_.force)
-        if (!p.isZero(0)) return;
-    warn(RunWarning{"nothing acts in this run: no load, no weight, no settlement, no heat",
-                    "declare a load with model:load, or the weight with model:gravity, and see that its load case is "
-                    "among those of the run"});
-}
-
 /// True where the last try was given up if the loads move the structure far more than they did at first.
 bool Statics::is_soft() const { return newton_.softness() > soft * newton_.first_softness(); }
 

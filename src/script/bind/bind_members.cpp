@@ -6,7 +6,7 @@
 #include "section/section_outline.h"
 #include "script/bind/bind_joints.h"
 #include "script/bind/material_laws.h"
-#include "advice/size_notice.h"
+#include "record/told_warnings.h"
 #include "script/bind/model_methods.h"
 #include "script/bind/value_box.h"
 #include "script/lua/context.h"

@@ -7,7 +7,7 @@
 #include "run/eigenmodes.h"
 #include "run/statics.h"
 #include "script/bind/mode_box.h"
-#include "advice/check.h"
+#include "record/told_warnings.h"
 #include "record/snapshot.h"
 #include "script/bind/modules.h"
 #include "script/bind/snapshot_box.h"

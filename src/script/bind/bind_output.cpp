@@ -5,7 +5,6 @@
 #include "core/files.h"
 #include "core/text.h"
 #include "record/chain.h"
-#include "advice/check.h"
 #include "record/events.h"
 #include "record/folder_lock.h"
 #include "record/folders.h"

@@ -9,6 +9,8 @@
 #include "record/element_events.h"
 #include "script/bind/run_fields.h"
 #include "advice/plan.h"
+#include "record/summary.h"
+#include "record/told_warnings.h"
 #include "script/lua/probe_list.h"
 #include "record/recording.h"
 #include "record/snapshot.h"
@@ -46,7 +48,7 @@ int make_run(lua_State* L, std::shared_ptr<Run> run, std::shared_ptr<ScriptModel
     }
     record->asked_at = where(L);
     if (c->mode.planning)
-        if (const std::string plan = c->mode.checking ? checked_run(*record) : plan_of(*record);
+        if (const std::string plan = c->mode.checking ? checked_run(*record) : plan_of(*record, effects_of(*record));
             c->messages.described.insert(plan).second) {
             std::printf("%s", plan.c_str());
             if (!c->mode.checking) {

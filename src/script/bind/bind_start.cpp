@@ -7,7 +7,7 @@
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/bind/static_settings.h"
-#include "advice/check.h"
+#include "script/bind/mode_box.h"
 #include "advice/load_warnings.h"
 #include "effects/all_effects.h"
 #include "effects/contact.h"
@@ -16,9 +16,11 @@
 #include "effects/removal.h"
 #include "run/checkpoint.h"
 #include "run/dynamics.h"
+#include "advice/adviser.h"
 #include "run/go_on.h"
 #include "run/element_count.h"
 #include "advice/size_notice.h"
+#include "record/told_warnings.h"
 #include "core/text.h"
 #include "run/statics.h"
 #include "script/bind/model_methods.h"
@@ -147,13 +149,15 @@ int static_run(lua_State* L) {
     State start = start_state(o, *structure, before);
     refuse_static_start(*m, *structure, start, before != nullptr);
     context(L)->running = L;
-    weigh_static(*context(L), *structure, s.steps);
+    if (!context(L)->mode.planning) tell_notice(*context(L), static_notice(*structure, s.steps));
     try {
         std::vector<Warning> likely_mistakes = empty_cases(*m, m->gravity_case.value_or(-1), choice, where(L));
         for (Warning& w : floors_twice(*structure)) likely_mistakes.push_back(std::move(w));
         for (Warning& w : loads_beside_hinges(*structure)) likely_mistakes.push_back(std::move(w));
         for (Warning& w : heated_without_curve(*structure)) likely_mistakes.push_back(std::move(w));
-        make_run(L, std::make_shared<Statics>(structure, std::move(start), s), m, every, std::move(likely_mistakes));
+        auto run = std::make_shared<Statics>(structure, std::move(start), s);
+        advise(*run);
+        make_run(L, std::move(run), m, every, std::move(likely_mistakes));
         return chain.keep(L);
     } catch (const InputError& e) { throw InputError(std::string("model:static: ") + e.what()); }
 }
@@ -271,10 +275,11 @@ int dynamic_run(lua_State* L) {
     context(L)->running = L;
     std::vector<Warning> likely_mistakes = empty_cases(*m, m->gravity_case.value_or(-1), choice, where(L));
     for (Warning& w : mistakes_in_dynamics(L, *structure, start, before, s)) likely_mistakes.push_back(std::move(w));
-    weigh_dynamic(*context(L), *structure);
+    if (!context(L)->mode.planning) tell_notice(*context(L), dynamic_notice(*structure));
     const Dynamics* goes_on = before ? std::as_const(*before->run).dynamics() : nullptr;
     if (goes_on && start.velocity != goes_on->state().velocity) goes_on = nullptr;  // some were given since
     auto run = std::make_shared<Dynamics>(structure, std::move(start), s);
+    advise(*run);
     if (goes_on) go_on(*run, *goes_on);
     const long planned = std::llround(s.duration / run->settings().dt);
     const int every = record_every(o, int(std::max(1L, planned / 500)));

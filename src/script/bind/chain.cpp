@@ -1,6 +1,6 @@
 #include "script/bind/chain.h"
 
-#include "advice/check.h"
+#include "record/told_warnings.h"
 
 namespace hinge::script {
 
@@ -13,7 +13,7 @@ Chain::Chain(Options& o, const RunRecord* before) : allowed_(o.flag("allow_faile
     weak_ = weak_link(*before);
     if (weak_.empty()) return;
     if (allowed_) c.runs.asked.insert(before->number);
-    Warning w;
+    Warning w{.kind = Warning::Kind::chain};
     w.what = "this run goes on from " + weak_;
     w.advice = allowed_
                    ? "allow_failed = true accepts that"

@@ -8,8 +8,8 @@
 #include "effects/contact.h"
 #include "run/dynamics.h"
 #include "run/statics.h"
+#include "advice/adviser.h"
 #include "record/chain.h"
-#include "advice/check.h"
 #include "record/recording.h"
 #include "script/bind/run_box.h"
 
@@ -56,7 +56,7 @@ void push_cases(lua_State* L, const ScriptRun& r) {
 void push_verdict(lua_State* L, const ScriptRun& r) { lua_pushstring(L, name(verdict_of(r))); }
 
 void push_reason(lua_State* L, const ScriptRun& r) {
-    lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? r.run->reason() : reason_of(r)).c_str());
+    lua_pushstring(L, (verdict_of(r) == r.run->verdict() ? reason_with_advice(*r.run) : reason_of(r)).c_str());
 }
 
 /// Sets what a failure is about, and its numbers, in the table on top of the stack.
@@ -103,8 +103,8 @@ void push_warnings(lua_State* L, const ScriptRun& r) {
     int i = 0;
     const auto add = [&](const std::string& text) { lua_pushstring(L, text.c_str()), lua_rawseti(L, -2, ++i); };
     if (!r.weak.empty()) add("goes on from " + r.weak);
-    for (const auto& list : {r.run->warnings(), r.run->findings()})
-        for (const RunWarning& w : list) add(warning_text(warning_of(*r.run, w)));
+    for (const auto& list : {warnings_of(*r.run), findings_of(*r.run)})
+        for (const Warning& w : list) add(warning_text(w));
 }
 
 void push_contacts(lua_State* L, const ScriptRun& r) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "effects/fracture_rule.h"
-#include "effects/reports.h"
+#include "advice/warning.h"
 #include "state/state.h"
 
 namespace hinge {
@@ -10,6 +10,6 @@ namespace hinge {
 /// Adds a line for each rule with a limit of curvature for members that have yielded, or, without a state, that can
 /// yield: the hinge rotation that it means in elements of their lengths. Members that have not yielded have no hinge:
 /// there a curvature is M / (E I).
-void name_curvature_limits(const Structure& structure, const State* state, std::vector<RunWarning>& list);
+void name_curvature_limits(const Structure& structure, const State* state, std::vector<Warning>& list);
 
 }  // namespace hinge

@@ -1,14 +1,14 @@
-// Warns of bodies that fell below the lowest support where no ground is declared that they could land on, and of
+// Bodies that fell below the lowest support where no ground is declared that they could land on, and of
 // columns that fell over to below their own support.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "advice/adviser.h"
 #include "core/text.h"
 #include "effects/declared.h"
 #include "effects/ground.h"
 #include "effects/joined_bodies.h"
-#include "effects/kinds.h"
 #include "model/member_text.h"
 
 namespace hinge {
@@ -21,12 +21,12 @@ bool carries(std::uint8_t held, const Vec3& gravity) {
     return false;
 }
 
-/// Looks at the state alone, where the run ends and whenever a script reads run.warnings.
-class FallenBodies : public Effect, public RunChecker {
+/// Reads the state alone.
+class FallenBodies : public Adviser {
 public:
-    FallenBodies(Workspace& w, Host& host) : Effect("fallen bodies", w, host, {.mean_forces = true}) {}
+    explicit FallenBodies(const Workspace& w) : w_(w) {}
 
-    void check_run(std::vector<RunWarning>& list) const override {
+    void list_findings(const Run&, std::vector<Warning>& list) const override {
         const Vec3 gravity = *declared_gravity(w_.structure.model()), down = gravity.normalized();
         const double lowest = lowest_support(gravity);
         const Bodies bodies = joined_bodies(w_.structure, w_.state);
@@ -47,8 +47,8 @@ public:
             if (of[b].member < 0) of[b].member = element.member;
             of[b].has_ground = of[b].has_ground || lands(element.member);
         }
-        tell(of, carried, lowest, gravity.norm(), list);
-        tell_of_columns(down, list);
+        warn_of_bodies(of, carried, lowest, gravity.norm(), list);
+        warn_of_columns(down, list);
     }
 
 private:
@@ -74,7 +74,7 @@ private:
     }
     /// Columns that stood on a support within 45 degrees of upright and whose heads are now below it, by more than
     /// their half depth: they went through the ground that they stood on.
-    void tell_of_columns(const Vec3& down, std::vector<RunWarning>& list) const {
+    void warn_of_columns(const Vec3& down, std::vector<Warning>& list) const {
         const Model& model = w_.structure.model();
         std::vector<char> broken(model.members().size(), 0);
         std::vector<double> radius(model.members().size(), 0);
@@ -95,10 +95,11 @@ private:
         if (worst < 0) return;
         const std::string others = count > 1 ? " and " + count_text(count - 1, "more member") : "";
         list.push_back(
-            {member_text(model, worst) + others + " fell over, to " + number_text(deepest, 3) +
+            {Warning::Kind::contact,
+             member_text(model, worst) + others + " fell over, to " + number_text(deepest, 3) +
                  " m below the support that " +
                  (count > 1 ? "they stood on, and no ground is for them" : "it stood on, and no ground is for it"),
-             "model:ground {} catches what falls", worst});
+             "model:ground {} catches what falls", line_of_member(model, worst)});
     }
     /// How far the head of a column is below its support now, m; negative for what was no column on a support.
     double below_its_support(const MemberData& member, const Vec3& down) const {
@@ -123,8 +124,8 @@ private:
     /// What lies on members that sag is below their supports, too, but does not fall: free fall from the supports down
     /// to this depth has a speed of sqrt(2 g depth) at least.
     static bool falls(double speed, double depth, double g) { return speed > 0.5 * std::sqrt(2 * g * depth); }
-    void tell(const std::vector<Body>& bodies, const std::vector<char>& carried, double lowest, double gravity,
-              std::vector<RunWarning>& list) const {
+    void warn_of_bodies(const std::vector<Body>& bodies, const std::vector<char>& carried, double lowest,
+                        double gravity, std::vector<Warning>& list) const {
         int count = 0, worst = -1;
         double deepest = 0;
         for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -137,12 +138,16 @@ private:
         }
         if (worst < 0) return;
         const bool any = !w_.structure.model().declared<GroundPlane>(ground_effect).empty();
-        list.push_back({(count == 1 ? "a body fell" : std::to_string(count) + " bodies fell") +
+        list.push_back({Warning::Kind::contact,
+                        (count == 1 ? "a body fell" : std::to_string(count) + " bodies fell") +
                             " below the lowest support, that of " + member_text(w_.structure.model(), worst) + " by " +
                             number_text(deepest, 3) + " m at the end, and " +
                             (any ? "no ground is for them" : "no ground is declared"),
-                        "model:ground {} catches what falls; model:contact lets it land on other members", worst});
+                        "model:ground {} catches what falls; model:contact lets it land on other members",
+                        line_of_member(w_.structure.model(), worst)});
     }
+
+    const Workspace& w_;
 };
 
 bool joins_ground(const Model& model) {
@@ -150,7 +155,7 @@ bool joins_ground(const Model& model) {
     return std::any_of(links.begin(), links.end(), [](const NodeLink& link) { return link.a < 0; });
 }
 
-bool is_needed(const Structure& s) {
+bool may_fall_below_supports(const Structure& s) {
     const Model& model = s.model();
     const auto gravity = declared_gravity(model);
     const auto& planes = model.declared<GroundPlane>(ground_effect);
@@ -163,13 +168,9 @@ bool is_needed(const Structure& s) {
 
 }  // namespace
 
-EffectKind fallen_bodies_kind() {
-    return {.name = "fallen bodies",
-            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!is_needed(w.structure)) return nullptr;
-                return std::make_unique<FallenBodies>(w, host);
-            },
-            .dynamic_only = true};
+std::unique_ptr<Adviser> advise_of_fallen_bodies(const Run& run, WarningLog&) {
+    if (!run.workspace().kind.dynamic || !may_fall_below_supports(run.structure())) return nullptr;
+    return std::make_unique<FallenBodies>(run.workspace());
 }
 
 }  // namespace hinge

@@ -1,4 +1,4 @@
-#include "effects/curvature_limits.h"
+#include "advice/curvature_limits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +26,7 @@ std::string as_rotation(const char* name, double limit, const Lengths& of) {
 
 }  // namespace
 
-void name_curvature_limits(const Structure& structure, const State* state, std::vector<RunWarning>& list) {
+void name_curvature_limits(const Structure& structure, const State* state, std::vector<Warning>& list) {
     const auto& rules = fracture_rules(structure.model());
     if (std::none_of(rules.begin(), rules.end(), [](const FractureRule& r) {
             return std::isfinite(r.curvature_x) || std::isfinite(r.curvature_y);
@@ -52,7 +52,8 @@ void name_curvature_limits(const Structure& structure, const State* state, std::
         if (std::isfinite(r.curvature_x)) text = as_rotation("curvature_x", r.curvature_x, lengths[i]);
         if (std::isfinite(r.curvature_y) && r.curvature_y != r.curvature_x)
             text += (text.empty() ? "" : ", and ") + as_rotation("curvature_y", r.curvature_y, lengths[i]);
-        list.push_back({"model:fracture" + (r.asked_at.empty() ? "" : " of " + r.asked_at) + ": " + text +
+        list.push_back({Warning::Kind::fracture,
+                        "model:fracture" + (r.asked_at.empty() ? "" : " of " + r.asked_at) + ": " + text +
                             "; it follows the elements' length",
                         "limits that do not: hinge_rotation_x, hinge_rotation_y (rad)"});
     }

@@ -1,11 +1,15 @@
-#include "run/perfect_shape.h"
-
+// Perfect structures that could buckle in dynamics and do not: a straight column beyond Euler's load, a symmetric arch
+// or truss that sways as it snaps through. No force acts on such a motion, so that rounding alone decides whether and
+// when it begins.
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <numbers>
 
+#include "advice/adviser.h"
 #include "core/text.h"
+#include "effects/effect_list.h"
+#include "run/dynamics.h"
 #include "run/eigenmodes.h"
 
 namespace hinge {
@@ -65,19 +69,43 @@ std::string largest_motion(const Structure& structure, const std::vector<Vec6>& 
     return structure.node_name(node) + " along " + "xyz"[axis];
 }
 
-}  // namespace
+/// Looks for modes of the tangent stiffness that grow and in which the run neither moves nor is displaced, beyond
+/// rounding. It warns once such a mode would have grown by e^3, and most looks since the first such one have found one:
+/// a column whose axial force swings is beyond its load for a part of the time. Elastic where members have yielded, so
+/// that no plastic mechanism counts.
+class PerfectShape : public Adviser {
+public:
+    explicit PerfectShape(WarningLog& log) : log_(log) {}
+    void after_step(const Run& run) override {
+        if (run.verdict() == Verdict::running && is_due(static_cast<const Dynamics&>(run))) find_modes(run);
+    }
+    void save(Writer& to) const override { to(done_, moving_, found_, grown_, last_); }
+    void restore(Reader& from) override { from(done_, moving_, found_, grown_, last_); }
 
-bool PerfectShape::due(const State& state, long steps, long done) const {
-    const std::size_t nodes = state.displacement.size();
-    return !done_ && nodes <= most_nodes && done % std::max({1L, steps / most_looks, long(nodes / 2)}) == 0;
+private:
+    bool is_due(const Dynamics& run) const;
+    void find_modes(const Run& run);
+
+    WarningLog& log_;
+    bool done_ = false;
+    int moving_ = 0;    ///< looks at which the run moved in the mode that grows fastest
+    int found_ = 0;     ///< looks that have found such a mode, less those after them that have not
+    double grown_ = 0;  ///< exponent by which it would have grown
+    double last_ = 0;   ///< s, of the last look
+};
+
+bool PerfectShape::is_due(const Dynamics& run) const {
+    const std::size_t nodes = run.state().displacement.size();
+    return !done_ && nodes <= most_nodes &&
+           run.steps_done() % std::max({1L, run.own_steps() / most_looks, long(nodes / 2)}) == 0;
 }
 
-std::optional<RunWarning> PerfectShape::look(const Run& run, const std::string& where) {
+void PerfectShape::find_modes(const Run& run) {
     const State& state = run.state();
     const auto is_broken = [](std::int8_t end) { return end != 0; };
-    if (done_ || run.has_unsymmetric_loads()) return {};
+    if (done_ || run.has_unsymmetric_loads()) return;
     if (std::any_of(state.broken.begin(), state.broken.end(), is_broken)) done_ = true;  // it is perfect no more
-    if (done_ || !may_buckle(run.structure(), state)) return {};
+    if (done_ || !may_buckle(run.structure(), state)) return;
     const double since = state.time - last_;
     last_ = state.time;
     std::vector<NaturalMode> growing;
@@ -86,7 +114,7 @@ std::optional<RunWarning> PerfectShape::look(const Run& run, const std::string& 
         if (ways > 0) growing = natural_modes(run, std::min(ways, most_modes)).list;
     } catch (const std::exception&) {  // no modes, or none that are sure: nothing is told of them
         done_ = true;
-        return {};
+        return;
     }
     // a run that moves in a mode that grows about as fast buckles that way
     const NaturalMode* unseen = nullptr;
@@ -102,18 +130,27 @@ std::optional<RunWarning> PerfectShape::look(const Run& run, const std::string& 
     if (moving < 0 && !unseen && ++moving_ >= enough_moving) done_ = true;
     if (!unseen) {
         if (found_ > 0 && --found_ == 0) grown_ = 0;
-        return {};
+        return;
     }
     const double rate = std::sqrt(-unseen->omega_squared);
     if (found_++ > 0) grown_ += since * rate;
-    if (found_ < least_found || !(grown_ > most_growth_unseen)) return {};
+    if (found_ < least_found || !(grown_ > most_growth_unseen)) return;
     done_ = true;
-    return RunWarning{"the structure can buckle " + where +
-                          ", and nothing but rounding starts it: a deviation from its perfect shape (largest at " +
-                          largest_motion(run.structure(), unseen->shape) + ") would grow 10 times in each " +
-                          number_text(std::log(10) / rate, 2) + " s",
-                      "give it an imperfection (model:imperfection) or a small load that way; without one it may stay "
-                      "as it is beyond the load at which it buckles"};
+    log_.add({Warning::Kind::stability,
+              "the structure can buckle at t = " + number_text(state.time, 4) + " s" +
+                  ", and nothing but rounding starts it: a deviation from its perfect shape (largest at " +
+                  largest_motion(run.structure(), unseen->shape) + ") would grow 10 times in each " +
+                  number_text(std::log(10) / rate, 2) + " s",
+              "give it an imperfection (model:imperfection) or a small load that way; without one it may stay "
+              "as it is beyond the load at which it buckles"});
+}
+
+}  // namespace
+
+std::unique_ptr<Adviser> advise_of_perfect_shape(const Run& run, WarningLog& log) {
+    const bool dynamic = run.workspace().kind.dynamic;
+    if (!dynamic || !run.structure().large() || run.effect_list().any(&EffectTraits::calls_script)) return nullptr;
+    return std::make_unique<PerfectShape>(log);
 }
 
 }  // namespace hinge

@@ -1,9 +1,12 @@
-#include "run/spinning.h"
-
+// Free bodies that spin so fast that Newmark's method loses their angle. It follows a rotation in chords: with steps of
+// omega dt radians it lags behind by about (omega dt)^2 / 12 of the angle, and by more where a body tumbles. The
+// energy-momentum method (run/energy_momentum.h) keeps angular momentum and energy in steps of any length.
 #include <Eigen/Eigenvalues>
 
+#include "advice/adviser.h"
 #include "core/text.h"
 #include "effects/joined_bodies.h"
+#include "run/dynamics.h"
 
 namespace hinge {
 namespace {
@@ -41,12 +44,30 @@ private:
     Mat3 inertia_ = Mat3::Zero();
 };
 
-}  // namespace
+class FastSpin : public Adviser {
+public:
+    explicit FastSpin(WarningLog& log) : log_(log) {}
+    void after_step(const Run& run) override {
+        if (is_time_to_check(run)) add_lost(run.structure(), run.state(), static_cast<const Dynamics&>(run).dt());
+    }
+    void save(Writer& to) const override { to(told_, asked_, lost_, turned_, last_); }
+    void restore(Reader& from) override { from(told_, asked_, lost_, turned_, last_); }
 
-std::optional<RunWarning> FastSpin::look(const Structure& structure, const State& state, double dt) {
+private:
+    void add_lost(const Structure& structure, const State& state, double dt);
+
+    WarningLog& log_;
+    bool told_ = false, asked_ = false;
+    double lost_ = 0, turned_ = 0;  ///< rad
+    double last_ = 0;               ///< s
+};
+
+/// Adds what has been lost since the last time, of the fastest of the bodies that no support holds. `dt`: s, of the
+/// steps since then.
+void FastSpin::add_lost(const Structure& structure, const State& state, double dt) {
     const double since = asked_ ? state.time - last_ : 0;
     asked_ = true, last_ = state.time;
-    if (told_ || !(since > 0)) return {};
+    if (told_ || !(since > 0)) return;
     const Bodies bodies = joined_bodies(structure, state);
     std::vector<char> free(bodies.count, 1);
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
@@ -74,20 +95,30 @@ std::optional<RunWarning> FastSpin::look(const Structure& structure, const State
         if (const double spin = free[i] ? spins[i].size() : 0; spin > fastest) fastest = spin, at = i;
     turned_ += fastest * since;
     lost_ += std::pow(fastest * dt, 2) / 12 * fastest * since;
-    if (at < 0 || !(lost_ > most_lost)) return {};
+    if (at < 0 || !(lost_ > most_lost)) return;
     told_ = true;
     int member = -1;  // of a node that is left alone: that of the offset mass
     for (std::size_t i = 0; i < structure.elements().size() && member < 0; ++i) {
         const Element& e = structure.elements()[i];
         if (bodies.of_node[e.node[state.broken[i] == 1 ? 1 : 0]] == at) member = e.member;
     }
-    return RunWarning{"the free body of member " + std::to_string(member + 1) + " spins at " + number_text(fastest, 3) +
-                          " rad/s at t = " + number_text(state.time, 4) + " s, by " + number_text(fastest * dt, 2) +
-                          " rad a step; over " + number_text(turned_, 3) +
-                          " rad of rotation so far Newmark's method has lost about " + number_text(lost_, 2) +
-                          " rad, and more where a body tumbles",
-                      "give integrator = \"energy-momentum\", or a shorter dt, where the place of that body matters",
-                      member};
+    log_.add({Warning::Kind::time_step,
+              "the free body of member " + std::to_string(member + 1) + " spins at " + number_text(fastest, 3) +
+                  " rad/s at t = " + number_text(state.time, 4) + " s, by " + number_text(fastest * dt, 2) +
+                  " rad a step; over " + number_text(turned_, 3) +
+                  " rad of rotation so far Newmark's method has lost about " + number_text(lost_, 2) +
+                  " rad, and more where a body tumbles",
+              "give integrator = \"energy-momentum\", or a shorter dt, where the place of that body matters",
+              line_of_member(structure.model(), member)});
+}
+
+}  // namespace
+
+std::unique_ptr<Adviser> advise_of_spin(const Run& run, WarningLog& log) {
+    const auto* dynamics = run.dynamics();
+    if (!dynamics || dynamics->explicit_steps() || dynamics->settings().conserving || !run.structure().large())
+        return nullptr;
+    return std::make_unique<FastSpin>(log);
 }
 
 }  // namespace hinge

@@ -1,23 +1,90 @@
-#include "effects/struck_members.h"
-
+// Members whose elements are too long for the blows that they took.
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
+#include "advice/adviser.h"
+#include "contact/member_contacts.h"
 #include "core/text.h"
+#include "effects/contact.h"
+#include "effects/effect_list.h"
 #include "model/member_text.h"
 
 namespace hinge {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double counts_from = 0.1;       ///< of the largest impulse: members that got less do not count
 constexpr double most_part_missed = 0.4;  ///< of a moment, that goes unsaid
 constexpr double at_joint = 0.1;          ///< of a member's length: a blow so near to its end is at the joint
 constexpr int enough_elements = 8;        ///< elements of a member that yields between its joints
 
-double quarter_wave(double speed, double tau) { return 0.5 * std::sqrt(pi * tau * speed); }
+double quarter_wave(double speed, double tau) { return 0.5 * std::sqrt(std::numbers::pi * tau * speed); }
 
-}  // namespace
+/// Compares the elements of struck members with the bending wave that a blow sends out.
+///
+/// A blow that lasts tau has the frequency omega = pi / tau. At it a beam carries bending waves of the length
+///   lambda = 2 pi sqrt(sqrt(EI / rho A) / omega) = 2 sqrt(pi tau sqrt(EI / rho A)).
+/// Elements longer than lambda / 4 answer with the lumps of their nodes in the place of the wave: of a mass that falls
+/// on a beam, against the modal series, the energy and the momentum passed are right to 2 % with elements up to lambda
+/// / 4, to 10 % up to 1.5 times that, and off by 14 % at 1.8, 40 % at 3 times (tests/script/effects/contact_test.lua).
+/// Of EI the smaller one counts: the shorter wave.
+///
+/// A member that is struck between its joints and yields there forms its hinge at a node, beside the place of the blow:
+/// its plastic work may be far off with few elements.
+class StruckMembers : public Adviser {
+public:
+    explicit StruckMembers(const Structure& structure);
+    /// Adds what contacts have passed in the step.
+    void after_commit(const Run& run, const Step& step) override;
+    /// One warning, of the member whose elements are longest beside its wave. Members that got less than a tenth of the
+    /// largest impulse do not count, nor those that got more than half of theirs by blows that last long enough. Where
+    /// none has: one of the member with the fewest elements that yielded where it was struck between its joints; else
+    /// one of the member that misses most of the moment of blows inside its elements.
+    void list_findings(const Run& run, std::vector<Warning>& list) const override;
+
+    void save(Writer& to) const override { to(struck_); }
+    void restore(Reader& from) override { from(struck_); }
+    bool fits(const Run&) const override {
+        return std::all_of(struck_.begin(), struck_.end(),
+                           [this](const Struck& s) { return s.member >= 0 && s.member < int(element_.size()); });
+    }
+
+private:
+    /// Blows that a member took, and the one that goes on.
+    struct Struck {
+        int member = -1;
+        double since = -1, last = -1, impulse_now = 0;  ///< s, s, N s
+        double impulse = 0, brief = 0;                  ///< N s, of all blows, of those too brief for its elements
+        double brief_time = 0;                          ///< N s s, impulse times duration of the brief ones
+        double missed = 0, moment = 0;  ///< N m s, over time: moments F a b / l, and those at the ends of its element
+        double between = 0;             ///< N s, of blows between its joints
+
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.member, s.since, s.last, s.impulse_now, s.impulse, s.brief, s.brief_time, s.missed, s.moment,
+              s.between);
+        }
+    };
+    struct Blow {
+        double impulse = 0, missed = 0, moment = 0;  ///< N s, N m s, N m s, of one step
+        double between = 0;                          ///< N s, away from the member's joints
+    };
+    void add(int member, const Blow& blow, double time, double dt);
+    void end_blow(Struck& of) const;
+    const Struck* most_missed(const std::vector<Struck>& ended, double largest) const;
+    Warning warning_of_waves(const Structure& structure, const Struck& worst, int count) const;
+    /// Of one that yielded with few elements; false where there is none.
+    bool warn_of_hinges(const Structure& structure, const State& state, const std::vector<Struck>& ended,
+                        double largest, std::vector<Warning>& list) const;
+    Warning warning_of_place(const Structure& structure, const Struck& worst) const;
+
+    std::vector<double> wave_speed_;  ///< sqrt(EI / rho A) of each member, m^2/s
+    std::vector<double> element_;     ///< m, its longest element
+    std::vector<double> length_;      ///< m, of each member
+    std::vector<double> from_;        ///< m, where each element begins on its member
+    std::vector<Struck> struck_;      ///< sorted by member
+};
 
 StruckMembers::StruckMembers(const Structure& structure)
     : wave_speed_(structure.model().members().size(), 0.0),
@@ -31,8 +98,12 @@ StruckMembers::StruckMembers(const Structure& structure)
     }
 }
 
-void StruckMembers::add_step(const Structure& structure, const State& state, const contact::Contact& contact,
-                             double time, double dt) {
+void StruckMembers::after_commit(const Run& run, const Step& step) {
+    const contact::Contact& contact = *contact_of(run.state());
+    if (contact.idle()) return;
+    const Structure& structure = run.structure();
+    const State& state = run.state();
+    const double dt = step.dt;
     std::map<int, Blow> blows;
     const auto note = [&](const int element[2], const double at[2], double impulse) {
         for (int side : {0, 1}) {
@@ -50,7 +121,7 @@ void StruckMembers::add_step(const Structure& structure, const State& state, con
     for (const contact::SurfaceContact& c : contact.surface_contacts())
         if (c.depth_before > 0) note(c.element, c.at, c.stiffness * c.depth_before * dt);
     for (const contact::Tie& tie : contact.ties()) note(tie.element, tie.at, (tie.force[0] + tie.force[1]).norm() * dt);
-    for (const auto& [member, blow] : blows) add(member, blow, time, dt);
+    for (const auto& [member, blow] : blows) add(member, blow, step.end(), dt);
 }
 
 // A blow ends where a step passes without contact of the member.
@@ -77,7 +148,8 @@ void StruckMembers::end_blow(Struck& of) const {
     of.since = -1, of.impulse_now = 0;
 }
 
-void StruckMembers::check_run(const Structure& structure, const State& state, std::vector<RunWarning>& list) const {
+void StruckMembers::list_findings(const Run& run, std::vector<Warning>& list) const {
+    const Structure& structure = run.structure();
     std::vector<Struck> ended = struck_;
     double largest = 0;
     for (Struck& s : ended) {
@@ -94,20 +166,22 @@ void StruckMembers::check_run(const Structure& structure, const State& state, st
         if (ratio > least) least = ratio, worst = &s;
     }
     if (worst) list.push_back(warning_of_waves(structure, *worst, count));
-    else if (warn_of_hinges(structure, state, ended, largest, list)) return;
+    else if (warn_of_hinges(structure, run.state(), ended, largest, list)) return;
     else if (const Struck* missing = most_missed(ended, largest)) list.push_back(warning_of_place(structure, *missing));
 }
 
-RunWarning StruckMembers::warning_of_waves(const Structure& structure, const Struck& worst, int count) const {
+Warning StruckMembers::warning_of_waves(const Structure& structure, const Struck& worst, int count) const {
     const double tau = worst.brief_time / worst.brief, quarter = quarter_wave(wave_speed_[worst.member], tau);
     const int now = structure.model().members()[worst.member].elements,
               wanted = 2 * int(std::ceil(0.5 * now * element_[worst.member] / quarter));
-    return {member_text(structure.model(), worst.member) +
+    return {Warning::Kind::elements,
+            member_text(structure.model(), worst.member) +
                 (count > 1 ? " and " + std::to_string(count - 1) + " more were" : " was") + " struck for " +
                 number_text(1e3 * tau, 2) + " ms, and the bending wave of that is " + number_text(4 * quarter, 2) +
                 " m long: elements of " + number_text(element_[worst.member], 2) +
                 " m are longer than a quarter of it, so momentum and energy passed may be off by 10 % and more",
-            "elements = " + std::to_string(wanted) + " of the members that are struck", worst.member};
+            "elements = " + std::to_string(wanted) + " of the members that are struck",
+            line_of_member(structure.model(), worst.member)};
 }
 
 /// The one that misses the largest part; none where all miss less than 40 %.
@@ -121,19 +195,20 @@ const StruckMembers::Struck* StruckMembers::most_missed(const std::vector<Struck
     return most;
 }
 
-RunWarning StruckMembers::warning_of_place(const Structure& structure, const Struck& worst) const {
+Warning StruckMembers::warning_of_place(const Structure& structure, const Struck& worst) const {
     const double part = worst.missed / (worst.missed + worst.moment);
-    return {member_text(structure.model(), worst.member) + " was struck between the nodes of its elements, which are " +
+    return {Warning::Kind::elements,
+            member_text(structure.model(), worst.member) + " was struck between the nodes of its elements, which are " +
                 number_text(element_[worst.member], 2) + " m long: what the blow bends there itself is missing, " +
                 number_text(std::round(100 * part), 3) +
                 " % of the moment, so momentum and energy passed may be off by 5 % and more",
             "a node where it is struck, or elements = " +
                 std::to_string(2 * structure.model().members()[worst.member].elements) + " of it",
-            worst.member};
+            line_of_member(structure.model(), worst.member)};
 }
 
 bool StruckMembers::warn_of_hinges(const Structure& structure, const State& state, const std::vector<Struck>& ended,
-                                   double largest, std::vector<RunWarning>& list) const {
+                                   double largest, std::vector<Warning>& list) const {
     const auto& members = structure.model().members();
     std::vector<char> yielded(members.size(), 0);
     for (std::size_t e = 0; e < state.yielded.size(); ++e)
@@ -149,12 +224,21 @@ bool StruckMembers::warn_of_hinges(const Structure& structure, const State& stat
     if (worst < 0) return false;
     const int now = members[worst].elements;
     list.push_back(
-        {member_text(structure.model(), worst) + " with " + count_text(now, "element") +
+        {Warning::Kind::elements,
+         member_text(structure.model(), worst) + " with " + count_text(now, "element") +
              (count > 1 ? " and " + std::to_string(count - 1) + " more were" : " was") +
              " struck between its joints and yielded: hinges form at nodes, so its plastic work may be far off, " +
              "whatever the energy error says",
-         "elements = " + std::to_string(enough_elements) + " of the members that are struck", worst});
+         "elements = " + std::to_string(enough_elements) + " of the members that are struck",
+         line_of_member(structure.model(), worst)});
     return true;
+}
+
+}  // namespace
+
+std::unique_ptr<Adviser> advise_of_struck_members(const Run& run, WarningLog&) {
+    if (!run.effect_list().has(contact_effect)) return nullptr;
+    return std::make_unique<StruckMembers>(run.structure());
 }
 
 }  // namespace hinge

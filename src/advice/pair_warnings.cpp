@@ -1,13 +1,18 @@
-#include "run/pressed_pairs.h"
-
+// What pairs of elements cannot show of a beam that is compressed: between clamped ends their middle node does not bend
+// out (beam/beam_column.h).
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "beam/beam_column.h"
+#include "advice/adviser.h"
 #include "core/text.h"
+#include "run/dynamics.h"
+#include "run/pair_compression.h"
+#include "run/statics.h"
 #include "state/configuration.h"
 #include "state/hinges.h"
 
@@ -117,90 +122,165 @@ MissedByChord missed_by_chord(const Structure& structure, const State& state) {
     return worst;
 }
 
-std::string percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
+std::string whole_percent(double part) { return number_text(std::round(100 * part), 3) + " %"; }
 
-}  // namespace
+/// What compression a pair cannot show, each told once in a run.
+class PairWarnings : public Adviser {
+public:
+    explicit PairWarnings(WarningLog& log) : log_(log) {}
+    void after_step(const Run& run) override;
+    void save(Writer& to) const override { to(euler_told_, moments_told_, tension_told_, stiffness_told_); }
+    void restore(Reader& from) override { from(euler_told_, moments_told_, tension_told_, stiffness_told_); }
+    bool goes_on() const override { return false; }
 
-PairCompression pressed(const Structure& structure, const State& state, const std::vector<Vec6>& force, int first) {
-    constexpr double clamped = std::numbers::pi * std::numbers::pi;  // p'
-    const Element& e = structure.elements()[first];
-    if (e.partner != first + 1 || state.broken[first] || state.broken[first + 1] || structure.conventional()) return {};
-    const double N = -0.5 * (force[first][4] + force[first + 1][4]);
-    const beam::PairKind<double> k = pair_kind_of(e, heat_of(state.heat, first));
-    const auto part = [&](int plane) { return N * k.c[plane] * (1 + clamped * k.shear[plane].flexible) / clamped; };
-    return {N, {part(0), part(1)}};
+private:
+    using LoadOn = std::function<Vec3(int)>;  ///< force on a node, N
+    /// Compression beyond Euler's load between clamped ends.
+    void warn_beyond_euler(const Run& run);
+    /// Compression beyond p' = 6, where a pair is stiffer than the beam (beam/beam_column.h): held by stiff joints, it
+    /// buckles at a load that is 1 % too high at 0.66 of that between clamped ends, 15 % at 0.87.
+    void warn_of_stiffness(const Run& run);
+    /// Moments that lack what the loads along the pair make of its compression: they would bend out the middle node.
+    void warn_of_moments(const Run& run, const LoadOn& load_on);
+    void warn_of_chords(const Run& run);
+    /// Tension that loads between the nodes of a pair make by its sag, if its ends are held apart: a pair bows by the
+    /// rotations of its ends alone.
+    void warn_of_tension(const Run& run, const LoadOn& load_on);
+    void warn(const Run& run, int member, std::string what, std::string advice) {
+        log_.add({Warning::Kind::elements, std::move(what), std::move(advice),
+                  line_of_member(run.structure().model(), member)});
+    }
+
+    WarningLog& log_;
+    bool euler_told_ = false, moments_told_ = false, tension_told_ = false, stiffness_told_ = false;
+};
+
+PairCompression compression_of(const Run& run, int first) {
+    return pair_compression(run.structure(), run.state(), run.state().force, first);
 }
 
-std::optional<RunWarning> PressedPairs::stiffer_than_beam(const Structure& structure, const State& state) {
+/// "at t = 0.1 s", "at load factor 0.5"
+std::string place_of(const Run& run) {
+    const State& state = run.state();
+    if (run.workspace().goes_by_load_factor()) return "at load factor " + number_text(state.factor);
+    return "at t = " + number_text(state.time, 4) + " s";
+}
+
+/// About x and about y, the larger one of either end, N m.
+Eigen::Vector2d largest_moment(const Run& run, int element) {
+    const SectionForces a = run.section_forces(element, -1), b = run.section_forces(element, 1);
+    return {std::max(std::abs(a.Mx), std::abs(b.Mx)), std::max(std::abs(a.My), std::abs(b.My))};
+}
+
+/// Dynamics: F on a middle node, and what loads between nodes pass on to it: the jump that they make in the shear
+/// forces.
+Vec3 load_in_dynamics(const Run& run, int node) {
+    const Structure& structure = run.structure();
+    double jump[2] = {0, 0};
+    const auto at = structure.elements_at(node);
+    for (int i : at) {
+        const Element& e = structure.elements()[i];
+        const double side = e.node[1] == node ? 1 : -1;
+        const SectionForces whole = run.section_forces(i, side);
+        const Vec6& p = run.state().force[i];
+        jump[0] -= side * (whole.Qx + (p[2] + p[3]) / e.length);
+        jump[1] -= side * (whole.Qy - (p[0] + p[1]) / e.length);
+    }
+    const Mat3 axes = axes_of(element_frame(structure, at[0], run.state()));
+    return run.workspace().external[node].head<3>() + jump[0] * axes.col(0) + jump[1] * axes.col(1);
+}
+
+void PairWarnings::after_step(const Run& run) {
+    if (!is_time_to_check(run)) return;
+    if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
+        const LoadOn load_on = [&](int node) -> Vec3 { return statics->load_on(node).head<3>(); };
+        warn_of_moments(run, load_on);
+        warn_of_tension(run, load_on);
+        return warn_of_stiffness(run);
+    }
+    if (!run.structure().large()) return;
+    warn_beyond_euler(run);
+    warn_of_moments(run, [&](int node) { return load_in_dynamics(run, node); });
+    // Of slow motion alone: under a blow, or as it falls, a member does not sag as it would at rest.
+    constexpr double slow = 0.2;
+    warn_of_tension(run, [&](int node) -> Vec3 {
+        const Element& e = run.structure().elements()[run.structure().elements_at(node)[0]];
+        const Vec3 load = load_in_dynamics(run, node), inertia = e.mass() * run.state().acceleration[node].head<3>();
+        return inertia.norm() <= slow * load.norm() ? load : Vec3(Vec3::Zero());
+    });
+}
+
+void PairWarnings::warn_of_stiffness(const Run& run) {
+    const Structure& structure = run.structure();
     constexpr double from = 0.65;
-    if (stiffness_told_ || !structure.large()) return {};
+    if (stiffness_told_ || !structure.large()) return;
     for (int i = 0; i + 1 < int(structure.elements().size()); i += 2) {
-        if (!(pressed(structure, state, state.force, i).most() > from)) continue;
+        if (!(compression_of(run, i).most() > from)) continue;
         stiffness_told_ = true;
         const int member = structure.elements()[std::size_t(i)].member,
                   elements = structure.model().members()[std::size_t(member)].elements;
-        return RunWarning{"member " + std::to_string(member + 1) + " is compressed beyond " + number_text(from, 2) +
-                              " of the load at which " + (elements == 2 ? "it" : "a pair of its elements") +
-                              " buckles between clamped ends; two elements are stiffer there than a member is, and a "
-                              "load at which it buckles comes out up to 15 % too high",
-                          "give it elements = " + std::to_string(2 * elements), member};
+        return warn(run, member,
+                    "member " + std::to_string(member + 1) + " is compressed beyond " + number_text(from, 2) +
+                        " of the load at which " + (elements == 2 ? "it" : "a pair of its elements") +
+                        " buckles between clamped ends; two elements are stiffer there than a member is, and a "
+                        "load at which it buckles comes out up to 15 % too high",
+                    "give it elements = " + std::to_string(2 * elements));
     }
-    return {};
 }
 
-std::optional<RunWarning> PressedPairs::beyond_euler(const Structure& structure, const State& state,
-                                                     const std::string& where) {
-    if (euler_told_ || !structure.large()) return {};
+void PairWarnings::warn_beyond_euler(const Run& run) {
+    if (euler_told_) return;
+    const Structure& structure = run.structure();
     double worst = 1;
     int at = -1;
     for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2)
-        if (const double part = pressed(structure, state, state.force, int(i)).most(); part > worst)
-            worst = part, at = int(i);
-    if (at < 0) return {};
+        if (const double part = compression_of(run, int(i)).most(); part > worst) worst = part, at = int(i);
+    if (at < 0) return;
     euler_told_ = true;
     const int member = structure.elements()[at].member;
-    const double N = pressed(structure, state, state.force, at).force;
+    const double N = compression_of(run, at).force;
     const bool two = structure.model().members()[member].elements == 2;
-    return RunWarning{"member " + std::to_string(member + 1) + " is compressed by " + number_text(N, 4) + " N " +
-                          where + ", and " + (two ? "" : "a pair of its elements ") +
-                          "buckles between clamped ends at " + number_text(N / worst, 4) + " N",
-                      "where that lasts it bends out: two elements cannot show that, four can", member};
+    warn(run, member,
+         "member " + std::to_string(member + 1) + " is compressed by " + number_text(N, 4) + " N " + place_of(run) +
+             ", and " + (two ? "" : "a pair of its elements ") + "buckles between clamped ends at " +
+             number_text(N / worst, 4) + " N",
+         "where that lasts it bends out: two elements cannot show that, four can");
 }
 
-std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structure, const State& state,
-                                                       const std::function<Vec3(int)>& load_on,
-                                                       const std::function<Eigen::Vector2d(int)>& largest_moment,
-                                                       const std::string& where) {
-    if (moments_told_ || !structure.large()) return {};
-    if (!structure.p_delta()) {
-        const MissedByChord worst = missed_by_chord(structure, state);
-        if (worst.element < 0) return {};
-        moments_told_ = true;
-        const int member = structure.elements()[worst.element].member;
-        const bool chord = structure.model().options().p_delta == PDelta::chord;
-        return RunWarning{"member " + std::to_string(member + 1) + " is compressed by " + number_text(worst.force, 4) +
-                              " N " + where + ", which acts on the chords of its " +
-                              std::to_string(structure.model().members()[member].elements) +
-                              " elements, not on their bow" + (chord ? " (p_delta = \"chord\")" : "") +
-                              ": its moments are some " + percent(worst.part) +
-                              " too small, more so as it is compressed further, and its limit load is too high",
-                          std::string(chord ? "p_delta = \"member\"" : "formulation = \"asi-gauss\"") +
-                              ", or twice as many elements, which have a quarter of that",
-                          member};
-    }
+void PairWarnings::warn_of_chords(const Run& run) {
+    const Structure& structure = run.structure();
+    const MissedByChord worst = missed_by_chord(structure, run.state());
+    if (worst.element < 0) return;
+    moments_told_ = true;
+    const int member = structure.elements()[worst.element].member;
+    const bool chord = structure.model().options().p_delta == PDelta::chord;
+    warn(run, member,
+         "member " + std::to_string(member + 1) + " is compressed by " + number_text(worst.force, 4) + " N " +
+             place_of(run) + ", which acts on the chords of its " +
+             std::to_string(structure.model().members()[member].elements) + " elements, not on their bow" +
+             (chord ? " (p_delta = \"chord\")" : "") + ": its moments are some " + whole_percent(worst.part) +
+             " too small, more so as it is compressed further, and its limit load is too high",
+         std::string(chord ? "p_delta = \"member\"" : "formulation = \"asi-gauss\"") +
+             ", or twice as many elements, which have a quarter of that");
+}
+
+void PairWarnings::warn_of_moments(const Run& run, const LoadOn& load_on) {
+    const Structure& structure = run.structure();
+    if (moments_told_ || !structure.large()) return;
+    if (!structure.p_delta()) return warn_of_chords(run);
     constexpr double clamped = std::numbers::pi * std::numbers::pi;
     const bool at_nodes = structure.model().options().weight == Weight::nodes;
     const double least = at_nodes ? 0.03 : beam::pair_most / clamped;
     double worst = most_missed;
     int at = -1;
     for (std::size_t i = 0; i + 1 < structure.elements().size(); i += 2) {
-        const PairCompression by = pressed(structure, state, state.force, int(i));
+        const PairCompression by = compression_of(run, int(i));
         if (!(by.most() > least) || by.most() >= 1) continue;
         const Element& e = structure.elements()[i];
         const Vec3 load = load_on(e.node[1]);
         if (load.isZero(0)) continue;
-        const Mat3 axes = axes_of(element_frame(structure, int(i), state));
-        const Eigen::Vector2d has = largest_moment(int(i)).cwiseMax(largest_moment(int(i) + 1));
+        const Mat3 axes = axes_of(element_frame(structure, int(i), run.state()));
+        const Eigen::Vector2d has = largest_moment(run, int(i)).cwiseMax(largest_moment(run, int(i) + 1));
         for (int plane : {0, 1}) {  // bending about x is by loads along y
             const double n = by.part[plane], EI = plane == 0 ? e.rigidity.EIx : e.rigidity.EIy;
             if (n <= least) continue;
@@ -212,23 +292,24 @@ std::optional<RunWarning> PressedPairs::missed_moments(const Structure& structur
             if (const double part = lacks / (has[plane] + lacks); part > worst) worst = part, at = int(i);
         }
     }
-    if (at < 0) return {};
+    if (at < 0) return;
     moments_told_ = true;
     const int member = structure.elements()[at].member;
-    const PairCompression by = pressed(structure, state, state.force, at);
-    return RunWarning{"member " + std::to_string(member + 1) + " has loads between its nodes and is compressed by " +
-                          number_text(by.force, 4) + " N " + where + ", " + percent(by.most()) +
-                          " of what buckles a pair of its elements between clamped ends, where such loads make " +
-                          number_text(amplification(clamped * by.most()), 2) +
-                          " times the moment in the middle that they make without compression: its moments are some " +
-                          percent(worst) + " too small, and more so as it is compressed further",
-                      "two elements cannot show that, four can", member};
+    const PairCompression by = compression_of(run, at);
+    warn(run, member,
+         "member " + std::to_string(member + 1) + " has loads between its nodes and is compressed by " +
+             number_text(by.force, 4) + " N " + place_of(run) + ", " + whole_percent(by.most()) +
+             " of what buckles a pair of its elements between clamped ends, where such loads make " +
+             number_text(amplification(clamped * by.most()), 2) +
+             " times the moment in the middle that they make without compression: its moments are some " +
+             whole_percent(worst) + " too small, and more so as it is compressed further",
+         "two elements cannot show that, four can");
 }
 
-std::optional<RunWarning> PressedPairs::missed_tension(const Structure& structure, const State& state,
-                                                       const std::function<Vec3(int)>& load_on,
-                                                       const std::string& where) {
-    if (tension_told_ || !structure.p_delta()) return {};
+void PairWarnings::warn_of_tension(const Run& run, const LoadOn& load_on) {
+    const Structure& structure = run.structure();
+    const State& state = run.state();
+    if (tension_told_ || !structure.p_delta()) return;
     constexpr double negligible_strain = 2e-5, most_part = 0.05, most_p = 2.4;
     double worst = most_part, force = 0;
     int at = -1;
@@ -255,13 +336,18 @@ std::optional<RunWarning> PressedPairs::missed_tension(const Structure& structur
         const double missed = e.rigidity.EA * strain, part = std::abs(missed) / (std::abs(N) + std::abs(missed));
         if (part > worst) worst = part, force = missed, at = int(i);
     }
-    if (at < 0) return {};
+    if (at < 0) return;
     tension_told_ = true;
     const int member = structure.elements()[at].member;
-    return RunWarning{"member " + std::to_string(member + 1) + " sags under the loads between its nodes " + where +
-                          ": if its ends are held apart, up to " + number_text(std::abs(force), 2) +
-                          " N of tension by that sag are missing",
-                      "two elements cannot show that, eight can", member};
+    warn(run, member,
+         "member " + std::to_string(member + 1) + " sags under the loads between its nodes " + place_of(run) +
+             ": if its ends are held apart, up to " + number_text(std::abs(force), 2) +
+             " N of tension by that sag are missing",
+         "two elements cannot show that, eight can");
 }
+
+}  // namespace
+
+std::unique_ptr<Adviser> advise_of_pairs(const Run&, WarningLog& log) { return std::make_unique<PairWarnings>(log); }
 
 }  // namespace hinge

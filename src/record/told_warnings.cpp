@@ -1,8 +1,12 @@
-// Likely mistakes that hinge run prints before the mechanism or the failure that may follow.
-#include <algorithm>
+#include "record/told_warnings.h"
 
-#include "effects/declared.h"
+#include <algorithm>
+#include <cstdio>
+
+#include "advice/adviser.h"
 #include "advice/check.h"
+#include "advice/size_notice.h"
+#include "effects/declared.h"
 #include "record/events.h"
 
 namespace hinge {
@@ -15,13 +19,6 @@ constexpr std::size_t most_members = 20000;  ///< of one: half a second
 constexpr int most_solved = 2000;            ///< nodes, where a linear solution is asked for: a tenth of a second
 
 }  // namespace
-
-std::vector<std::pair<int, int>> linked_nodes(const Model& model) {
-    std::vector<std::pair<int, int>> pairs;
-    for (const NodeLink& link : node_links(model))
-        if (link.a >= 0 && link.b >= 0) pairs.emplace_back(link.a, link.b);
-    return pairs;
-}
 
 void tell(Context& c, const Warning& w) {
     const std::string text = warning_text(w);
@@ -37,7 +34,7 @@ void tell(Context& c, const Warning& w) {
 
 void tell_findings(Context& c, const RunRecord& r) {
     if (!r.run || r.run->steps_done() == 0) return;
-    for (const RunWarning& w : r.run->findings()) tell(c, warning_of(*r.run, w));
+    for (const Warning& w : findings_of(*r.run)) tell(c, w);
 }
 
 void look_over(Context& c, const Model& model) {
@@ -55,7 +52,7 @@ void look_over(Context& c, RunRecord& record) {
         record.run->structure().model().members().size() > most_members)
         return;
     std::vector<Warning> list = warnings_of_run(record, c.messages.of_units ? 0 : most_solved, false, true);
-    const auto buckles = [](const Warning& w) { return w.of_buckling; };
+    const auto buckles = [](const Warning& w) { return w.kind == Warning::Kind::buckling; };
     const long columns = std::count_if(list.begin(), list.end(), buckles);
     const auto first = std::find_if(list.begin(), list.end(), buckles);
     if (columns > 1) {  // the worst is told, the others are counted
@@ -64,6 +61,32 @@ void look_over(Context& c, RunRecord& record) {
     }
     for (const Warning& w : list) tell(c, w);
     if (!record.of_units) record.of_units = of_units(list);
+}
+
+namespace {
+
+bool tells_size(const Context& c) { return c.messages.progress || c.messages.warns; }
+
+}  // namespace
+
+void tell_members(const Context& c, std::size_t members) {
+    const std::string text = members_notice(members);
+    if (!text.empty() && tells_size(c)) std::fprintf(stderr, "%s\n", text.c_str());
+}
+
+void tell_size(Context& c, const Model& model) {
+    static std::size_t told = 0;  // a loop's models of one size are told of once
+    const std::size_t members = model.members().size();
+    if (members == told) return;
+    const std::string text = size_notice(model);
+    if (!text.empty()) told = members;
+    tell_notice(c, text);
+}
+
+void tell_notice(Context& c, const std::string& text) {
+    if (text.empty()) return;
+    if (tells_size(c)) std::fprintf(stderr, "%s\n", text.c_str());
+    write_event(c, "size", {{"text", text}});
 }
 
 }  // namespace hinge

@@ -1,4 +1,4 @@
-#include "model/warnings.h"
+#include "advice/model_warnings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,11 @@ struct Finder {
         const auto [known, fresh] = place.try_emplace(kind, found.size());
         static const std::set<std::string> units = {"E",       "yield strain", "yield stress", "density",
                                                     "section", "span",         "gravity"};
-        if (fresh) found.push_back({what, advice, asked_at, 0, 1, units.count(kind) > 0});
+        const Warning::Kind of = units.count(kind) > 0          ? Warning::Kind::units
+                                 : kind == "upward"             ? Warning::Kind::loads
+                                 : kind == "no plastic modulus" ? Warning::Kind::strength
+                                                                : Warning::Kind::geometry;
+        if (fresh) found.push_back({of, what, advice, asked_at});
         else ++found[known->second].more;
     }
     const Vec3& position(int node) const { return model.nodes()[node].position; }
@@ -308,11 +312,6 @@ std::vector<Warning> warnings(const Model& model, const std::vector<std::pair<in
     finder.tiny_members();
     finder.unjoined();
     return std::move(finder.found);
-}
-
-std::optional<Warning> of_units(const std::vector<Warning>& list) {
-    const auto first = std::find_if(list.begin(), list.end(), [](const Warning& w) { return w.of_units; });
-    return first == list.end() ? std::nullopt : std::optional(*first);
 }
 
 }  // namespace hinge

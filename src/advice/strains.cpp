@@ -1,11 +1,11 @@
-// Warns of strains that no material bears: of elastic members without a yield stress, and of members stretched to more
+// Strains that no material bears: of elastic members without a yield stress, and of members stretched to more
 // than half as long again.
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "advice/adviser.h"
 #include "core/text.h"
-#include "effects/kinds.h"
 #include "model/member_text.h"
 #include "state/element_heat.h"
 
@@ -34,9 +34,9 @@ double torsion_arm(const Section& s) {
     return round ? 0.5 * std::min(s.width, s.depth) : 0;
 }
 
-class UnrealStrains : public Effect, public RunChecker {
+class UnrealStrains : public Adviser {
 public:
-    UnrealStrains(Workspace& w, Host& host) : Effect("unreal strains", w, host, {.mean_forces = true}) {
+    explicit UnrealStrains(const Workspace& w) : w_(w) {
         for (const Element& e : w.structure.elements()) {
             const MemberData& m = w.structure.model().members()[e.member];
             const bool elastic = !std::isfinite(m.material->yield_stress) && (!e.law || m.carries != Carries::both);
@@ -48,13 +48,13 @@ public:
         }
     }
 
-    void after_commit(const Step& step) override {
-        if (w_.is_due_every(strains_every)) look(w_.reached(step), elastic_, stretched_);
+    void after_commit(const Run&, const Step& step) override {
+        if (w_.is_due_every(strains_every)) compare(w_.reached(step), elastic_, stretched_);
     }
 
-    void check_run(std::vector<RunWarning>& list) const override {
+    void list_findings(const Run&, std::vector<Warning>& list) const override {
         Worst elastic = elastic_, stretched = stretched_;
-        look(w_.kind.dynamic ? w_.state.time : w_.state.factor, elastic, stretched);
+        compare(w_.kind.dynamic ? w_.state.time : w_.state.factor, elastic, stretched);
         const Model& model = w_.structure.model();
         const auto text = [&](const Worst& w) {
             return member_text(model, w_.structure.elements()[w.element].member) + " comes to ";
@@ -66,21 +66,24 @@ public:
         if (elastic.element >= 0) {
             const int member = w_.structure.elements()[elastic.element].member;
             const double E = model.members()[member].material->E, strain = elastic.part * most_elastic_strain(E);
-            list.push_back({text(elastic) + "an elastic stress of " + number_text(1e-9 * E * strain, 2) +
+            list.push_back({Warning::Kind::strength,
+                            text(elastic) + "an elastic stress of " + number_text(1e-9 * E * strain, 2) +
                                 " GPa, a strain of " + number_text(100 * strain, 2) + " %," + when(elastic) +
                                 ", more than any such material bears, and its material declares no yield stress",
-                            "give the material a yield_stress, and model:fracture where members may break", member});
+                            "give the material a yield_stress, and model:fracture where members may break",
+                            line_of_member(model, member)});
         }
         if (stretched.element >= 0)
-            list.push_back({text(stretched) + "1 + " + number_text(stretched.part, 2) + " times its length" +
+            list.push_back({Warning::Kind::strength,
+                            text(stretched) + "1 + " + number_text(stretched.part, 2) + " times its length" +
                                 when(stretched) + ", and no metal is stretched that far before it breaks",
                             "declare model:fracture with a limit of axial_strain or elongation",
-                            w_.structure.elements()[stretched.element].member});
+                            line_of_member(model, w_.structure.elements()[stretched.element].member)});
     }
 
     void save(Writer& to) const override { to(elastic_, stretched_); }
     void restore(Reader& from) override { from(elastic_, stretched_); }
-    bool restored(std::span<const State* const>) override {
+    bool fits(const Run&) const override {
         const int elements = int(w_.structure.elements().size());
         return elastic_.element < elements && stretched_.element < elements;
     }
@@ -103,12 +106,12 @@ private:
         }
     };
 
-    void look(double at, Worst& elastic, Worst& stretched) const {
-        look_at_forces(at, elastic);
-        look_at_lengths(at, stretched);
+    void compare(double at, Worst& elastic, Worst& stretched) const {
+        compare_forces(at, elastic);
+        compare_lengths(at, stretched);
     }
 
-    void look_at_forces(double at, Worst& elastic) const {
+    void compare_forces(double at, Worst& elastic) const {
         const State& s = w_.state;
         for (std::size_t i = 0; i < of_.size(); ++i) {
             const Limits& of = of_[i];
@@ -121,7 +124,7 @@ private:
     }
 
     /// Of whole members: in which of its elements one without hardening flows is chance.
-    void look_at_lengths(double at, Worst& stretched) const {
+    void compare_lengths(double at, Worst& stretched) const {
         const State& s = w_.state;
         const auto& elements = w_.structure.elements();
         for (std::size_t i = 0; i < of_.size();) {
@@ -140,16 +143,15 @@ private:
         }
     }
 
+    const Workspace& w_;
     std::vector<Limits> of_;
     Worst elastic_, stretched_;
 };
 
 }  // namespace
 
-EffectKind unreal_strains_kind() {
-    return {.name = "unreal strains", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                return std::make_unique<UnrealStrains>(w, host);
-            }};
+std::unique_ptr<Adviser> advise_of_strains(const Run& run, WarningLog&) {
+    return std::make_unique<UnrealStrains>(run.workspace());
 }
 
 }  // namespace hinge

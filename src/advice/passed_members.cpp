@@ -1,14 +1,15 @@
-#include "effects/passed_through.h"
-
+// Members that passed through each other because no contact rule is for them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
+#include "advice/adviser.h"
 #include "contact/segments.h"
 #include "core/text.h"
 #include "effects/contact.h"
 #include "effects/declared.h"
-#include "effects/kinds.h"
 #include "model/member_text.h"
 
 namespace hinge {
@@ -21,7 +22,7 @@ constexpr double between_places = 0.2;  ///< of the same sum: the way between tw
 constexpr int most_places = 400;
 constexpr std::size_t most_meetings = 10000;  ///< that are counted
 
-bool share_a_node(const MemberData& a, const MemberData& b) {
+bool share_node(const MemberData& a, const MemberData& b) {
     for (const int i : a.node)
         for (const int j : b.node)
             if (i == j) return true;
@@ -32,16 +33,64 @@ std::string place_text(const Vec3& at) {
     return "{" + number_text(at.x(), 3) + ", " + number_text(at.y(), 3) + ", " + number_text(at.z(), 3) + "} m";
 }
 
-}  // namespace
+/// Finds pairs of members whose axes came nearer than half the sum of their half depths although they were apart where
+/// the run began, and for which no rule of model:contact holds. In statics no rule does: there is no contact.
+///
+/// Not found are pairs that share a node or are joined by a link, members that overlapped from the start, and elements
+/// that are broken. Nodes are looked at every few steps, in statics after each; only where one of them has moved by a
+/// part of an element are bars compared, over the straight way of their nodes since the last time. It reads the state
+/// and changes nothing.
+class PassedMembers : public Adviser {
+public:
+    explicit PassedMembers(const Workspace& w);
+    void after_commit(const Run& run, const Step& step) override;
+    /// One warning, of the first pair, with the others counted.
+    void list_findings(const Run& run, std::vector<Warning>& list) const override;
+    void save(Writer& to) const override { to(since_, start_, last_, found_); }
+    void restore(Reader& from) override { from(since_, start_, last_, found_); }
+    bool fits(const Run& run) const override;
 
-bool PassedThrough::is_needed(const Structure& structure, bool dynamic) {
+private:
+    /// Where a pair of members met.
+    struct Meeting {
+        double time = 0;  ///< s
+        Vec3 at = Vec3::Zero();
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.time, s.at);
+        }
+    };
+    using Found = std::map<std::pair<int, int>, Meeting>;  ///< by members, the smaller index first
+    struct Bar {
+        int element;
+        Vec3 low, high;  ///< of the box around its way, m
+        double moved;    ///< m, at most
+    };
+    double moved_since_last() const;
+    Vec3 place(int node, const std::vector<Vec3>& displacement) const;
+    void list_bars(std::vector<Bar>& bars) const;
+    void compare(double time, Found& found) const;
+    void compare(const Bar& a, const Bar& b, double time, Found& found) const;
+    bool may_meet(int member_a, int member_b) const;
+
+    const Workspace& w_;
+    double enough_ = 0;                        ///< m of motion, after which bars are compared
+    double thinnest_ = 0;                      ///< m, the smallest half depth
+    std::vector<std::pair<int, int>> linked_;  ///< members that a link joins, sorted
+    int since_ = 0;                            ///< steps since nodes were looked at
+    std::vector<Vec3> start_, last_;  ///< m, displacements where the run began, and where bars were last compared
+    Found found_;
+};
+
+/// Whether there is a pair without a rule.
+bool has_pair_without_rule(const Structure& structure, bool dynamic) {
     if (structure.model().members().size() < 2) return false;
     if (!dynamic) return structure.large();
     const auto& rules = contact_rules(structure.model());
     return std::none_of(rules.begin(), rules.end(), [](const ContactRule& r) { return r.groups.empty(); });
 }
 
-PassedThrough::PassedThrough(const Workspace& w) : w_(w), start_(w.state.displacement), last_(start_) {
+PassedMembers::PassedMembers(const Workspace& w) : w_(w), start_(w.state.displacement), last_(start_) {
     double shortest = std::numeric_limits<double>::infinity();
     thinnest_ = shortest;
     for (const Element& e : w.structure.elements()) {
@@ -63,11 +112,11 @@ PassedThrough::PassedThrough(const Workspace& w) : w_(w), start_(w.state.displac
     std::sort(linked_.begin(), linked_.end());
 }
 
-Vec3 PassedThrough::place(int node, const std::vector<Vec3>& displacement) const {
+Vec3 PassedMembers::place(int node, const std::vector<Vec3>& displacement) const {
     return w_.structure.position()[node] + displacement[node];
 }
 
-double PassedThrough::moved_since_last() const {
+double PassedMembers::moved_since_last() const {
     double most = 0;
     for (std::size_t n = 0; n < last_.size(); ++n) {
         const double moved = (w_.state.displacement[n] - last_[n]).squaredNorm();
@@ -76,15 +125,15 @@ double PassedThrough::moved_since_last() const {
     return std::sqrt(most);
 }
 
-void PassedThrough::add_step(double time) {
+void PassedMembers::after_commit(const Run&, const Step& step) {
     if (++since_ < steps_between && w_.kind.dynamic) return;
     since_ = 0;
     if (!(moved_since_last() > enough_)) return;
-    compare(time, found_);
+    compare(w_.reached(step), found_);
     last_ = w_.state.displacement;
 }
 
-void PassedThrough::list_bars(std::vector<Bar>& bars) const {
+void PassedMembers::list_bars(std::vector<Bar>& bars) const {
     const auto& elements = w_.structure.elements();
     for (std::size_t i = 0; i < elements.size(); ++i) {
         if (w_.state.broken[i]) continue;
@@ -102,7 +151,7 @@ void PassedThrough::list_bars(std::vector<Bar>& bars) const {
 }
 
 /// Sorts the boxes along the longest side of the scene and compares those that overlap.
-void PassedThrough::compare(double time, Found& found) const {
+void PassedMembers::compare(double time, Found& found) const {
     std::vector<Bar> bars;
     list_bars(bars);
     if (bars.empty()) return;
@@ -122,7 +171,7 @@ void PassedThrough::compare(double time, Found& found) const {
 }
 
 /// Compares two bars at places along the straight way of their nodes since the last time.
-void PassedThrough::compare(const Bar& bar_a, const Bar& bar_b, double time, Found& found) const {
+void PassedMembers::compare(const Bar& bar_a, const Bar& bar_b, double time, Found& found) const {
     const Element &a = w_.structure.elements()[bar_a.element], &b = w_.structure.elements()[bar_b.element];
     const std::pair<int, int> pair = std::minmax(a.member, b.member);
     if (pair.first == pair.second || found.size() >= most_meetings || found.count(pair) > 0 ||
@@ -148,18 +197,19 @@ void PassedThrough::compare(const Bar& bar_a, const Bar& bar_b, double time, Fou
 }
 
 /// Whether these members can be in each other's way, and no rule holds them apart.
-bool PassedThrough::may_meet(int member_a, int member_b) const {
+bool PassedMembers::may_meet(int member_a, int member_b) const {
     const auto& members = w_.structure.model().members();
     const MemberData &a = members[member_a], &b = members[member_b];
     const bool held_apart = w_.kind.dynamic && contact_rule(contact_rules(w_.structure.model()), a, b) >= 0;
-    return !share_a_node(a, b) && !held_apart &&
+    return !share_node(a, b) && !held_apart &&
            !std::binary_search(linked_.begin(), linked_.end(), std::pair(member_a, member_b));
 }
 
-void PassedThrough::check_run(double time, std::vector<RunWarning>& list) const {
+void PassedMembers::list_findings(const Run&, std::vector<Warning>& list) const {
     Found all = found_;
     // what has moved since the last look, unless it is less than any two bars need to meet
-    if (moved_since_last() > between_places * thinnest_) compare(time, all);
+    if (moved_since_last() > between_places * thinnest_)
+        compare(w_.kind.dynamic ? w_.state.time : w_.state.factor, all);
     if (all.empty()) return;
     const auto first = std::min_element(all.begin(), all.end(),
                                         [](const auto& a, const auto& b) { return a.second.time < b.second.time; });
@@ -172,12 +222,13 @@ void PassedThrough::check_run(double time, std::vector<RunWarning>& list) const 
     };
     const bool named = !group(a).empty() && !group(b).empty();
     if (w_.goes_by_load_factor()) {
-        list.push_back({member_text(model, a) + " and " + member_text(model, b) +
-                            " passed through each other by load factor " + number_text(first->second.time, 4) +
-                            " near " + place_text(first->second.at) +
-                            (others > 0 ? ", and " + count_text(others, "more pair") + " of members later" : "") +
-                            ": contact acts in dynamics alone",
-                        "a slow dynamic run with model:contact has them in each other's way", a});
+        list.push_back(
+            {Warning::Kind::contact,
+             member_text(model, a) + " and " + member_text(model, b) + " passed through each other by load factor " +
+                 number_text(first->second.time, 4) + " near " + place_text(first->second.at) +
+                 (others > 0 ? ", and " + count_text(others, "more pair") + " of members later" : "") +
+                 ": contact acts in dynamics alone",
+             "a slow dynamic run with model:contact has them in each other's way", line_of_member(model, a)});
         return;
     }
     const std::string rule = !named ? "model:contact {}"
@@ -185,14 +236,15 @@ void PassedThrough::check_run(double time, std::vector<RunWarning>& list) const 
                                  ? "model:contact { groups = { " + group(a) + " } }"
                                  : "model:contact { between = { " + group(a) + ", " + group(b) + " } }";
     list.push_back(
-        {member_text(model, a) + " and " + member_text(model, b) + " passed through each other by t = " +
+        {Warning::Kind::contact,
+         member_text(model, a) + " and " + member_text(model, b) + " passed through each other by t = " +
              number_text(first->second.time, 4) + " s near " + place_text(first->second.at) +
              (others > 0 ? ", and " + count_text(others, "more pair") + " of members later" : "") + ": " +
              (contact_rules(model).empty() ? "the model has no contact" : "no rule of model:contact is for them"),
-         "declare " + rule + ", or model:contact {} for all members", a});
+         "declare " + rule + ", or model:contact {} for all members", line_of_member(model, a)});
 }
 
-bool PassedThrough::makes_sense() const {
+bool PassedMembers::fits(const Run&) const {
     const std::size_t nodes = w_.structure.position().size();
     const int members = int(w_.structure.model().members().size());
     return start_.size() == nodes && last_.size() == nodes &&
@@ -201,30 +253,11 @@ bool PassedThrough::makes_sense() const {
            });
 }
 
-namespace {
-
-class PassedThroughEffect : public Effect, public RunChecker {
-public:
-    PassedThroughEffect(Workspace& w, Host& host) : Effect("passed through", w, host, {.mean_forces = true}), of_(w) {}
-    void after_commit(const Step& step) override { of_.add_step(w_.reached(step)); }
-    void check_run(std::vector<RunWarning>& list) const override {
-        of_.check_run(w_.kind.dynamic ? w_.state.time : w_.state.factor, list);
-    }
-    void save(Writer& to) const override { to(of_); }
-    void restore(Reader& from) override { from(of_); }
-    bool restored(std::span<const State* const>) override { return of_.makes_sense(); }
-
-private:
-    PassedThrough of_;
-};
-
 }  // namespace
 
-EffectKind passed_through_kind() {
-    return {.name = "passed through", .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-                if (!built::contact || !PassedThrough::is_needed(w.structure, w.kind.dynamic)) return nullptr;
-                return std::make_unique<PassedThroughEffect>(w, host);
-            }};
+std::unique_ptr<Adviser> advise_of_passed_members(const Run& run, WarningLog&) {
+    if (!built::contact || !has_pair_without_rule(run.structure(), run.workspace().kind.dynamic)) return nullptr;
+    return std::make_unique<PassedMembers>(run.workspace());
 }
 
 }  // namespace hinge

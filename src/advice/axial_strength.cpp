@@ -1,21 +1,63 @@
-#include "effects/axial_strength.h"
-
+// Where eq 14 lets sections carry more bending beside their axial force than they can.
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 
+#include "advice/adviser.h"
+#include "advice/unsafe_strength.h"
 #include "core/text.h"
+#include "effects/effect_list.h"
 #include "model/member_text.h"
+#include "section/plastic_shape.h"
 
 namespace hinge {
 namespace {
 
-constexpr long every = 10;  ///< steps of dynamics between looks at sections that do not flow
+constexpr long axial_every = 10;  ///< steps of dynamics between looks at sections that do not flow
 constexpr double least_n = unsafe_excess / (1 + unsafe_excess);  ///< of N0: below it 1 - n is more than M may be beyond
 /// A convex yield surface through n = 1 and m = 1 has at least m = 1 - n: below this a moment is not unsafe.
 double least_m(double n) { return (1 + unsafe_excess) * (1 - n); }
 
-}  // namespace
+/// Follows the sections whose moment is beyond the exact plastic one beside their N (section/plastic_shape.h). Sections
+/// of unknown shape are left out.
+class AxialStrength : public Adviser {
+public:
+    explicit AxialStrength(const Structure& structure);
 
-std::string excess_text(double excess) { return number_text(std::round(100 * excess), 4) + " %"; }
+    /// All elements; in dynamics at every tenth step, else those that flowed.
+    void after_commit(const Run& run, const Step& step) override;
+    void list_findings(const Run& run, std::vector<Warning>& list) const override;
+    void save(Writer& to) const override { to(worst_, unsafe_); }
+    void restore(Reader& from) override { from(worst_, unsafe_); }
+    bool fits(const Run& run) const override;
+
+private:
+    struct Found {
+        double n = 0, m = 0, exact = 0;  ///< parts of N0 and M0
+        double at = 0;                   ///< s, in statics the load factor
+        int element = -1, axis = 0;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.n, s.m, s.exact, s.at, s.element, s.axis);
+        }
+    };
+    /// Parts of the axial and bending strength for 1 N and 1 N m: roots of the coefficients of eq 14.
+    struct Scales {
+        double n = 0, m[2] = {0, 0};  ///< 1/N, 1/(N m); n = 0: nothing to look at
+    };
+    Scales scale_of(const Workspace& w, int element) const;
+    static bool may_exceed(const Scales& scale, const Vec6& p, const beam::FixedEnd& fixed);
+    void compare_ends(const Workspace& w, const Step& step, int element);
+    /// Compares a bending moment with the exact plastic one beside the axial force.
+    void compare(const Workspace& w, const Step& step, int element, int axis, double n, double m);
+
+    std::vector<std::optional<PlasticShape>> shapes_;
+    std::vector<int> shape_of_;   ///< of each member
+    std::vector<Scales> scales_;  ///< of each element: nothing else is read of an element with a small N
+    Found worst_;
+    std::vector<char> unsafe_;  ///< members; empty while there is none
+};
 
 AxialStrength::AxialStrength(const Structure& structure) {
     std::map<const Section*, int> known;
@@ -31,14 +73,15 @@ AxialStrength::AxialStrength(const Structure& structure) {
     }
 }
 
-void AxialStrength::look(const Workspace& w, const Step& step) {
-    const auto look_at = [&](int i) {
+void AxialStrength::after_commit(const Run& run, const Step& step) {
+    const Workspace& w = run.workspace();
+    const auto check = [&](int i) {
         if (may_exceed(scale_of(w, i), w.state.force[i], w.assembly.fixed_end(i))) compare_ends(w, step, i);
     };
-    if (!w.is_due_every(every))
-        for (const PlasticIncrement& y : w.yielding) look_at(y.element);
+    if (!w.is_due_every(axial_every))
+        for (const PlasticIncrement& y : w.yielding) check(y.element);
     else
-        for (int i = 0; i < int(scales_.size()); ++i) look_at(i);
+        for (int i = 0; i < int(scales_.size()); ++i) check(i);
 }
 
 /// Of its strength now, which heat may have taken from.
@@ -83,14 +126,16 @@ void AxialStrength::compare(const Workspace& w, const Step& step, int index, int
     if (m - exact > worst_.m - worst_.exact + alike_moment) worst_ = {n, m, exact, w.reached(step), index, axis};
 }
 
-void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list) const {
+void AxialStrength::list_findings(const Run& run, std::vector<Warning>& list) const {
     if (worst_.element < 0) return;
+    const Workspace& w = run.workspace();
     const Model& model = w.structure.model();
     const int member = w.structure.elements()[worst_.element].member;
     const long others = std::count(unsafe_.begin(), unsafe_.end(), 1) - 1;
     const std::string axis = worst_.axis == 0 ? "x" : "y";
     list.push_back(
-        {member_text(model, member) + ", section " + model.members()[member].section->kind + ", carries N / N0 = " +
+        {Warning::Kind::strength,
+         member_text(model, member) + ", section " + model.members()[member].section->kind + ", carries N / N0 = " +
              number_text(worst_.n, 2) + " and " + number_text(worst_.m, 2) + " of M" + axis + "0 " +
              (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
                                       : "at t = " + number_text(worst_.at, 4) + " s") +
@@ -100,13 +145,23 @@ void AxialStrength::check_run(const Workspace& w, std::vector<RunWarning>& list)
                   : ""),
          "eq 14, interaction = \"paper\", is unsafe there: this run finds too high a strength; leave that option out, "
          "or give \"exact\"",
-         member});
+         line_of_member(model, member)});
 }
 
-bool AxialStrength::fits(const Structure& structure) const {
+bool AxialStrength::fits(const Run& run) const {
+    const Structure& structure = run.structure();
     const int n = int(structure.elements().size());
     return worst_.element >= -1 && worst_.element < n && (worst_.axis == 0 || worst_.axis == 1) &&
            (unsafe_.empty() || unsafe_.size() == structure.model().members().size());
+}
+
+}  // namespace
+
+std::string excess_text(double excess) { return number_text(std::round(100 * excess), 4) + " %"; }
+
+std::unique_ptr<Adviser> advise_of_axial_strength(const Run& run, WarningLog&) {
+    if (!run.effect_list().has("plasticity")) return nullptr;
+    return std::make_unique<AxialStrength>(run.structure());
 }
 
 }  // namespace hinge
