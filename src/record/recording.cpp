@@ -17,8 +17,8 @@
 #include "record/run_checkpoint.h"
 #include "record/run_observer.h"
 #include "record/summary.h"
-#include "run/energy_monitor.h"
 #include "record/told_warnings.h"
+#include "run/energy_monitor.h"
 namespace hinge {
 
 std::string history_row(const RunRecord& r, const Energy& e, const LostBalance* lost) {

@@ -4,6 +4,7 @@
 
 #include "beam/beam_column.h"
 #include "state/configuration.h"
+#include "state/hinges.h"
 
 namespace hinge {
 

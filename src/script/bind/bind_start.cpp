@@ -7,7 +7,6 @@
 #include "model/section_laws.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/bind/static_settings.h"
-#include "script/bind/mode_box.h"
 #include "advice/load_warnings.h"
 #include "effects/all_effects.h"
 #include "effects/contact.h"

@@ -13,14 +13,7 @@ local most_lines, most_members, most_function_lines = 450, 25, 60
 -- Exceptions ----------------------------------------------------------------------------------------------------------
 
 local exceptions = {
-  arrows = {
-    "advice/check.h -> record/context.h", "advice/check.h -> record/run_record.h",
-    "advice/load_warnings.h -> record/context.h", "advice/load_warnings.h -> record/run_record.h",
-    "advice/look_over.cpp -> record/events.h", "advice/plan.h -> record/context.h",
-    "advice/plan.h -> record/run_record.h", "advice/size_notice.cpp -> record/events.h",
-    "advice/size_notice.cpp -> record/recording.h", "advice/size_notice.h -> record/context.h",
-    "advice/size_notice.h -> record/run_record.h",
-  },
+  arrows = {},
   lua = {},
   lines = {
     "algebra/condensed.cpp", "output/snapshot_file.cpp",
