@@ -13,21 +13,21 @@ class JointWarnings : public Adviser {
 public:
     void list_findings(const Run& run, std::vector<Warning>& list) const override {
         const JointBreaks& joints = *run.effect_list().facts<JointBreaks>();
-        const auto add = [&](std::string what, std::string advice, std::size_t joint) {
+        const auto add = [&](std::string what, std::string advice, int member) {
             list.push_back({Warning::Kind::fracture, std::move(what), std::move(advice),
-                            line_of_member(run.structure().model(), joints.member_of(joint))});
+                            line_of_member(run.structure().model(), member)});
         };
-        if (const JointBreaks::Close& close = joints.close_break(); close.times > 0)
-            add(joints.name_of(close.broke) + " broke at t = " + number_text(close.time, 4) + " s, when " +
-                    joints.name_of(close.other) + " had " + number_text(100 * close.part, 3) + " % of its capacity" +
+        if (const JointBreaks::Close close = joints.close_breaks(); close.times > 0)
+            add(close.broke + " broke at t = " + number_text(close.time, 4) + " s, when " + close.other + " had " +
+                    number_text(100 * close.part, 3) + " % of its capacity" +
                     (close.times > 1 ? ", and so " + std::to_string(close.times - 1) + " more times" : "") +
                     ": which of them breaks first may hang on dt, the integrator and the elements, and "
                     "what follows with it",
-                "compare with another integrator, and with twice the elements", close.broke);
+                "compare with another integrator, and with twice the elements", close.member);
         if (run.workspace().kind.dynamic) return;
-        for (const std::size_t i : joints.beyond_capacity())
-            add(joints.name_of(i) + " is beyond its capacity: " + joints.reached_by(i) + "; statics breaks no joint",
-                "a dynamic run that goes on from here breaks it", i);
+        for (const JointBreaks::Beyond& b : joints.beyond_capacity())
+            add(b.joint + " is beyond its capacity: " + b.reached + "; statics breaks no joint",
+                "a dynamic run that goes on from here breaks it", b.member);
     }
 };
 

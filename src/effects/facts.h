@@ -14,27 +14,25 @@ public:
     virtual const std::vector<long>& calls() const = 0;
 };
 
-/// Joints, by their number in the order of declaration.
+/// What joints have come to.
 class JointBreaks {
 public:
     virtual ~JointBreaks() = default;
     /// The first break at which another joint was close to its own, and how many there were.
     struct Close {
         long times = 0;
-        std::size_t broke = 0, other = 0;
-        double part = 0;  ///< of its capacity that the other one had
-        double time = 0;  ///< s
-        template <class Self, class A>
-        static void fields(Self& s, A& a) {
-            a(s.times, s.broke, s.other, s.part, s.time);
-        }
+        std::string broke, other;  ///< "the joint at end a of member 3"
+        int member = -1;           ///< of the one that broke; -1: between nodes
+        double part = 0;           ///< of its capacity that the other one had
+        double time = 0;           ///< s
     };
-    virtual const Close& close_break() const = 0;
-    /// Those that are beyond their capacity.
-    virtual std::vector<std::size_t> beyond_capacity() const = 0;
-    virtual std::string name_of(std::size_t joint) const = 0;     ///< "the joint at end a of member 3"
-    virtual std::string reached_by(std::size_t joint) const = 0;  ///< what of it has reached its capacity
-    virtual int member_of(std::size_t joint) const = 0;           ///< -1: between nodes
+    virtual Close close_breaks() const = 0;
+    /// A joint that is beyond its capacity.
+    struct Beyond {
+        std::string joint, reached;  ///< its name; what of it has reached its capacity
+        int member = -1;
+    };
+    virtual std::vector<Beyond> beyond_capacity() const = 0;
 };
 
 /// Elements whose damping by beta took their whole rate of deformation, the plastic one with it.

@@ -188,33 +188,20 @@ public:
 
     // ---- energy, facts for advice and checkpoint -------------------------------------------------------------------
     void add_energy(const State& state, Accounts& sums) const override { sums["joint_stored"] += stored(state); }
-    const Close& close_break() const override { return close_; }
-    std::vector<std::size_t> beyond_capacity() const override {
-        std::vector<std::size_t> beyond;
+    Close close_breaks() const override {
+        if (close_.times == 0) return {};
+        return {close_.times, name_of(close_.broke), name_of(close_.other), joints_[close_.broke].member, close_.part,
+                close_.time};
+    }
+    std::vector<Beyond> beyond_capacity() const override {
+        std::vector<Beyond> beyond;
         for (std::size_t i = 0; i < joints_.size(); ++i)
-            if (list()[i].over >= 0) beyond.push_back(i);
+            if (list()[i].over >= 0) beyond.push_back({name_of(i), reached_by(i), joints_[i].member});
         return beyond;
     }
-    std::string name_of(std::size_t i) const override {
-        if (declared()[i].is_between_nodes())
-            return "the joint between nodes " + std::to_string(joints_[i].node + 1) + " and " +
-                   std::to_string(joints_[i].end + 1);
-        return "the joint at end " + std::string(joints_[i].side == 0 ? "a" : "b") + " of member " +
-               std::to_string(joints_[i].member + 1);
-    }
-    std::string reached_by(std::size_t i) const override {
-        const JointState& j = list()[i];
-        char text[80] = "its node has lost its last member";
-        if (j.over >= 0 && j.over < 3)
-            std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
-                          axis_names[j.over]);
-        if (j.over == 3) std::snprintf(text, sizeof text, "tension of %.4g N", j.tension);
-        if (j.over == 4) std::snprintf(text, sizeof text, "shear force of %.4g N", j.shear);
-        return text;
-    }
-    int member_of(std::size_t i) const override { return joints_[i].member; }
     bool restored(std::span<const State* const> states) override {
-        if (close_.times < 0 || close_.broke >= joints_.size() || close_.other >= joints_.size()) return false;
+        if (close_.times < 0) return false;
+        if (close_.times > 0 && (close_.broke >= joints_.size() || close_.other >= joints_.size())) return false;
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const auto* there = s->data.find<JointStates>(joints_effect);
             const auto* records = s->data.find<JointRecords>(joint_records);
@@ -373,6 +360,23 @@ private:
         return energy;
     }
 
+    std::string name_of(std::size_t i) const {
+        if (declared()[i].is_between_nodes())
+            return "the joint between nodes " + std::to_string(joints_[i].node + 1) + " and " +
+                   std::to_string(joints_[i].end + 1);
+        return "the joint at end " + std::string(joints_[i].side == 0 ? "a" : "b") + " of member " +
+               std::to_string(joints_[i].member + 1);
+    }
+    std::string reached_by(std::size_t i) const {
+        const JointState& j = list()[i];
+        char text[80] = "its node has lost its last member";
+        if (j.over >= 0 && j.over < 3)
+            std::snprintf(text, sizeof text, "rotation of %.4g rad about the axis of %s", j.rotation[j.over],
+                          axis_names[j.over]);
+        if (j.over == 3) std::snprintf(text, sizeof text, "tension of %.4g N", j.tension);
+        if (j.over == 4) std::snprintf(text, sizeof text, "shear force of %.4g N", j.shear);
+        return text;
+    }
     void release(std::size_t i, double time) {
         JointState& j = list()[i];
         w_.state.accumulated["joint_dissipated"] += evaluate(i, j.rotation).stored;
@@ -389,7 +393,16 @@ private:
     JointTies ties_;
     std::vector<EndForces> end_forces_;
     bool lost_any_ = false;
-    Close close_;
+    /// The first break at which another joint was close to its own, and how many there were.
+    struct FirstClose {
+        long times = 0;
+        std::size_t broke = 0, other = 0;
+        double part = 0, time = 0;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.times, s.broke, s.other, s.part, s.time);
+        }
+    } close_;
 };
 
 std::vector<PlanLine> joints_plan(const Structure& s, const RunKind&) {
