@@ -58,7 +58,8 @@ double part_of_loads(lua_State* L, const ScriptRun& record) {
     const bool held = run.structure().model().holds_loads();
     if (factor != 1 && (run.verdict() == Verdict::failed || run.limit()))
         tell(*context(L),
-             {"run:buckling: the run ended at load factor " + number_text(factor) +
+             {Warning::Kind::stability,
+              "run:buckling: the run ended at load factor " + number_text(factor) +
                   (held ? ", and its factors are on the internal forces there, in which the loads of the run before are"
                         : ", and its factors on the declared loads follow from the internal forces there"),
               "what yields or bends before the end is in these forces; give it a part of the loads that it can carry",
