@@ -161,8 +161,8 @@ function node_joint:state(run) end
 ---as by groups, their mean. A broken element is damped no more, nor is the mass left of it, and it no longer counts in
 ---that mean: a point mass whose members have all broken off flies undamped. Of several calls the last one that applies
 ---to a member's groups counts, so that alpha = 0 with a group leaves it undamped. The energy that it dissipates is in
----run.energy.damping. With explicit steps beta shortens the longest stable step (dt = "auto" includes this). It does not
----act in statics.
+---run.energy.damping. With explicit steps beta shortens the longest stable step (dt = "auto" includes this). It does
+---not act in statics.
 ---```lua
 ---local alpha, beta = model:damping { ratio = 0.02, periods = { 0.2, 0.02 } } -- 2 % of critical at both
 ---```

@@ -208,8 +208,9 @@ end)
 case("damping of a group changes no bit of the other members", function()
   -- A group's members alone: the other portal has the same bits as without.
   local function declare(m) m:damping { ratio = 0.1, periods = { 0.3, 0.1 }, group = "near" } end
-  local run, again = ended { declare = declare, run = { solver = "direct", internals = { predictor = "displacement" } } }
-  local bare, bare_tops = ended { run = { solver = "direct", internals = { predictor = "displacement" } } }
+  local options = { solver = "direct", internals = { predictor = "displacement" } }
+  local run, again = ended { declare = declare, run = options }
+  local bare, bare_tops = ended { run = options }
   local damped, free = run:displacement(again[1]), run:displacement(again[2])
   local of_near, of_far = bare:displacement(bare_tops[1]), bare:displacement(bare_tops[2])
   expect(math.abs(damped / of_near - 1) > 0.01, "the damped portal is another: %.6g, %.6g", damped, of_near)

@@ -169,7 +169,8 @@ case("hinge plan names the effects, why and where they were asked for, and runs 
   end
   for geometric, line in pairs { ["true"] = "on +part of large displacement", ["false"] = "off +geometric = false" } do
     status, printed = run(hinge .. " plan " .. script("plans_geometric.lua", beam ..
-      "cantilever(-1000):dynamic { dt = 1e-5, duration = 1e-3, internals = { geometric = " .. geometric .. " } }:finish()\n"))
+      "cantilever(-1000):dynamic { dt = 1e-5, duration = 1e-3, internals = { geometric = "
+      .. geometric .. " } }:finish()\n"))
     expect(status == 0 and printed:find("\n  geometric stiffness +" .. line .. "\n"), "plan with geometric = %s:\n%s",
       geometric, printed)
   end

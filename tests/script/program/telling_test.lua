@@ -276,10 +276,10 @@ case("a run that fails names the remedy that holds in a trial", function()
   local status, _
   -- Runs that fail name one remedy: the first that holds in a trial.
   for options, wanted in pairs {
-    ["dt = 1e-3, internals = { solver_iterations = 1 }"] = "conjugate gradients did not converge in 1 iteration; solver = 'direct' "
-      .. "holds: tried from t = ... s to ... s",
-    ["dt = 1e-3, internals = { solver_iterations = 1 }, energy_tolerance = 0"] = "conjugate gradients did not converge in 1 iteration; "
-      .. "solver = 'direct' holds: ...",
+    ["dt = 1e-3, internals = { solver_iterations = 1 }"] = "conjugate gradients did not converge in 1 "
+      .. "iteration; solver = 'direct' holds: tried from t = ... s to ... s",
+    ["dt = 1e-3, internals = { solver_iterations = 1 }, energy_tolerance = 0"] =
+      "conjugate gradients did not converge in 1 iteration; solver = 'direct' holds: ...",
     ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction "
       .. "... of "
       .. "the first); iterations = 30 holds: ...",

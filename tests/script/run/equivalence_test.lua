@@ -52,7 +52,8 @@ local function simulate(way)
   model:velocity("bar", vector(0, 0, -30, m), vector(1, 2, 0, 1))
   model:contact { stiffness = 2e8 * newton / m }
   way.declare(model, joints)
-  local options = { dt = 2e-5, duration = 0.03, precision = "double", internals = { solver_tolerance = 1e-12 }, record = false }
+  local options = { dt = 2e-5, duration = 0.03, precision = "double", record = false,
+    internals = { solver_tolerance = 1e-12 } }
   for k, v in pairs(way.options) do options[k] = v end
   if options.solver == "direct" then options.internals = nil end
   local run = model:dynamic(options)
@@ -139,7 +140,8 @@ case("a scene moved, turned, renumbered, in other units or with idle effects giv
   end }, 1e-10)
   same("bodies never left alone", { options = { rest = false } }, 0)
   same("step control that keeps every step", { options = { step_control = 0.5 } }, 1e-10)
-  same("single precision in the operator", { options = { precision = "single", internals = { solver_tolerance = 1e-8 } } }, 1e-8)
+  same("single precision in the operator",
+    { options = { precision = "single", internals = { solver_tolerance = 1e-8 } } }, 1e-8)
 end)
 
 checks.done()

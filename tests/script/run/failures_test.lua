@@ -85,8 +85,8 @@ end)
 case("the reason of a run that goes on from a failed one is not cut at a group's name", function()
   local function chain(group)
     local model = folding(group)
-    local one = model:dynamic { dt = 0.0155, duration = 0.31, internals = { predictor = "acceleration" }, step_control = 0,
-      record = false }:finish()
+    local one = model:dynamic { dt = 0.0155, duration = 0.31, step_control = 0, record = false,
+      internals = { predictor = "acceleration" } }:finish()
     local two = model:dynamic { from = one, dt = 1e-5, duration = 1e-4, record = false }:finish()
     return one, two
   end
