@@ -1,13 +1,15 @@
 // Dynamics: steps in time, each in the words of the paper (section 2.2): loads, predict, [contact], recover stresses,
 // [yield], solve, correct, [fracture], commit. What is in brackets is an effect that a scene may not call for.
 //
-// This class knows the order of a step and what effects may ask of it, and no effect by name. How forces become motion
-// is the integrator's (integrator.h), how long a step is StepSize's, whether the run may go on the energy monitor's.
+// This class knows the order of a step and what effects may ask of it, and no effect by name. Forces and the first
+// acceleration are in dynamic_forces.h, how they become motion in integrator.h, how long a step is and whether it is
+// kept in step_length.h, what follows from breaks in element_breaks.h, whether the run may go on in energy_check.h.
 #pragma once
 
-#include "run/energy_monitor.h"
-#include "run/integrator.h"
-#include "run/settings.h"
+#include "run/element_breaks.h"
+#include "run/energy_check.h"
+#include "run/sleepers.h"
+#include "run/step_length.h"
 
 namespace hinge {
 
@@ -16,14 +18,14 @@ public:
     Dynamics(std::shared_ptr<const Structure> structure, State start, DynamicSettings settings);
 
     bool advance() override;
-    long planned_steps() const override { return steps_done() + size_.left(); }
+    long planned_steps() const override { return steps_done() + length_.size().left(); }
     const char* kind() const override { return "dynamic"; }
     bool is_static() const override { return false; }
     std::span<const Break> broken_last() const override { return step_.breaks; }
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
     const DynamicSettings& settings() const { return settings_; }
-    double dt() const { return size_.dt(); }  ///< s, of the coming step
+    double dt() const { return length_.size().dt(); }  ///< s, of the coming step
 
     /// Appends all that the bits of later steps depend on, and what was counted so far. Changes nothing.
     void save(std::string& to) const;
@@ -40,21 +42,23 @@ public:
     long substeps() const override { return steps_done(); }
     double part_done() const override;
     std::string way_done() const override;
-    double shortest() const { return size_.own(); }  ///< s: dt, with "auto" the shortest, before any is halved
-    double shortest_taken() const { return size_.least_taken(); }  ///< s
-    long rejected() const override { return size_.rejected(); }
+    double shortest() const { return length_.size().own(); }  ///< s: dt, with "auto" the shortest, before any is halved
+    double shortest_taken() const { return length_.size().least_taken(); }  ///< s
+    long rejected() const override { return length_.size().rejected(); }
     std::optional<double> shortest_controlled() const override;
-    long own_steps() const { return size_.whole() / size_.own_length(); }  ///< of length dt in the whole run
+    long own_steps() const {
+        return length_.size().whole() / length_.size().own_length();
+    }  ///< of length dt in the whole run
     bool explicit_steps() const { return settings_.explicit_steps(); }
-    double largest_energy() const override { return largest_energy_.most(); }
+    double largest_energy() const override { return energy_check_.largest().most(); }
     /// Of a run whose energy balance no longer closed: the moment at which this was seen.
-    const LostBalance* lost() const override { return energy_monitor_.lost() ? &*energy_monitor_.lost() : nullptr; }
+    const LostBalance* lost() const override { return energy_check_.lost() ? &*energy_check_.lost() : nullptr; }
     /// Of the state: the energy error as a part of the largest energy.
-    double energy_error_share() const;
-    const LargestError& largest_error() const { return energy_monitor_.largest_error(); }
+    double energy_error_share() const { return energy_check_.error_share(*this); }
+    const LargestError& largest_error() const { return energy_check_.largest_error(); }
     /// The part of the largest energy that the balance may miss before the run ends, failed; 0: it never does.
-    double tolerance() const { return settings_.energy_tolerance.value_or(energy_may_miss()); }
-    const StepControl& step_control() const { return control_; }
+    double tolerance() const { return energy_check_.tolerance(); }
+    const StepControl& step_control() const { return length_.control(); }
     const Fastest& fastest() const { return integrator_->fastest; }
     const Fastest* fastest_node() const override { return fastest().node < 0 ? nullptr : &fastest(); }
     const Dynamics* dynamics() const override { return this; }
@@ -69,10 +73,10 @@ private:
     void blocks_changed(const Pose& at) override;
     void set_offset_mass(int node, const Mat6& mass) override;
     void leave_out(const std::vector<int>& resting) override;
-    void accelerations_anew() override { anew_ = true; }
-    void constraints_changed() override { constraints_due_ = true; }
+    void accelerations_anew() override { forces_.acceleration_due = true; }
+    void constraints_changed() override { element_breaks_.constraints_due = true; }
     void mass_changed(int element) override { mass_.changed(element); }
-    ImpulseResponse respond(const std::vector<Vec6>& impulse) override;
+    ImpulseResponse respond(const std::vector<Vec6>& impulse) override { return forces_.respond(impulse); }
     bool has_effective_stiffness() const override { return !explicit_steps(); }
 
     // a step
@@ -82,40 +86,24 @@ private:
     void begin_step();
     void predict();
     void keep_constraints(bool moved);
-    void meet();
+    void detect_contacts();
     void restart();
-    void recover(double time);
     bool correct();
-    void settle();
-    Failure failure_of_elements() const;
+    void recover_last();
     void end_contacts();
-    void decide();
     void control_step();
-    bool is_abrupt();
-    double motion_of_trial() const;
-    bool calls_for_control() const;
+    void decide_breaks();
     void commit();
     void break_elements();
-    void rebuild_constraints();
-    void watch_effects();
 
+    void add_stages();
     void choose_length();
     void take_steps_of(long length);
     void set_length(long length);
     void save_step();
     void roll_back();
-    bool again_shorter();
-    Failure crushed() const;
-    double energy_may_miss() const;
-    void check_energy();
-    void look_between();
-    void add_inertia_to_reactions();
-    void must_be_solved(const SolveReport& report);
-    void find_acceleration(std::vector<Vec6>& out_of_balance);
-    void return_to_yield_surface();
-    double work_of_supports(const std::vector<Vec6>& supports, const std::vector<Vec6>& velocity) const;
+    bool try_shorter();
     Energy energy_of_trial();
-    DynamicSettings fitted(DynamicSettings settings) const;
 
     template <class Self, class A>
     static void fields(Self& s, A& a);
@@ -128,34 +116,20 @@ private:
     struct {
         int loads, contact, restart, predict, recover, correct, ends, control, decide, commit;
     } at_;  ///< places of the stages
-    StepSize size_;
+    StepLength length_;
+    EnergyCheck energy_check_;
     KeptMass mass_;
     std::unique_ptr<Integrator> integrator_;
-    LargestEnergy largest_energy_;
-    EnergyMonitor energy_monitor_;
-    StepControl control_;
-    bool meets_ = false, breaks_or_parts_ = false, decides_ = false;  ///< what effects of this scene do in a step
     Step step_;
-    bool constraints_due_ = false;  ///< constraints have ended in the step
-    bool anew_ = false;             ///< the next step begins with the acceleration found anew
-    std::vector<double> motions_;   ///< J, motion_of_trial() of the last two steps; with control by default
-    double motion_ = 0;             ///< of the step that is tried
-    bool unseen_ = false;           ///< step control has not looked at the step that is tried
-    std::vector<double> lumped_;    ///< kg, at each node
-    bool rejected_ = false;         ///< the step failed in a way that a shorter one may mend
-    struct Sleep {
-        bool awake = false;
-        long quiet = 0;
-        template <class Self, class A>
-        static void fields(Self& s, A& a) {
-            a(s.awake, s.quiet);
-        }
-    };
-    std::vector<Sleep> sleepers_;  ///< of each effect that sleeps
+    DynamicForces forces_;
+    ElementBreaks element_breaks_;
+    Sleepers sleepers_;
+    const bool has_contacts_, forces_may_vanish_, has_breakers_;  ///< effects of this scene
+    bool rejected_ = false;  ///< the step failed in a way that a shorter one may mend
     struct {
         Accounts accumulated;
         std::optional<StepSize> size;
-        bool anew = false;
+        bool acceleration_due = false;
         Fastest fastest;
     } before_;  ///< the step, for one that is taken back
 };

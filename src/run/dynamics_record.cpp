@@ -45,7 +45,7 @@ std::vector<PlanLine> Dynamics::effects() const {
                                                  : "") +
                           (structure_->cubic() ? ", cubic mass" : "");
     char how[160];
-    if (control_.on())
+    if (length_.control().on())
         std::snprintf(how, sizeof how, ", halved where one would lose more than its share of %.2g %% of the energy",
                       100 * settings_.step_control),
             because += how;
@@ -64,10 +64,10 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.size_, s.control_, s.largest_energy_, s.stages_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported,
-      s.w_.yielding, s.w_.weighted, s.anew_, s.sleepers_, s.motions_);
-    if constexpr (A::reading) s.energy_monitor_.make_room(s.state_);
-    a(s.energy_monitor_);
+    a(s.length_, s.stages_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported, s.w_.yielding, s.w_.weighted,
+      s.forces_.acceleration_due, s.sleepers_);
+    if constexpr (A::reading) s.energy_check_.make_room(s.state_);
+    a(s.energy_check_);
     for (const auto& e : s.effects_->all)
         if constexpr (A::reading) e->restore(a);
         else e->save(a);
@@ -113,15 +113,15 @@ void Dynamics::go_on_as(const Dynamics& before) {
     const std::vector<Notice> notices = notices_;
     const std::vector<Activation> activations = activations_;
     const double its_error = before.energy().error;
-    const StepSize size = size_;
-    size_.lengthen(before.size_);
+    const StepSize size = length_.size();
+    length_.lengthen(before.length_);
     try {
         Reader reader(saved);
         read(reader);
     } catch (const Damaged&) {
         Reader reader(now);
         read(reader);
-        size_ = size;
+        length_.restore(size);
         return;
     }
     watch_as(before);
@@ -140,11 +140,10 @@ void Dynamics::go_on_as(const Dynamics& before) {
     }
     initial_ = 0;
     initial_ -= energy_of(state_).error;
-    if (control_.on()) control_.leave_behind(-its_error);
-    size_.count_anew();
+    if (length_.control().on()) length_.leave_behind(-its_error);
+    length_.count_anew();
     integrator_->fastest = {};
-    energy_monitor_ = EnergyMonitor(tolerance(), std::lround(settings_.duration / size_.own()));
-    energy_monitor_.begin(state_);
+    energy_check_.begin(state_, std::lround(settings_.duration / shortest()));
 }
 
 void Dynamics::read(Reader& reader) {
@@ -152,7 +151,7 @@ void Dynamics::read(Reader& reader) {
     reader.must(makes_sense());
     w_.trial = state_;
     std::vector<const State*> states{&state_};
-    if (const State* good = energy_monitor_.good_state()) states.push_back(good);
+    if (const State* good = energy_check_.good_state()) states.push_back(good);
     // a run that has failed may have gone back to a state from before what its effects keep, and takes no step any more
     for (const auto& e : effects_->all) reader.must(e->restored(states) || verdict_ == Verdict::failed);
     if (constraints_) constraints_->rebuild();
@@ -165,10 +164,9 @@ bool Dynamics::makes_sense() const {
     const int nodes = int(structure_->position().size()), elements = int(structure_->elements().size());
     const auto within = [](int n) { return [n](int i) { return i >= 0 && i < n; }; };
     const auto all = [](const auto& list, auto good) { return std::all_of(list.begin(), list.end(), good); };
-    const bool states =
-        hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
-        (!energy_monitor_.good_state() ||
-         (hinge::makes_sense(*energy_monitor_.good_state(), *structure_) && is_finite(*energy_monitor_.good_state())));
+    const bool states = hinge::makes_sense(state_, *structure_) && (verdict_ == Verdict::failed || is_finite(state_)) &&
+                        (!energy_check_.good_state() || (hinge::makes_sense(*energy_check_.good_state(), *structure_) &&
+                                                         is_finite(*energy_check_.good_state())));
     const bool lengths = int(w_.external.size()) == nodes && int(w_.steady.size()) == nodes &&
                          int(w_.force.size()) == elements &&
                          int(w_.weighted.size()) == (settings_.alpha() == 0 ? 0 : nodes);
@@ -180,7 +178,7 @@ bool Dynamics::makes_sense() const {
         return n.kind == Notice::Kind::starts_beyond_yield && within(elements)(n.element);
     };
     return states && lengths && held && all(notices_, good_notice) && hinge::makes_sense(failure_, *structure_) &&
-           size_.makes_sense() && sleepers_.size() == effects_->sleepers.size() && verdict_ >= Verdict::running &&
+           length_.size().makes_sense() && sleepers_.fits() && verdict_ >= Verdict::running &&
            verdict_ <= Verdict::failed && all(w_.supported, within(nodes)) &&
            all(w_.yielding, [&](const PlasticIncrement& y) { return within(elements)(y.element); }) &&
            all(reaction_, [&](const auto& r) { return within(nodes)(r.first); }) && fastest().node < nodes;
