@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "algebra/stable_step.h"
+#include "core/built.h"
 #include "core/errors.h"
 #include "effects/all_effects.h"
 #include "state/nodes.h"
