@@ -1,5 +1,5 @@
 // Quotes texts for the languages that hinge writes: one function a language. Those of Lua, gnuplot, HTML and others are
-// in lua/hinge/library/quote.lua, XML is in output/snapshot_file.cpp; tests/README.md lists where each is used.
+// in lua/hinge/library/quote.lua, XML is in output/frame_collection.cpp; tests/README.md lists where each is used.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ local exceptions = {
   arrows = {},
   lua = {},
   lines = {
-    "algebra/condensed.cpp", "output/snapshot_file.cpp", "run/energy_momentum.cpp",
+    "algebra/condensed.cpp", "run/energy_momentum.cpp",
   },
   members = {
     "algebra/effective_stiffness.h EffectiveStiffness", "contact/member_contacts.h Contact",
