@@ -2,7 +2,8 @@
 // state of the host's own, in which a script declares the same cantilever and is given the same rule.
 //
 // Run     see CMakeLists.txt here
-// Shows   how to declare, step and record a model in C++, and how a script gets at C++ and the host at its results
+// Shows   how to make a section, declare, step and record a model in C++, and how a script gets at C++ and the host at
+//         its results
 // Expect  twice the same line: the cantilever breaks after 9.1 ms. What the run leaves lies in the folder that is named
 #include <cstdio>
 #include <lua.hpp>
@@ -12,6 +13,7 @@
 #include "effects/loads.h"
 #include "record/recording.h"
 #include "run/dynamics.h"
+#include "section/shapes.h"
 
 namespace {
 
@@ -24,9 +26,8 @@ bool breaks(double curvature_x, double curvature_y) {
 void engine_alone(const char* folder) {
     auto steel = std::make_shared<hinge::Material>();
     steel->E = 206e9, steel->G = 79e9, steel->density = 7850;
-    auto bar = std::make_shared<hinge::Section>();
-    bar->area = 25e-4, bar->shear_area_x = bar->shear_area_y = 21e-4;
-    bar->Ix = bar->Iy = 5.2e-7, bar->J = 8.8e-7;
+    const auto bar = std::make_shared<const hinge::Section>(
+        hinge::make_section(hinge::box_shape({.width = 0.05, .depth = 0.05, .web = 0.008, .flange = 0.008})));
 
     auto model = std::make_shared<hinge::Model>(hinge::ModelOptions{});
     const int foot = model->add_node({0, 0, 0}), tip = model->add_node({1, 0, 0});
@@ -68,8 +69,7 @@ const char script[] = R"(
 local hinge = require "hinge"
 local rule = ...
 local steel = hinge.material { E = 206e9, G = 79e9, density = 7850 }
-local bar = hinge.section.general { area = 25e-4, shear_area_x = 21e-4, shear_area_y = 21e-4, Ix = 5.2e-7,
-    Iy = 5.2e-7, J = 8.8e-7 }
+local bar = hinge.section.box { width = 0.05, depth = 0.05, thickness = 0.008 }
 local model = hinge.model()
 local foot, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
 model:fix(foot)

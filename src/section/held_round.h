@@ -1,5 +1,5 @@
 // What a round of a return to the yield surface holds constant, where the strength follows the rotation of a hinge or
-// the back resultants follow the flow: the flow and the factor of the round before (potential_law.h).
+// the back resultants follow the flow: the flow and the factor of the round before (flow_return.h).
 #pragma once
 
 #include <cmath>

@@ -20,7 +20,7 @@ struct PlasticZone {
     /// Normalised back resultants per e and per plastic modulus H of the material, 1/(J Pa): all fibres yield, and
     /// their back stress is H times their plastic strain, or H/3 times in shear.
     Vec4 per_modulus = Vec4::Zero();
-    /// Plastic deformation per e: 1 over the fully plastic resultants; 0 where that is infinite. PotentialLaw sets it.
+    /// Plastic deformation per e: 1 over the fully plastic resultants; 0 where that is infinite. FlowProblem sets it.
     Vec4 per_strength = Vec4::Zero();
 };
 

@@ -12,7 +12,6 @@
 -- 0.5 Ag f'c and more, between them by interpolation. The table's factors for N and for shear are those of no cracks.
 local check = require "hinge.library.check"
 local grades = require "hinge.sections.grades"
-local outline = require "hinge.sections.outline"
 local shapes = require "hinge.sections.shapes"
 
 local concrete = {}
@@ -138,7 +137,7 @@ function concrete.properties(given)
   local s = shapes.solid { width = o.width, depth = o.depth }
   local factor = o.stiffness == "gross" and 1 or o.stiffness == "cracked" and cracked or o.stiffness
   return {
-    kind = "concrete", outline = { outline.rectangle(o.width, o.depth) }, size = s.size, area = s.area,
+    kind = "concrete", outline = s.outline, size = s.size, area = s.area,
     Ix = factor * s.Ix, Iy = factor * s.Iy, mass_Ix = s.Ix, mass_Iy = s.Iy, J = s.J,
     shear_area_x = s.shear_area_x, shear_area_y = s.shear_area_y,
     reinforcement = { concrete = carried, bars = bars, strains = strains },

@@ -3,8 +3,8 @@
 --
 -- Metric: W360X79 is W14X53, HSS203.2X203.2X6.4 is HSS8X8X1/4, L102X102X12.7 is L4X4X1/2: nominal depth and sizes in
 -- mm, mass in kg/m for weight in lb/ft.
+local core = require "hinge.core"
 local shapes = require "hinge.sections.shapes"
-local tees = require "hinge.sections.tees"
 
 local inch, lb_per_ft = 0.0254, 0.45359237 / 0.3048
 
@@ -152,7 +152,8 @@ local function double_angle(sizes, backs)
   local gap = (sizes[4] or 0) * (sizes[1] > 12.01 and 1e-3 or inch)
   local depth, width = list[1], list[2]
   if backs == "SLBB" then depth, width = width, depth end
-  local made = tees.double_angle { depth = depth * inch, width = width * inch, thickness = list[3] * inch, gap = gap }
+  local made = core.shape("double angle", { depth = depth * inch, width = width * inch, thickness = list[3] * inch,
+    gap = gap }, "pair of angles")
   made.shape, made.kind = made.kind, written("2L", list) .. (gap > 0 and "X" .. gap_text(gap / inch) or "")
     .. (backs or "")
   return made
@@ -171,8 +172,8 @@ local function tee(families, name, sizes, dimensions)
   end
   if not row then return nil end
   local d = dimensions(row)
-  local made = tees.tee { depth = d.depth / 2, width = d.width, web = d.web, flange = d.flange,
-    r = d.kdes and d.kdes - d.flange or nil }
+  local made = core.shape("tee", { depth = d.depth / 2, width = d.width, web = d.web, flange = d.flange,
+    r = d.kdes and d.kdes - d.flange or nil }, "tee")
   made.shape, made.kind = made.kind, ("%s%gX%g"):format(name, row.sizes[1] / 2, row.sizes[2] / 2)
   return made
 end

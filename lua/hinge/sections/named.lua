@@ -7,7 +7,6 @@ local core = require "hinge.core"
 local check = require "hinge.library.check"
 local further = require "hinge.sections.further_names"
 local shapes = require "hinge.sections.shapes"
-local tees = require "hinge.sections.tees"
 
 local named = {}
 
@@ -26,7 +25,7 @@ local function with_corners(d, outer, inner)
   return shapes.box(d)
 end
 local makers = {
-  h = rolled, tapered = function(d) return tees.tapered(d) end,
+  h = rolled, tapered = function(d) return core.shape("tapered", d, "H with tapered flanges") end,
   tapered_channel = function(d) return tapered_channel(d, 1 / 6) end,
   flat_channel = function(d) return tapered_channel(d, 1 / 12) end,
   angle = function(d) return shapes.angle(d) end,
@@ -219,10 +218,8 @@ function named.properties(name, options)
     made.interaction = options.interaction
     return made
   end
-  local dimensions = dimensions_of(row)
-  dimensions.interaction = options.interaction
-  local made = makers[row.kind.shape](dimensions)
-  made.kind, made.shape = row.name, made.kind
+  local made = makers[row.kind.shape](dimensions_of(row))
+  made.kind, made.shape, made.interaction = row.name, made.kind, options.interaction
   return made
 end
 

@@ -5,6 +5,7 @@
 #include "section/plastic_shape.h"
 #include "script/bind/material_laws.h"
 #include "script/bind/section_outline.h"
+#include "script/bind/section_shapes.h"
 #include "script/bind/modules.h"
 #include "script/bind/value_box.h"
 #include "script/lua/options.h"
@@ -257,6 +258,8 @@ void open_values(lua_State* L, int module) {
     lua_setfield(L, module, "material");
     lua_pushcfunction(L, (guarded<takes<"hinge.section.general", 1, section>>));
     lua_setfield(L, module, "section");
+    lua_pushcfunction(L, (guarded<takes<"core.shape", 3, push_shape>>));
+    lua_setfield(L, module, "shape");
 }
 
 }  // namespace hinge::script

@@ -31,7 +31,7 @@ beam::Hardening read_hardening(Options& h, const Material& m) {
                    "that over the plastic strain (Pa)");
     if (tangent && *tangent >= m.E)
         h.complain("tangent", show(*tangent) + " Pa", "must be less than E, " + show(m.E) + " Pa");
-    const double H = modulus ? *modulus : *tangent / (1 - *tangent / m.E);
+    const double H = modulus ? *modulus : beam::plastic_modulus_of(*tangent, m.E);
     const double kinematic = h.number("kinematic", "", Range::not_negative, 1);
     if (kinematic > 1) h.complain("kinematic", show(kinematic), "must be a part of the hardening, from 0 to 1");
     beam::Hardening out{kinematic * H, 0, (1 - kinematic) * H};

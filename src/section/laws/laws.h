@@ -35,6 +35,8 @@ struct Hardening {
     double saturation = 0;  ///< back stress that it comes to (Armstrong and Frederick); 0: it moves on
     double isotropic = 0;   ///< plastic modulus by which it grows
 };
+/// Plastic modulus of a material whose stress grows beyond yield with the slope `tangent` over the whole strain, Pa.
+inline double plastic_modulus_of(double tangent, double E) { return tangent / (1 - tangent / E); }
 /// Raises InputError unless all are finite and not negative.
 std::shared_ptr<const MaterialLaw> hardening_law(const Hardening& hardening, double yield_stress);
 

@@ -1,5 +1,5 @@
 // The law of the paper: the surface of eq 14, a function of the squares of the resultants. Without hardening its return
-// is that of the paper's figures, bit for bit; with it, that of potential_law.h.
+// is that of the paper's figures, bit for bit; with it, that of flow_problem.h.
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>

@@ -69,7 +69,7 @@ for _, family in ipairs(hinge.section.names()) do
 end
 
 case("the engine takes every section, and each outline has its area and moduli", function()
-  local outline = require "hinge.sections.outline"
+  local outline = require "sections.polygons"
   for _, family in ipairs(hinge.section.names()) do
     for _, name in ipairs(family:find "^BC" and { family .. " 400x16" } or hinge.section.names(family)) do
       local made = named.properties(name)

@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local hinge = require "hinge"
 local support = require "support"
 local shapes = require "hinge.sections.shapes"
-local outline = require "hinge.sections.outline"
+local outline = require "sections.polygons"
 
 local checks = support.checks "rounded sections"
 local case, expect, equal = checks.case, checks.expect, checks.equal

@@ -2,15 +2,15 @@
 --
 -- t3 is the depth along axis 2, which is y of hinge, t2 the width along axis 3. I33 is Ix, I22 is Iy, AS2 is
 -- shear_area_y, AS3 is shear_area_x. A shear area of 0 means that the member has no shear strain.
+local core = require "hinge.core"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local shapes = require "hinge.sections.shapes"
-local tees = require "hinge.sections.tees"
 
 local rigid = 1000 -- shear areas over the area: the shear strain that is left is 1/1000 of what the area would give
 local largest_difference = 0.02 -- of areas, beyond which hinge.section.general refuses the outline
 
--- What hinge.shapes makes of the dimensions, or nil for a shape that it does not have. d(key): a field, m.
+-- What a shape makes of the dimensions, or nil for a shape that it does not have. d(key): a field, m.
 local makers = {
   ["I/WIDE FLANGE"] = function(d)
     local b, t = d "t2b" or d "t2", d "tfb" or d "tf"
@@ -28,10 +28,13 @@ local makers = {
     made.outline = nil -- the side on which its flanges are is not in the file
     return made
   end,
-  TEE = function(d) return tees.tee { depth = d "t3", width = d "t2", web = d "tw", flange = d "tf" } end,
+  TEE = function(d)
+    return core.shape("tee", { depth = d "t3", width = d "t2", web = d "tw", flange = d "tf" }, "tee")
+  end,
   ["DOUBLE ANGLE"] = function(d)
     local gap = d "dis" or 0
-    return tees.double_angle { depth = d "t3", width = (d "t2" - gap) / 2, thickness = d "tf", gap = gap }
+    return core.shape("double angle", { depth = d "t3", width = (d "t2" - gap) / 2, thickness = d "tf", gap = gap },
+      "double angle")
   end,
 }
 
