@@ -222,7 +222,7 @@ std::vector<Warning> huge_loads(const AdvisedRun& of, const LinearSolution& solu
             yielded.take(std::sqrt(w.x * f.Mx * f.Mx + w.y * f.My * f.My + w.n * f.N * f.N + w.z * f.Mz * f.Mz), i);
         }
     }
-    const auto* statics = dynamic_cast<const Statics*>(of.run.get());
+    const auto* statics = of.run->statics();
     const auto member = [&](const Worst& w) { return std::to_string(structure.elements()[w.element].member + 1); };
     Warning w{.kind = Warning::Kind::units, .asked_at = model.asked_at("loads")};
     if (strained.value > (statics ? much_strain : much_strain_in_dynamics)) {

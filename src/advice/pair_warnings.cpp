@@ -192,7 +192,7 @@ Vec3 load_in_dynamics(const Run& run, int node) {
 
 void PairWarnings::after_step(const Run& run) {
     if (!is_time_to_check(run)) return;
-    if (const auto* statics = dynamic_cast<const Statics*>(&run)) {
+    if (const auto* statics = run.statics()) {
         const LoadOn load_on = [&](int node) -> Vec3 { return statics->load_on(node).head<3>(); };
         warn_of_moments(run, load_on);
         warn_of_tension(run, load_on);

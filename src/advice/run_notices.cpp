@@ -65,7 +65,7 @@ public:
     explicit RunEnd(WarningLog& log) : log_(log) {}
     void finish(const Run& run) override {
         if (run.verdict() != Verdict::completed) return;
-        if (const auto* statics = dynamic_cast<const Statics*>(&run)) warn_if_nothing_acts(*statics);
+        if (const auto* statics = run.statics()) warn_if_nothing_acts(*statics);
         if (const auto* dynamics = run.dynamics()) warn_of_energy_error(*dynamics);
     }
 

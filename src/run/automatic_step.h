@@ -1,5 +1,5 @@
 // dt = "auto": the step that suits the elements of a structure. What effects join to them shortens it when a run is
-// made (Dynamics::fitted).
+// made (fitted_to_effects, run/step_length.h).
 #pragma once
 
 #include "algebra/stable_step.h"

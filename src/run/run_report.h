@@ -11,6 +11,7 @@
 namespace hinge {
 
 class Dynamics;
+class Statics;
 struct Fastest;
 struct Instability;
 struct LostBalance;
@@ -28,8 +29,9 @@ public:
     virtual std::string way_done() const = 0;  ///< "at 0.29 of its load", "at t = 0.12 s, after 41 of 100 steps"
 
     // statics
-    virtual bool limit() const { return false; }            ///< it has ended at a limit load
-    virtual bool short_of_target() const { return false; }  ///< control by arc length ended before its load factor
+    virtual const Statics* statics() const { return nullptr; }  ///< for what only statics has, such as its control
+    virtual bool limit() const { return false; }                ///< it has ended at a limit load
+    virtual bool short_of_target() const { return false; }      ///< control by arc length ended before its load factor
     virtual const Instability* instability() const { return nullptr; }         ///< the first one found
     virtual std::string instability_text() const { return {}; }                ///< where, how many, by what motion
     virtual const std::vector<std::uint8_t>* held() const { return nullptr; }  ///< by supports and by the run

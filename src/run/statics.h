@@ -24,6 +24,7 @@ public:
     long planned_steps() const override { return settings().steps; }
     const char* kind() const override { return "static"; }
     bool is_static() const override { return true; }
+    const Statics* statics() const override { return this; }
     std::vector<StageTime> stage_times() const override { return stages_.times(); }
     std::vector<PlanLine> effects() const override;
     EffectiveStiffness::Counts solver_counts() const override { return tangent_.counts(); }
