@@ -1,0 +1,158 @@
+// Sections by their dimensions, and outlines with bars: properties against those of the outline found another way, what
+// the exact domain and the shape agree in, and what is refused.
+#include "section/shapes.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "core/errors.h"
+#include "helpers.h"
+#include "section/section_outline.h"
+#include "section/shear.h"
+
+using namespace hinge;
+
+namespace {
+
+/// Area and second moments of an outline about its centroid, from thin strips across y.
+Vec3 by_strips(const beam::Outline& outline) {
+    constexpr int strips = 20000;
+    double reach = 0;
+    for (const auto& p : outline.polygons)
+        for (const auto& c : p.corners) reach = std::max(reach, std::abs(c.y()));
+    const double t = 2 * reach / strips;
+    Vec3 sum = Vec3::Zero();
+    for (int i = 0; i < strips; ++i) {
+        const double y = -reach + (i + 0.5) * t;
+        for (const auto& p : outline.polygons)
+            for (std::size_t k = 0; k < p.corners.size(); ++k) {
+                const auto &a = p.corners[k], &b = p.corners[(k + 1) % p.corners.size()];
+                if ((a.y() > y) == (b.y() > y)) continue;
+                const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+                const double sign = (b.y() > a.y() ? 1 : -1) * (p.hole ? -1 : 1);  // counterclockwise
+                sum += sign * t * Vec3(x, x * y * y, x * x * x / 3);
+            }
+    }
+    return sum;
+}
+
+const std::pair<const char*, Shape> all_polygons[] = {
+    {"solid", solid_shape({0.2, 0.3})},
+    {"box", box_shape({.width = 0.2, .depth = 0.3, .web = 0.01, .flange = 0.016, .r = 0.03})},
+    {"h", h_shape({.depth = 0.3, .width = 0.3, .web = 0.011, .flange = 0.019, .r = 0.027})},
+    {"tapered", tapered_h_shape({.depth = 0.3, .width = 0.13, .web = 0.011, .flange = 0.016})},
+    {"channel", channel_shape({.depth = 0.2, .width = 0.075, .web = 0.0085, .flange = 0.0115, .r = 0.0115})},
+    {"angle", angle_shape({.depth = 0.15, .width = 0.1, .thickness = 0.012, .r = 0.012, .r_toe = 0.005})},
+    {"double angle", double_angle_shape({.depth = 0.1, .width = 0.08, .thickness = 0.01, .gap = 0.012})},
+    {"tee", tee_shape({.depth = 0.15, .width = 0.3, .web = 0.011, .flange = 0.019, .r = 0.027})},
+};
+
+template <class F>
+std::string message_of(F f) {
+    try {
+        f();
+    } catch (const InputError& e) { return e.what(); }
+    return "";
+}
+
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("shapes: properties are those of the outline, about its centroid", "[shapes]") {
+    for (const auto& [name, shape] : all_polygons) {
+        INFO(name);
+        const Section s = make_section(shape);
+        const Vec3 of = by_strips(s.outline->outline());
+        CHECK(s.area == Approx(of[0]).epsilon(1e-4));
+        CHECK(s.Ix == Approx(of[1]).epsilon(1e-4));
+        CHECK(s.Iy == Approx(of[2]).epsilon(1e-4));
+        CHECK(s.outline->outline().centroid().norm() < 1e-12);
+        CHECK(s.outline->domain()->area() == Approx(s.plastic_area).epsilon(1e-9));
+        CHECK(s.J > 0);
+        CHECK((s.shear_area_x > 0 && s.shear_area_x < s.area && s.shear_area_y > 0 && s.shear_area_y < s.area));
+    }
+}
+
+TEST_CASE("shapes: plastic moduli are those of the exact domain", "[shapes]") {
+    for (const auto& [name, shape] : all_polygons) {
+        INFO(name);
+        const Section s = make_section(shape);
+        CHECK(s.outline->domain()->moduli()[0] == Approx(s.Zx).epsilon(1e-7));
+        CHECK(s.outline->domain()->moduli()[1] == Approx(s.Zy).epsilon(1e-7));
+    }
+}
+
+TEST_CASE("shapes: a ring is that of its circles", "[shapes]") {
+    const Section s = make_section(pipe_shape(0.2, 0.01)), round = make_section(round_shape(0.2));
+    CHECK(s.area == Approx(std::numbers::pi * 0.19 * 0.01));
+    CHECK(round.Ix == Approx(std::numbers::pi * std::pow(0.1, 4) / 4));
+    CHECK(s.J == Approx(2 * s.Ix));
+    CHECK(s.outline->domain()->area() == Approx(s.area));
+}
+
+TEST_CASE("shapes: impossible dimensions name the field and the limit", "[shapes]") {
+    CHECK(has(message_of([] { h_shape({.depth = 0.3, .width = 0.2, .web = 0.3, .flange = 0.02}); }),
+              "section: field 'web' is 0.3 m; must be below the width, 0.2 m"));
+    CHECK(has(message_of([] { box_shape({.width = 0.2, .depth = 0.2, .web = 0.01, .flange = 0.1}); }),
+              "field 'flange' is 0.1 m"));
+    CHECK(has(message_of([] { pipe_shape(0.2, 0.1, "the pipe"); }), "the pipe: field 'thickness'"));
+}
+
+TEST_CASE("outline: what is no section is refused", "[shapes]") {
+    using beam::make_section_outline;
+    beam::Outline line, hollow, two;
+    line.polygons = {{{{0, 0}, {1, 1}, {2, 2}}}};
+    CHECK(has(message_of([&] { make_section_outline(line); }), "polygon 1: its area is 0 m^2"));
+    hollow.circles = {{{0, 0}, 0.1, false}, {{0, 0}, 0.2, true}};
+    CHECK(has(message_of([&] { make_section_outline(hollow); }), "the area must be above 0"));
+    two.polygons = {{{{0, 0}, {1, 1}}}};
+    CHECK(has(message_of([&] { make_section_outline(two); }), "has 2 corners"));
+}
+
+TEST_CASE("outline: bars lie in the concrete and are as strong", "[shapes]") {
+    const Shape column = solid_shape({0.4, 0.4});
+    const auto with = [&](std::vector<beam::Reinforcement::Bar> bars) {
+        return message_of([&] { make_section(column, beam::Reinforcement{30e6, std::move(bars), {}}); });
+    };
+    const auto bar = [](double x, double y, double compression = 400e6) {
+        return beam::Reinforcement::Bar{{x, y}, 3e-4, 500e6, compression};
+    };
+    CHECK(has(with({}), "field 'bars' is empty"));
+    CHECK(has(with({bar(0.15, 0.15), bar(0.199, 0)}), "bar 2 at {0.199, 0} m is not within the outline"));
+    CHECK(has(with({bar(0.15, 0.15), bar(0.155, 0.15)}), "bar 2 at {0.155, 0.15} m overlaps bar 1"));
+    CHECK(has(with({bar(0.15, 0.15, 20e6)}), "bar 1: field 'compression' is 20000000 Pa"));
+    CHECK(with({bar(0.15, 0.15), bar(-0.15, 0.15), bar(0.15, -0.15), bar(-0.15, -0.15)}).empty());
+}
+
+TEST_CASE("a section of concrete has the strengths of its domain", "[shapes]") {
+    std::vector<beam::Reinforcement::Bar> bars;
+    for (double x : {-0.15, 0.15})
+        for (double y : {-0.15, 0.15}) bars.push_back({{x, y}, 3e-4, 500e6, 400e6});
+    const Section s = make_section(solid_shape({0.4, 0.4}), beam::Reinforcement{30e6, bars, {}});
+    const double bars_area = 4 * 3e-4, N = 30e6 * (0.16 - bars_area) + bars_area * 400e6;
+    CHECK(*s.given.N0 == Approx(N));
+    CHECK(s.outline->axial_range()[1] == Approx(bars_area * 500e6));
+    CHECK(*s.given.Mx0 == Approx(*s.given.My0));
+    CHECK(s.outline->moments(0, 0)[0] == Approx(*s.given.Mx0));
+}
+
+TEST_CASE("an outline of another area, and exact interaction without one, are refused", "[shapes]") {
+    Section s = make_section(solid_shape({0.2, 0.2}));
+    s.area *= 1.05;
+    CHECK(has(message_of([&] { complete_section(s); }), "may differ by 2 %"));
+    Section bare;
+    bare.interaction = Interaction::exact;
+    CHECK(has(message_of([&] { complete_section(bare, "the beam"); }), "the beam: field 'interaction'"));
+}
+
+TEST_CASE("shear: the walls that carry it are within the outline, and their area is that of the web", "[shapes]") {
+    const Section s = make_section(h_shape({.depth = 0.3, .width = 0.3, .web = 0.011, .flange = 0.019}));
+    const auto carried = shear_carried(s);
+    REQUIRE(carried);
+    beam::Outline web;
+    web.polygons = carried->walls[1];
+    CHECK(web.area() == Approx(shear_properties(s).area[1]));
+    CHECK(lost_by_shear(0.5) == 0);
+    CHECK(lost_by_shear(1) == 1);
+}
