@@ -79,7 +79,7 @@ TEST_CASE("flow: the tangent is the slope of the forces", "[flow]") {
         const OneElement of(dice, 3);
         const ElementFlow flow = find_flow(of.problem, of.trial, of.k, ends, 2, {}, nullptr);
         if (!flow.yields()) continue;
-        const Mat6 K = of.k.matrix(), tangent = tangent_of_element(of.problem, flow, of.k, ends, 2, {});
+        const Mat6 K = of.k.matrix(), slope_of_flow = tangent_of_element(of.problem, flow, of.k, ends, 2, {});
         for (int c = 0; c < 6; ++c) {
             const double step = 1e-5 * of.strength[c < 4 ? c / 2 : c - 2] / K(c, c);
             ElementFlow there[2];
