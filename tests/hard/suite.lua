@@ -66,7 +66,7 @@ local function balance(energy)
   local left, most = 0, 0
   for name, joules in pairs(energy) do
     local whole = name:match "^(.-)_"
-    if name ~= "energy_error" and not (whole and (energy[whole] or energy[whole .. "s"])) then
+    if name ~= "energy_error" and name ~= "remainder" and not (whole and (energy[whole] or energy[whole .. "s"])) then
       left = left + ((name == "initial" or name == "work") and joules or -joules)
       most = largest_of(most, math.abs(joules))
     end

@@ -25,7 +25,7 @@ end
 local function largest_energy(run)
   local largest = 0
   for name, value in pairs(run.energy) do
-    if name ~= "energy_error" then largest = largest_of(largest, math.abs(value)) end
+    if name ~= "energy_error" and name ~= "remainder" then largest = largest_of(largest, math.abs(value)) end
   end
   return largest
 end
