@@ -44,7 +44,7 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     ["hinge.section.box"] = "hinge.section.box(options) hinge.box_options",
     ["box"] = "hinge.section.box(options) hinge.box_options",
     ["hinge.energy"] = "hinge.energy",
-    ["node"] = "grid:node(place, storey?) hinge.node model:node(position)",
+    ["node"] = "hinge.node model:node(position) grid:node(place, storey?)",
     ["run.energy"] = "hinge.energy",
     ["vec3"] = "vec3",
     ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
@@ -54,17 +54,17 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     equal(status, 0, "status of " .. name)
   end
   expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
-  expect(select(2, asks "friction"):find("^`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
+  expect(select(2, asks "friction"):find("`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
     "a field is told with its class: %s", select(2, asks "friction"))
-  expect(select(2, asks "verdict"):find("Fields with this name: `hinge.robustness_row.verdict`, "
-    .. "`hinge.run.verdict`", 1, true), "fields of a call's name")
+  expect(select(2, asks "verdict"):find("Fields with this name: `hinge.run.verdict`, "
+    .. "`hinge.study_case.verdict`, `hinge.robustness_row.verdict`", 1, true), "fields of a call's name")
   equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
     .. reference.preamble .. "\n```\n", "what examples start from")
 
   for name, message in pairs {
     ["dampng"] = "hinge: nothing is called 'dampng' (did you mean 'damping'?); `hinge reference` prints everything, "
       .. "`hinge reference -s WORD` searches it\n",
-    ["corotational"] = "hinge: nothing is called 'corotational' (did you mean 'cap_rotation'?); `hinge reference -s "
+    ["corotational"] = "hinge: nothing is called 'corotational' (did you mean 'rotation_x'?); `hinge reference -s "
       .. "corotational` finds 1 mention of it\n",
     ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
     ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
