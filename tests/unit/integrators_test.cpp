@@ -116,7 +116,7 @@ Eigen::Matrix3d amplification(double z, double beta, double gamma, double alpha)
     return A;
 }
 
-double spectral_radius(const Eigen::Matrix3d& A) { return A.eigenvalues().cwiseAbs().maxCoeff(); }
+double spectral_radius(const Eigen::Matrix3d& A) { return largest_entry(A.eigenvalues()); }
 
 }  // namespace
 

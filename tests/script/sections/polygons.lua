@@ -39,7 +39,7 @@ end
 -- that halves the area.
 function outline.plastic_modulus(corners, k)
   local whole, low, high = outline.moments(corners).A, math.huge, -math.huge
-  for _, p in ipairs(corners) do low, high = math.min(low, p[k]), math.max(high, p[k]) end
+  for _, p in ipairs(corners) do low, high = math.min(low, p[k]), p[k] > high and p[k] or high end
   local _, all = outline.beyond(corners, k, low)
   for _ = 1, 100 do
     local e = (low + high) / 2

@@ -31,7 +31,8 @@ case("a project of somebody else's builds against the installed library, on the 
   status, printed, complaint = run(("%s %s/host %s %s/recorded"):format(clean, host, quote(prefix), quote(folder)))
   equal(status, 0, "the host runs: " .. complaint)
   local summary = support.read(folder .. "/recorded/summary.json") or ""
-  expect(summary:find '"verdict": "stopped"' and summary:find '"fracture": 304' and support.read(folder .. "/recorded/history.csv"),
+  expect(summary:find '"verdict": "stopped"' and summary:find '"fracture": 304'
+    and support.read(folder .. "/recorded/history.csv"),
     "the host's record: %s", summary)
   local first, second = printed:match "^C%+%+: (1 of 1 members broken [^\n]*)\nLua: ([^\n]*)\n$"
   expect(first and first == second, "C++ and Lua break the same at the same time: %s", printed)
