@@ -14,9 +14,10 @@ using namespace hinge;
 
 namespace {
 
-/// Area and second moments of an outline about its centroid, from thin strips across y.
+/// Area and second moments of an outline about its centroid, from thin strips across y. A strip that meets an edge is
+/// off by its own area: 3e-5 of that of these sections.
 Vec3 by_strips(const beam::Outline& outline) {
-    constexpr int strips = 20000;
+    constexpr int strips = 200000;
     double reach = 0;
     for (const auto& p : outline.polygons)
         for (const auto& c : p.corners) reach = std::max(reach, std::abs(c.y()));
