@@ -4,7 +4,7 @@
 // Run     see CMakeLists.txt here
 // Shows   how to make a section, declare, step and record a model in C++, and how a script gets at C++ and the host at
 //         its results
-// Expect  twice the same line: the cantilever breaks after 9.1 ms. What the run leaves lies in the folder that is named
+// Expect  twice the same line: the cantilever breaks after 6.2 ms. What the run leaves lies in the folder that is named
 #include <cstdio>
 #include <lua.hpp>
 #include <memory>
