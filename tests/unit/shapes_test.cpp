@@ -20,7 +20,7 @@ Vec3 by_strips(const beam::Outline& outline) {
     constexpr int strips = 200000;
     double reach = 0;
     for (const auto& p : outline.polygons)
-        for (const auto& c : p.corners) reach = largest_of(reach, std::abs(c.y()));
+        for (const auto& c : p.corners) reach = test::largest_of(reach, std::abs(c.y()));
     const double t = 2 * reach / strips;
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < strips; ++i) {
