@@ -1,6 +1,6 @@
 # cmake --install: the program, the module, the Lua library, and the engine as the CMake package `hinge` (targets hinge::engine, hinge::record).
 # The module and the program look for the Lua library and the pictures in these folders, seen from where they lie themselves
-# (script/places.cpp), so the whole may be moved.
+# (script/lua/installed_files.cpp), so the whole may be moved.
 # Components: program, module, development; the Debian package (package.cmake) takes program and debian.
 set(HINGE_MODULE_FOLDER lib/lua/5.4 CACHE STRING "Where the module is installed; on Lua's cpath")
 set(HINGE_LIBRARY_FOLDER share/hinge/lua CACHE STRING "Where the Lua library is installed")

@@ -134,7 +134,8 @@ public:
 
 protected:
     GroundData& data() const { return *w_.state.data.find<GroundData>(ground_effect); }
-    bool meets(int plane, int element) const {
+    /// Whether a plane is declared for the member of that element.
+    bool presses_on(int plane, int element) const {
         return planes_[plane].group < 0 || w_.structure.in_group(element, planes_[plane].group);
     }
     bool is_held(int node) const { return (w_.state.held[node] & 7) == 7; }

@@ -45,7 +45,7 @@ public:
     void list(GroundData& to) const override {
         for (int i = 0; i < int(planes_.size()); ++i)
             for (int e = 0; planes_[i].is_layer() && e < int(w_.structure.elements().size()); ++e)
-                if (meets(i, e)) to.strips.push_back(strip_of(i, e));
+                if (presses_on(i, e)) to.strips.push_back(strip_of(i, e));
     }
 
     void add_forces(std::vector<Vec6>& resisting) override {

@@ -56,7 +56,7 @@ public:
                 GroundPoint p;
                 p.plane = i, p.end.node = n;
                 for (int element : s.elements_at(n)) {
-                    if (!meets(i, element)) continue;
+                    if (!presses_on(i, element)) continue;
                     const Element& e = s.elements()[element];
                     p.end.radius = std::max(p.end.radius, e.radius);
                     const double mass = striking_mass(s, w_.state, element, e.node[0] == n ? 0 : 1);
@@ -66,7 +66,7 @@ public:
                 if (p.stiffness != 0 && !w_.state.gone[n]) to.points.push_back(started(p));
             }
             for (int e = 0; e < int(s.elements().size()); ++e)
-                if (w_.state.broken[e] && meets(i, e)) to.points.push_back(free_end(i, e));
+                if (w_.state.broken[e] && presses_on(i, e)) to.points.push_back(free_end(i, e));
         }
     }
 
@@ -166,7 +166,7 @@ public:
             p.end.left_out = true, p.overlap = -p.end.radius, p.end.slip.setZero(), p.waits = 0;
         }
         for (int i = 0; i < int(planes_.size()); ++i)
-            if (!planes_[i].is_layer() && meets(i, b.element)) points().push_back(free_end(i, b.element));
+            if (!planes_[i].is_layer() && presses_on(i, b.element)) points().push_back(free_end(i, b.element));
         return lost;
     }
 

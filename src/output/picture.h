@@ -1,8 +1,8 @@
 // Contents of a picture, without a picture library: the interface of the output module.
 //
 // Only the files behind this header use VTK. They form a separate module (libhinge_output.so), loaded for the first
-// picture or ParaView frame, so that a run without pictures starts in milliseconds. Line plots have their own header,
-// plot.h.
+// picture or ParaView frame, so that a run without pictures starts in milliseconds. Line plots are drawn by
+// gnuplot (script/bind/bind_plot.cpp).
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // What a run has seen on its way that its results do not show: a cause and numbers. Its text is made in
-// advice/notice_text.cpp.
+// advice/run_notices.cpp.
 #pragma once
 
 namespace hinge {

@@ -1,6 +1,6 @@
--- The commands of OpenSees that describe a frame, as a frame of hinge. tcl.lua and python.lua evaluate the script and
--- call run(name, arguments, place) for each command, with arguments as a list of texts. Those of one kind of commands
--- are in a file of the folder opensees.
+-- The commands of OpenSees that describe a frame, as a frame of hinge. recorded.lua has the script run by its
+-- interpreter, and calls run(name, arguments, place) for each command, with arguments as a list of texts. Those of one
+-- kind of commands are in a file of the folder opensees.
 --
 -- Commands: the wiki of OpenSees and the documentation of OpenSeesPy. A plane frame in x and y becomes one in x and z
 -- of hinge: y of OpenSees is z of hinge, and rotations about z of OpenSees are those about -y.
