@@ -56,7 +56,7 @@ private:
     std::vector<int> shape_of_;   ///< of each member
     std::vector<Scales> scales_;  ///< of each element: nothing else is read of an element with a small N
     Found worst_;
-    std::vector<char> unsafe_;  ///< members; empty while there is none
+    UnsafeMembers unsafe_;
 };
 
 AxialStrength::AxialStrength(const Structure& structure) {
@@ -121,8 +121,7 @@ void AxialStrength::compare(const Workspace& w, const Step& step, int index, int
     const int member = w.structure.elements()[index].member;
     const double exact = shapes_[shape_of_[member]]->moment(axis, n);
     if (!is_unsafe(m, exact)) return;
-    if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
-    unsafe_[member] = 1;
+    unsafe_.add(w.structure.model(), member);
     if (m - exact > worst_.m - worst_.exact + alike_moment) worst_ = {n, m, exact, w.reached(step), index, axis};
 }
 
@@ -131,15 +130,14 @@ void AxialStrength::list_findings(const Run& run, std::vector<Warning>& list) co
     const Workspace& w = run.workspace();
     const Model& model = w.structure.model();
     const int member = w.structure.elements()[worst_.element].member;
-    const long others = std::count(unsafe_.begin(), unsafe_.end(), 1) - 1;
+    const long others = unsafe_.others();
     const std::string axis = worst_.axis == 0 ? "x" : "y";
     list.push_back(
         {Warning::Kind::strength,
-         member_text(model, member) + ", section " + model.members()[member].section->kind + ", carries N / N0 = " +
-             number_text(worst_.n, 2) + " and " + number_text(worst_.m, 2) + " of M" + axis + "0 " +
-             (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
-                                      : "at t = " + number_text(worst_.at, 4) + " s") +
-             ": " + excess_text(worst_.m / worst_.exact - 1) + " more than its exact plastic moment beside that N" +
+         member_text(model, member) + ", section " + model.members()[member].section->kind +
+             ", carries N / N0 = " + number_text(worst_.n, 2) + " and " + number_text(worst_.m, 2) + " of M" + axis +
+             "0 " + when_text(w, worst_.at) + ": " + excess_text(worst_.m / worst_.exact - 1) +
+             " more than its exact plastic moment beside that N" +
              (others > 0
                   ? ", and so do " + count_text(others, "more member") + " by more than " + excess_text(unsafe_excess)
                   : ""),
@@ -152,12 +150,10 @@ bool AxialStrength::fits(const Run& run) const {
     const Structure& structure = run.structure();
     const int n = int(structure.elements().size());
     return worst_.element >= -1 && worst_.element < n && (worst_.axis == 0 || worst_.axis == 1) &&
-           (unsafe_.empty() || unsafe_.size() == structure.model().members().size());
+           unsafe_.fits(structure.model());
 }
 
 }  // namespace
-
-std::string excess_text(double excess) { return number_text(std::round(100 * excess), 4) + " %"; }
 
 std::unique_ptr<Adviser> advise_of_axial_strength(const Run& run, WarningLog&) {
     if (!run.effect_list().has("plasticity")) return nullptr;

@@ -55,7 +55,7 @@ private:
 
     ShearStrength strength_;
     Found worst_;
-    std::vector<char> unsafe_;  ///< members; empty while there is none
+    UnsafeMembers unsafe_;
 };
 
 void ShearExcess::check(const Workspace& w, const Step& step, int index) {
@@ -76,8 +76,7 @@ void ShearExcess::compare(const Workspace& w, const Step& step, int index, int a
     if (is_unsafe(v, 1)) excess = std::max(excess, v - 1);
     if (!(excess > 0)) return;
     const int member = w.structure.elements()[index].member;
-    if (unsafe_.empty()) unsafe_.assign(w.structure.model().members().size(), 0);
-    unsafe_[member] = 1;
+    unsafe_.add(w.structure.model(), member);
     if (excess > worst_.excess + alike_moment) worst_ = {v, m, left, excess, w.reached(step), torsion, index, axis};
 }
 
@@ -86,13 +85,11 @@ void ShearExcess::list_findings(const Run& run, std::vector<Warning>& list) cons
     const Workspace& w = run.workspace();
     const Model& model = w.structure.model();
     const int member = w.structure.elements()[worst_.element].member;
-    const long others = std::count(unsafe_.begin(), unsafe_.end(), 1) - 1;
+    const long others = unsafe_.others();
     const std::string along = worst_.axis == 0 ? "y" : "x", about = worst_.axis == 0 ? "x" : "y";
     std::string text = member_text(model, member) + ", section " + model.members()[member].section->kind +
                        ", carries V / V0 = " + number_text(worst_.v, 2) + " along " + along + " and " +
-                       number_text(worst_.m, 2) + " of M" + about + "0 " +
-                       (w.goes_by_load_factor() ? "at load factor " + number_text(worst_.at, 4)
-                                                : "at t = " + number_text(worst_.at, 4) + " s");
+                       number_text(worst_.m, 2) + " of M" + about + "0 " + when_text(w, worst_.at);
     if (worst_.torsion > 0.01) text += ", with what Mz / Mz0 = " + number_text(worst_.torsion, 2) + " takes from V0";
     text += is_unsafe(std::min(worst_.m, 1.0), worst_.left)
                 ? ": EN 1993-1-1 6.2.8 leaves " + number_text(worst_.left, 2) + " of M" + about +
@@ -116,7 +113,7 @@ bool ShearExcess::fits(const Run& run) const {
     const Structure& structure = run.structure();
     const int n = int(structure.elements().size());
     return worst_.element >= -1 && worst_.element < n && (worst_.axis == 0 || worst_.axis == 1) &&
-           (unsafe_.empty() || unsafe_.size() == structure.model().members().size());
+           unsafe_.fits(structure.model());
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "effects/workspace.h"
 
 namespace hinge {
 
@@ -16,5 +19,23 @@ inline bool is_unsafe(double m, double exact) { return m > (1 + unsafe_excess) *
 
 /// "73 %"
 std::string excess_text(double excess);
+
+/// "at load factor 0.93"; in dynamics "at t = 0.25 s". `at`: of Workspace::reached.
+std::string when_text(const Workspace& w, double at);
+
+/// The members that were found too strong.
+class UnsafeMembers {
+public:
+    void add(const Model& model, int member);
+    long others() const;  ///< than one of them
+    bool fits(const Model& model) const { return is_unsafe_.empty() || is_unsafe_.size() == model.members().size(); }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.is_unsafe_);
+    }
+
+private:
+    std::vector<char> is_unsafe_;  ///< empty while there is none
+};
 
 }  // namespace hinge

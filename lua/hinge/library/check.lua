@@ -221,7 +221,6 @@ function check.options(where, options, rules)
   return result
 end
 
---- "1 setting", "2 settings"
 --- Options with what is missing from the design that `options.design` names.
 function check.design(where, options, designs)
   local design = designs[options.design]
@@ -232,6 +231,7 @@ function check.design(where, options, designs)
   return options
 end
 
+--- "1 setting", "2 settings"
 function check.count(n, what) return ("%d %s%s"):format(n, what, n == 1 and "" or "s") end
 
 return check
