@@ -42,6 +42,23 @@ function support.checks(title, test)
     return checks.expect(text and text == support.read(other), "%s: %s %s", what, path, not text and "is not there"
       or support.is_there(other) and "and " .. other .. " differ" or "is there, " .. other .. " is not")
   end
+  --- A call that is refused. The error stands at a line of `call`, if that is a function of the test, and holds each of
+  --- these words (a text or a list of texts; numbers as numbers). Returns the message without its place.
+  function checks.refused(words, call, ...)
+    local good, failure = pcall(call, ...)
+    words = type(words) == "table" and words or { words }
+    if not checks.expect(not good, "no error; wanted: %s", table.concat(words, " ... ")) then return "" end
+    local whole, of = tostring(failure), debug.getinfo(call, "S")
+    local file, line, message = whole:match "^(.-):(%d+): (.*)$"
+    if of.what ~= "C" and of.source == debug.getinfo(2, "S").source then
+      line = line and file:match "[^/]*$" == of.source:match "[^/]*$" and tonumber(line)
+      checks.expect(line and line >= of.linedefined and line <= of.lastlinedefined, "not at the call's line: %s", whole)
+    end
+    for _, word in ipairs(words) do
+      checks.expect(support.has(message or whole, word), "'%s' is not in: %s", word, whole)
+    end
+    return message or whole
+  end
   return checks
 end
 

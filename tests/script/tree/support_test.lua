@@ -48,6 +48,21 @@ case("a value that is not a number, and files that differ, fail their check", fu
   equal(#printed, 7, "the case and what fails in it: " .. table.concat(printed, "\n"))
 end)
 
+case("a call that is not refused as wanted fails its check", function()
+  local printed = {}
+  local inner = support.checks("inner", { print = function(text) printed[#printed + 1] = text end, exit = print })
+  local function elsewhere() error "width is -0.10 m; it must be > 0" end
+  inner.case("all", function()
+    inner.refused({ "width", "-0.1", "> 0" }, function() error "width is -0.10 m; it must be > 0" end) -- as wanted
+    inner.refused("no number", error, "'a' is no number")
+    inner.refused("width", function() end)
+    inner.refused({ "width", "depth" }, function() error "width is -0.10 m; it must be > 0" end)
+    inner.refused("width", function() elsewhere() end)
+    inner.refused("width", function() error("width", 0) end)
+  end)
+  equal(#printed, 5, "the case and what fails in it: " .. table.concat(printed, "\n"))
+end)
+
 -- Printed text: words as words, numbers as numbers -------------------------------------------------------------------
 
 case("printed text is compared word by word, its numbers within their last digit", function()

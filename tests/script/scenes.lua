@@ -1,0 +1,56 @@
+-- Structures that many tests begin with. Lengths in m, forces in N.
+local hinge = require "hinge"
+local scenes = {}
+
+--- Steel that yields, and the same without a yield stress; a square of 50 mm.
+scenes.steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }
+scenes.elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+scenes.square = hinge.section.solid { width = 0.05, depth = 0.05 }
+
+--- A table with the fields of others; later ones win.
+function scenes.with(...)
+  local all = {}
+  for i = 1, select("#", ...) do
+    for key, value in pairs((select(i, ...)) or {}) do all[key] = value end
+  end
+  return all
+end
+
+--- A cantilever along x. `options`: model = of hinge.model, member = of model:member (section, material, up, ...),
+--- length (1), along (the direction, { 1, 0, 0 }), force, moment = on the tip.
+--- Returns the model, its tip, the member and the support.
+function scenes.cantilever(options)
+  options = options or {}
+  local model, length, along = hinge.model(options.model or {}), options.length or 1, options.along or { 1, 0, 0 }
+  local wall = model:node { 0, 0, 0 }
+  local tip = model:node { length * along[1], length * along[2], length * along[3] }
+  model:fix(wall)
+  local member = model:member(scenes.with({ section = scenes.square, material = scenes.elastic }, options.member,
+    { wall, tip }))
+  if options.force or options.moment then
+    model:load { node = tip, force = options.force, moment = options.moment }
+  end
+  return model, tip, member, wall
+end
+
+--- A portal in the plane of x and z: feet 1 and 4, heads 2 and 3. `options`: model =, width (4), height (3),
+--- column =, beam = (of model:member), feet ("all", what is fixed there), heads (nothing, what is fixed there).
+--- Returns the model, its nodes and its members (column, beam, column; the beam from 2 to 3).
+function scenes.portal(options)
+  options = options or {}
+  local model, width, height = hinge.model(options.model or {}), options.width or 4, options.height or 3
+  local node, member = {}, {}
+  for i, at in ipairs { { 0, 0 }, { 0, height }, { width, height }, { width, 0 } } do
+    node[i] = model:node { at[1], 0, at[2] }
+    local held = at[2] == 0 and (options.feet or "all") or at[2] ~= 0 and options.heads
+    if held then model:fix(node[i], held) end
+  end
+  local steel = { section = scenes.square, material = scenes.steel }
+  for i, ends in ipairs { { 1, 2 }, { 2, 3 }, { 4, 3 } } do
+    member[i] = model:member(scenes.with(steel, { group = i == 2 and "beams" or "columns" },
+      i == 2 and options.beam or options.column, { node[ends[1]], node[ends[2]] }))
+  end
+  return model, node, member
+end
+
+return scenes
