@@ -26,7 +26,13 @@ endforeach()
 file(GLOB_RECURSE words CONFIGURE_DEPENDS lua/hinge/*.d.lua)
 add_custom_command(OUTPUT reference.md DEPENDS hinge_program ${words} VERBATIM
   COMMAND hinge_program reference > reference.md)
-add_custom_target(hinge_completion ALL DEPENDS completion/hinge.bash completion/hinge.fish reference.md)
+# The scripts of the guide's pages: the first block of Lua of each.
+file(GLOB guide CONFIGURE_DEPENDS lua/guide/*.md)
+add_custom_command(OUTPUT guide/grid.lua DEPENDS hinge_program ${guide} lua/guide/pages.lua VERBATIM
+  COMMAND ${CMAKE_COMMAND} -E make_directory guide
+  COMMAND hinge_program -e "package.path = '${PROJECT_SOURCE_DIR}/lua/guide/?.lua'; require('pages').write_scripts('guide')")
+add_custom_target(hinge_completion ALL DEPENDS completion/hinge.bash completion/hinge.fish reference.md guide/grid.lua)
+install(DIRECTORY ${PROJECT_BINARY_DIR}/guide DESTINATION share/doc/hinge)
 install(FILES ${PROJECT_BINARY_DIR}/reference.md DESTINATION share/doc/hinge)
 install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.bash DESTINATION share/bash-completion/completions RENAME hinge)
 install(FILES ${PROJECT_BINARY_DIR}/completion/hinge.fish DESTINATION share/fish/vendor_completions.d)

@@ -1,5 +1,5 @@
--- Writes into the guide's pages what their scripts are, print and draw: the first block of Lua, what the commands of
--- console blocks and Python print (but for blocks with "…"), the notebook and the pictures. The text around them stays.
+-- Writes into the guide's pages what their scripts print and draw: what the commands of console blocks and Python print
+-- (but for blocks with "…"), the notebook and the pictures. The scripts and the text around them stay.
 --
 -- Run: lua5.4 lua/guide/make.lua BUILD_FOLDER [NAME ...]        all pages where no name is given
 --      lua5.4 lua/guide/make.lua figures [NAME ...]             runs nothing: lists the numbers with a unit in the text
@@ -60,12 +60,10 @@ local function make(name)
   local path = pages.folder .. name .. ".md"
   local text = assert(pages.read(path), "there is no " .. path)
   local folder, run, clean = pages.workplace(build)
-  local parts, at, has_script = {}, 1, false
+  local parts, at = {}, 1
   for _, block in ipairs(pages.blocks(text)) do
     local new = block.text
-    if block.language == "lua" and not has_script then
-      new, has_script = assert(pages.read(pages.folder .. name .. ".lua"), "there is no " .. name .. ".lua"), true
-    elseif block.language == "console" then
+    if block.language == "console" then
       local lines = {}
       for _, c in ipairs(pages.commands(block.text)) do
         local status, printed, complaint = run(c.command)
@@ -91,7 +89,7 @@ end
 
 local one = arg[1] == "figures" and list_figures or make
 for _, name in ipairs(#arg > 1 and table.move(arg, 2, #arg, 1, {}) or pages.names()) do
-  if #arg > 1 or one == list_figures or pages.read(pages.folder .. name .. ".lua") then -- some pages have no script
+  if #arg > 1 or one == list_figures or pages.script(name) then -- some pages have no script
     if one == make then print(name) end
     one(name)
   end

@@ -1,8 +1,8 @@
 -- What make.lua and tests/script/documents/guide_test.lua share: the pages of the guide as blocks, and their scripts
 -- run.
 --
--- A page NAME.md belongs to a script NAME.lua beside it. Of its fenced blocks
--- * the first one marked lua is the script, whole;
+-- Of the fenced blocks of a page NAME.md
+-- * the first one marked lua is the page's script, NAME.lua, whole; the build writes it into its folder guide/;
 -- * those marked console are commands (after "$ ") and what they print, run in order in one folder that holds the
 --   page's scripts; "…" stands for anything within a line, and a line "…" for any number of lines;
 -- * every other block marked lua runs too: by itself where it requires hinge, else after the script, whose local
@@ -53,13 +53,30 @@ function pages.commands(block)
   return list
 end
 
+--- The script of a page, or nil where its first block of Lua is none.
+function pages.script(name)
+  local text = assert(pages.read(pages.folder .. name .. ".md"), "there is no " .. name .. ".md")
+  for _, block in ipairs(pages.blocks(text)) do
+    if block.language == "lua" then return block.text:find 'require "hinge"' and block.text or nil end
+  end
+end
+
+--- Writes the scripts of all pages into a folder.
+function pages.write_scripts(folder)
+  for _, name in ipairs(pages.names()) do
+    local script = pages.script(name)
+    if script then pages.write(("%s/%s.lua"):format(folder, name), script) end
+  end
+end
+
 --- A folder in which a page's commands run: the guide's scripts, and `hinge` of a build folder. Returns run(command),
 --- which gives the exit status, what was printed, and what stderr had.
 function pages.workplace(build)
   local pipe = assert(io.popen "mktemp -d")
   local folder = pipe:read "l"
   pipe:close()
-  os.execute(("cp %s*.lua %s; rm -f %s/make.lua %s/pages.lua"):format(quote(pages.folder), folder, folder, folder))
+  pages.write_scripts(folder)
+  os.execute(("cp %sclaim.lua %s"):format(quote(pages.folder), folder))
   local start = ("cd %s; export LUA_CPATH=%s PATH=%s:\"$PATH\" NO_COLOR=1; "):format(folder, quote(build .. "/?.so"),
     quote(build))
   local function run(command)

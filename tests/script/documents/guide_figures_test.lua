@@ -21,9 +21,9 @@ local function rows_of(page, beginning)
   return rows
 end
 
--- impact.lua with another piece of text in the place of one that it has, and with options of the model. Returns its
--- steps, the energy error, %, and the plastic work of frame and body, kJ, as printed.
-local script = support.read(guide .. "impact.lua")
+-- The script of impact.md with another piece of text in the place of one that it has, and with options of the model.
+-- Returns its steps, the energy error, %, and the plastic work of frame and body, kJ, as printed.
+local script = support.read(guide .. "impact.md"):match "\n```lua\n(.-)```\n"
 local function impact(piece, other, options)
   local from, to = script:find(piece, 1, true)
   local text = script:sub(1, from - 1) .. other .. script:sub(to + 1)

@@ -1,6 +1,6 @@
--- A page of the guide: its script is the one beside it, every command prints what the page shows, every other block of
--- Lua runs, also those in HTML comments that compare the page's figures with computed ones, its commands draw every
--- picture, and every link leads somewhere. See lua/guide/pages.lua.
+-- A page of the guide: every command prints what the page shows, every other block of Lua runs, also those in HTML
+-- comments that compare the page's figures with computed ones, its commands draw every picture, and every link leads
+-- somewhere. See lua/guide/pages.lua.
 --
 -- Run: lua5.4 tests/script/documents/guide_test.lua BUILD_FOLDER [NAME]    without a name: the list of pages, and links
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -23,11 +23,9 @@ end
 -- The commands of a page run in their order, in one folder; each has a case of its own.
 local function check_page(text)
   local folder, run, clean = pages.workplace(arg[1])
-  local script, commands = nil, 0
+  local commands = 0
   for _, block in ipairs(pages.blocks(text)) do
-    if block.language == "lua" and not script then
-      script = block.text
-    elseif block.language == "console" then
+    if block.language == "console" then
       for _, c in ipairs(pages.commands(block.text)) do
         commands = commands + 1
         local status, printed, complaint = run(c.command)
@@ -38,10 +36,7 @@ local function check_page(text)
       end
     end
   end
-  case("the page has a script, which is the one beside it, and a command", function()
-    equal(script, pages.read(pages.folder .. name .. ".lua") or "none", "the script on the page")
-    expect(commands > 0, "the page has no command")
-  end)
+  case("the page has a command", function() expect(commands > 0, "the page has no command") end)
   for i, text_of in ipairs(pages.snippets(text)) do
     case(("program %d of its blocks of Lua runs"):format(i), function()
       support.write(folder .. "/snippet.lua", text_of)
@@ -74,9 +69,7 @@ else
     local count = 0
     for _, page in ipairs(pages.names()) do
       count = count + 1
-      if not support.is_there(pages.folder .. page .. ".lua") then
-        check_links(page .. ".md", support.read(pages.folder .. page .. ".md") or "")
-      end
+      if not pages.script(page) then check_links(page .. ".md", support.read(pages.folder .. page .. ".md")) end
     end
     expect(count > 10, "README.md of the guide lists %d pages", count)
   end)

@@ -101,6 +101,16 @@ case("the tools notice what they are asked for", function()
   end
 end)
 
+case("the scripts on the guide's pages pass luacheck", function()
+  package.path = support.root .. "lua/guide/?.lua;" .. package.path
+  local pages, folder = require "pages", support.temporary_folder()
+  support.write(folder .. "/.luacheckrc", assert(support.read(support.root .. ".luacheckrc")))
+  pages.write_scripts(folder)
+  local scripts = files_of(folder, { "lua" }, { "" })
+  expect(#scripts > 30, "%d scripts", #scripts)
+  for _, what in ipairs(badly_written(folder, scripts)) do expect(false, "lua/guide: %s", what) end
+end)
+
 case("every file is formatted, passes luacheck and has lines of at most 120 columns", function()
   local cpp = files_of(support.root, { "cpp", "h" }, { "src/", "tests/", "scripts/" })
   local lua = files_of(support.root, { "lua", "rockspec" }, { "lua/", "tests/", "scripts/" })
