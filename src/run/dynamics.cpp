@@ -194,7 +194,7 @@ void Dynamics::commit() {
     for (const auto& e : effects_->all) e->after_commit(step_);
     call_watches(step_);
     if (element_breaks_.constraints_due) element_breaks_.rebuild_constraints();
-    length_.note_unseen();
+    length_.note_skipped();
     if (built::fracture && !step_.breaks.empty()) break_elements();
     if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
     const StepControl& control = length_.control();
@@ -257,8 +257,8 @@ bool Dynamics::advance() {
         throw;
     }
     if (verdict_ == Verdict::running && length_.size().over()) verdict_ = Verdict::completed;
-    if (length_.controls() && !length_.is_unseen() && verdict_ != Verdict::failed)
-        energy_check_.take(length_.control().kept_share(), state_.time);
+    if (length_.controls() && !length_.is_skipped() && verdict_ != Verdict::failed)
+        energy_check_.note_error(length_.control().kept_share(), state_.time);
     if (auto failure = energy_check_.check(*this, state_, *integrator_, initial_)) fail(std::move(*failure));
     end_step();
     return verdict_ != Verdict::failed;
@@ -348,7 +348,8 @@ void Dynamics::control_step() {
     step_.failure = length_.refuse([this] { return energy_of_trial(); }, accounts_, largest,
                                    [&] {
                                        const double error = energy().error;  // of a state that is kept, seen only now
-                                       if (largest.most() > 0) energy_check_.take(error / largest.most(), state_.time);
+                                       if (largest.most() > 0)
+                                           energy_check_.note_error(error / largest.most(), state_.time);
                                        return error;
                                    });
 }

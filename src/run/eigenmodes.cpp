@@ -198,9 +198,9 @@ int unstable_modes(const Run& run) {
 namespace {
 
 /// The structure in its declared place, with the internal forces of a run times a factor.
-class Loaded {
+class LoadedStructure {
 public:
-    Loaded(const Run& run, Yielded yielded)
+    LoadedStructure(const Run& run, Yielded yielded)
         : run_(run),
           state_(initial_state(run.structure())),
           unknowns_(unknowns_of(run, state_)),
@@ -298,7 +298,7 @@ private:
 
 /// Throws where moments change the factor by more than a thousandth: the symmetric part of the stiffness then has a
 /// factor that the structure does not have.
-void must_be_symmetric(Loaded& loaded, double factor, const Eigen::VectorXd& x) {
+void must_be_symmetric(LoadedStructure& loaded, double factor, const Eigen::VectorXd& x) {
     if (!(loaded.change_by_unsymmetric(factor, x) > 1e-3)) return;
     throw InputError(
         "moments whose axes stay as they are, or loads that turn with their member, make the stiffness unsymmetric, so "
@@ -310,7 +310,7 @@ void must_be_symmetric(Loaded& loaded, double factor, const Eigen::VectorXd& x) 
 
 BucklingModes buckling_modes(const Run& run, int count, double most, Yielded yielded) {
     constexpr double accuracy = 1e-7, together = 1e-6;  // of a factor; of those that are one multiple factor
-    Loaded loaded(run, yielded);
+    LoadedStructure loaded(run, yielded);
     BucklingModes modes{{}, loaded.hidden()};
     const double end = std::min(most, modes.hidden * (1 - accuracy));
     double below = 0;

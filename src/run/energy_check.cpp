@@ -30,7 +30,7 @@ void EnergyCheck::check_between(const Run& run, double swing, double initial) {
     if (run.verdict() != Verdict::running || !monitor_.may_miss(swing, most)) return;
     LargestEnergy largest = largest_;
     const double share = largest.share(run.energy(), run.accounts());
-    if (largest.most() <= 2 * most) monitor_.take(share, run.state().time);
+    if (largest.most() <= 2 * most) monitor_.note_error(share, run.state().time);
 }
 
 std::optional<RunFailure> EnergyCheck::check(const Run& run, State& state, const Integrator& integrator,
@@ -41,7 +41,7 @@ std::optional<RunFailure> EnergyCheck::check(const Run& run, State& state, const
     Failure lost;
     if (due)
         lost =
-            monitor_.look(state, run.energy(), run.accounts(), largest_, running, EnergyMonitor::may_grow(tolerance_));
+            monitor_.check(state, run.energy(), run.accounts(), largest_, running, EnergyMonitor::may_grow(tolerance_));
     if (!lost) return {};
     RunFailure failure = failed ? *run.failure() : RunFailure{lost};
     if (failed) failure.remarks.push_back({Remark::Kind::before, lost});

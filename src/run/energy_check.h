@@ -22,7 +22,7 @@ public:
     /// Of the run's state: the energy error as a part of the largest energy.
     double error_share(const Run& run) const;
     /// The energy error of a step that is kept was computed elsewhere.
-    void take(double share, double time) { monitor_.take(share, time); }
+    void note_error(double share, double time) { monitor_.note_error(share, time); }
 
     double tolerance() const { return tolerance_; }
     LargestEnergy& largest() { return largest_; }

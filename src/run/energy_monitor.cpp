@@ -6,21 +6,21 @@
 namespace hinge {
 namespace {
 
-constexpr long most_between = 100;          ///< steps from one look to the next: the balance costs half a step
+constexpr long most_between = 100;          ///< steps from one check to the next: the balance costs half a step
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
-constexpr double expected_part = 0.5;       ///< of a large error: from there on every step is looked at
+constexpr double expected_part = 0.5;       ///< of a large error: from there on every step is checked
 constexpr double expected_growth = 1.25;    ///< where a larger one is known: by which it must be exceeded
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
 constexpr double most_left = 0.01;          ///< of the largest energy, that what no shorter step mends may come to
 constexpr double most_coming_in = 0.5;      ///< of that: for what is lost while the energy of the run still comes in
-constexpr double rate_part = 0.1;      ///< of a refused loss: what the shortest step loses of one that goes with time
-constexpr double rate_room = 1.5;      ///< for a known rate, before steps are taken back again
-constexpr double rate_share = 0.8;     ///< of what the rest of the run may still lose: for losses at a known rate
-constexpr double easy_part = 0.25;     ///< of its share that an easy step loses at most
-constexpr double abrupt_part = 0.5;    ///< of what may be lost: a change of the motion that may hide a loss
-constexpr long most_unseen = 32;       ///< steps from one look of step control to the next, by default
-constexpr long most_unseen_short = 4;  ///< and while they are halved
+constexpr double rate_part = 0.1;       ///< of a refused loss: what the shortest step loses of one that goes with time
+constexpr double rate_room = 1.5;       ///< for a known rate, before steps are taken back again
+constexpr double rate_share = 0.8;      ///< of what the rest of the run may still lose: for losses at a known rate
+constexpr double easy_part = 0.25;      ///< of its share that an easy step loses at most
+constexpr double abrupt_part = 0.5;     ///< of what may be lost: a change of the motion that may hide a loss
+constexpr long most_skipped = 32;       ///< steps from one check of step control to the next, by default
+constexpr long most_skipped_short = 4;  ///< and while they are halved
 
 /// The share of an error, none where it may be rounding: no step, however short, makes that smaller.
 double beyond_rounding(double share, const Energy& energy) {
@@ -57,15 +57,15 @@ void EnergyMonitor::begin(const State& state) {
 }
 
 bool EnergyMonitor::due(const State& state, bool running) const {
-    return !running || state.step - looked_at_ >= std::clamp((steps_ - 1) / 20, 1L, most_between);
+    return !running || state.step - checked_ >= std::clamp((steps_ - 1) / 20, 1L, most_between);
 }
 
-Failure EnergyMonitor::look(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
-                            bool running, double may_grow) {
+Failure EnergyMonitor::check(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest,
+                             bool running, double may_grow) {
     const double before = largest.most(), share = beyond_rounding(largest.share(energy, accounts), energy);
     if (!(tolerance_ > 0)) {
-        if (largest.most() <= 2 * before || !running) largest_error_.take(share, state.time);
-        looked_at_ = state.step;
+        if (largest.most() <= 2 * before || !running) largest_error_.include(share, state.time);
+        checked_ = state.step;
         error_ = energy.error;
         return {};
     }
@@ -73,11 +73,11 @@ Failure EnergyMonitor::look(State& state, const Energy& energy, const AccountLis
     // while the energy of the run is still coming in, an error is compared with what will soon be little
     const bool coming_in = largest.most() > 2 * before;
     const bool closes = std::abs(share) <= tolerance_, steady = coming_in || std::abs(grown) <= may_grow;
-    const long since = looked_at_;
-    looked_at_ = state.step;
+    const long since = checked_;
+    checked_ = state.step;
     if (closes && steady) {
         error_ = energy.error;
-        if (!coming_in || !running) largest_error_.take(share, state.time);
+        if (!coming_in || !running) largest_error_.include(share, state.time);
         if (running && state.broken.size() <= most_kept) good_ = {state, share};
         return {};
     }
@@ -109,7 +109,7 @@ bool EnergyMonitor::may_miss(double swing, double most) const {
 bool StepControl::due(bool abrupt, const StepSize& size) const {
     if (!by_default_ || abrupt) return true;
     const bool halved = size.length() < size.own_length();
-    return since_ + 1 >= (halved ? std::min(between_, most_unseen_short) : between_);
+    return since_ + 1 >= (halved ? std::min(between_, most_skipped_short) : between_);
 }
 
 /// By default shorter steps may lose more: an eighth of dt twice, dt / 64 five times as much. What is gained by them
@@ -120,7 +120,7 @@ double StepControl::tolerance(const StepSize& size) const {
 
 double StepControl::abrupt() const { return abrupt_part * tolerance_; }
 
-void StepControl::not_looked_at(StepSize& size) {
+void StepControl::skip(StepSize& size) {
     ++since_;
     since_units_ += size.length();
     size.count_easy(true);
@@ -177,7 +177,7 @@ Failure StepControl::compare(const Energy& energy, const AccountList& accounts, 
         since_ = since_units_ = 0;
         const bool easy =
             lost <= std::max(easy_part * may * of_run, rate_room * known) || std::abs(error) <= 0.5 * allowed(so_far);
-        between_ = easy && closes ? std::min(2 * between_, most_unseen) : 1;
+        between_ = easy && closes ? std::min(2 * between_, most_skipped) : 1;
         size.count_easy(easy || !closes);
         return {};
     }

@@ -56,7 +56,7 @@ struct LostBalance {
 struct LargestError {
     double share = 0;  ///< of the largest energy up to then, with its sign
     double time = 0;   ///< s
-    void take(double other, double at) {
+    void include(double other, double at) {
         if (std::abs(other) > std::abs(share)) share = other, time = at;
     }
     template <class Self, class A>
@@ -76,27 +76,27 @@ public:
     bool due(const State& state, bool running) const;
     /// None while the balance closes: the state is kept as good. Else what happened; `state` becomes the last good one,
     /// if there is one (lost()), and `largest` what it was before. `may_grow`: by which the error may, since the last
-    /// look.
-    Failure look(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest, bool running,
-                 double may_grow);
+    /// check.
+    Failure check(State& state, const Energy& energy, const AccountList& accounts, LargestEnergy& largest, bool running,
+                  double may_grow);
     const std::optional<LostBalance>& lost() const { return lost_; }
-    double error() const { return error_; }  ///< J, of the balance at the last look at which it closed
+    double error() const { return error_; }  ///< J, of the balance at the last check at which it closed
     const LargestError& largest_error() const { return largest_error_; }
-    /// An energy error that was computed elsewhere, of a step that is kept; as LargestError::take.
-    void take(double share, double time) { largest_error_.take(share, time); }
-    /// Whether the balance must be computed although no look is due: where it may be off by `swing` J for a moment, and
-    /// that would be a large error, larger than any that is known. Such a look ends no run. most: the largest energy,
-    /// J.
+    /// An energy error that was computed elsewhere, of a step that is kept; as LargestError::include.
+    void note_error(double share, double time) { largest_error_.include(share, time); }
+    /// Whether the balance must be computed although no check is due: where it may be off by `swing` J for a moment,
+    /// and that would be a large error, larger than any that is known. Such a check ends no run. most: the largest
+    /// energy, J.
     bool may_miss(double swing, double most) const;
 
-    /// By how much of the largest energy the error may grow between two looks: half the tolerance, or 1 % where that is
-    /// more.
+    /// By how much of the largest energy the error may grow between two checks: half the tolerance, or 1 % where that
+    /// is more.
     static double may_grow(double tolerance) { return std::max(0.5 * tolerance, std::min(0.01, tolerance)); }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         bool good = s.good_.has_value();  // where it is read: make_room has been called
-        a(s.looked_at_, s.error_, s.largest_error_, s.lost_, good);
+        a(s.checked_, s.error_, s.largest_error_, s.lost_, good);
         if (good) a(s.good_->state, s.good_->share);
         else if constexpr (A::reading) s.good_.reset();
     }
@@ -111,8 +111,8 @@ private:
     };
     double tolerance_;
     long steps_;
-    std::optional<Good> good_;  ///< when the balance was last looked at and closed
-    long looked_at_ = 0;        ///< the step of that
+    std::optional<Good> good_;  ///< when the balance was last checked and closed
+    long checked_ = 0;          ///< the step of that
     double error_ = 0;          ///< J, of the balance then
     LargestError largest_error_;
     std::optional<LostBalance> lost_;
@@ -120,7 +120,7 @@ private:
 
 /// A step may lose its share of what the run may lose, or whatever the steps before it have left over.
 ///
-/// By default (`by_default`) the balance is looked at every so many steps: every step while the error grows, up to 32
+/// By default (`by_default`) the balance is checked every so many steps: every step while the error grows, up to 32
 /// steps apart while it does not, and at once where something abrupt happens. And what dt / 64 still loses is kept: a
 /// loss at one instant is no later step's, one that goes with time however short the step is, is then expected of later
 /// steps. The energy monitor decides how much of that a run may have.
@@ -140,11 +140,11 @@ public:
                    Before before) {
         const Failure why = compare(energy, accounts, largest, size);
         if (!why || since_ == 0) return why;
-        start_from_known(before());  // the steps that nobody looked at are kept, and each one is looked at now
+        start_from_known(before());  // the steps that were not checked are kept, and each one is checked now
         return compare(energy, accounts, largest, size);
     }
-    void not_looked_at(StepSize& size);
-    /// The energy error of the last step that was looked at and kept, as a part of the largest energy; 0 while that
+    void skip(StepSize& size);
+    /// The energy error of the last step that was checked and kept, as a part of the largest energy; 0 while that
     /// still grows fast.
     double kept_share() const { return kept_share_; }
     void start_from(double error);    ///< what a break left in the balance is no step's
@@ -162,14 +162,14 @@ private:
 
     double tolerance_;  ///< part of the largest energy that the run may lose
     bool by_default_;
-    double kept_error_ = 0;     ///< J, of the last step that was kept and looked at
+    double kept_error_ = 0;     ///< J, of the last step that was kept and checked
     double kept_share_ = 0;     ///< the same as a part of the largest energy; read at once, so not in a checkpoint
     double left_ = 0;           ///< J, of that: kept because no shorter step would make it smaller
     long since_ = 0;            ///< steps since then
     long since_units_ = 0;      ///< their length, in units of StepSize
     double first_refused_ = 0;  ///< J, the loss of the longest step that was taken back here; 0: none was
     double rate_ = 0;           ///< J a unit of StepSize, that is lost whatever the step is long
-    long between_ = 1;          ///< steps from one look to the next
+    long between_ = 1;          ///< steps from one check to the next
 };
 
 }  // namespace hinge

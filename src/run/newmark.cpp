@@ -85,8 +85,8 @@ Newmark::Newmark(Workspace& w, KeptMass& mass, Stages& stages, const DynamicSett
     correct_stage_ = stages.add("correct");
     const std::size_t nodes = w.structure.position().size();
     lumped_.assign(nodes, 0);
-    for (const Vec3& x : w.structure.position()) unseen_ = std::max(unseen_, x.cwiseAbs().maxCoeff());
-    unseen_ *= 4 * std::numeric_limits<double>::epsilon() * std::sqrt(double(nodes));
+    for (const Vec3& x : w.structure.position()) rounding_ = std::max(rounding_, x.cwiseAbs().maxCoeff());
+    rounding_ *= 4 * std::numeric_limits<double>::epsilon() * std::sqrt(double(nodes));
     for (const Element& e : w.structure.elements())
         for (int n : e.node) lumped_[n] += 0.5 * e.mass();
 }
@@ -325,7 +325,7 @@ bool Newmark::correct(Step& step) {
     }
     ++step.iteration;
     if (step.iteration == 1) first_change_ = size;
-    if (to_u * std::sqrt(size) < unseen_ && rotates_unseen(to_u)) return false;  // at rest F - R is rounding
+    if (to_u * std::sqrt(size) < rounding_ && rotates_by_rounding(to_u)) return false;  // at rest F - R is rounding
     // A last correction of a thousandth of the first is near enough: 251 of 273 runs of tests/hard keep their bounds
     // so, 246 if it must be 1e-4 of it, 254 if a hundredth will do. With step control a shorter step is nearer.
     const bool may_be_halved = settings_.controlled() && step.dt > settings_.dt / StepSize::fine_part;
@@ -338,7 +338,7 @@ bool Newmark::correct(Step& step) {
 }
 
 /// Whether what the last correction rotates the nodes by is rounding.
-bool Newmark::rotates_unseen(double to_u) const {
+bool Newmark::rotates_by_rounding(double to_u) const {
     double sum = 0;
     for (const Vec6& c : change_) sum += c.tail<3>().squaredNorm();
     return to_u * std::sqrt(sum) < 4 * std::numeric_limits<double>::epsilon() * std::sqrt(double(change_.size()));

@@ -60,7 +60,7 @@ private:
     void solve_for_change(Step& step);
     void take_out_ways();
     void find_massless();
-    bool rotates_unseen(double to_u) const;
+    bool rotates_by_rounding(double to_u) const;
 
     const DynamicSettings& settings_;
     bool displacement_predictor_;
@@ -77,7 +77,7 @@ private:
     std::vector<PlasticIncrement> hinges_;  ///< of the last step, with the displacement predictor
     std::unordered_map<int, Mat6> built_;   ///< D_p in the effective stiffness, of the elements that have it there
     double first_change_ = 0;
-    double unseen_ = 0;             ///< m: root of the sum of squares of corrections that are the coordinates' rounding
+    double rounding_ = 0;           ///< m: root of the sum of squares of corrections that are the coordinates' rounding
     double jump_ = 0, motion_ = 0;  ///< of the last step: dt |da| / |v|; sum of m v^2
 };
 

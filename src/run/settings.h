@@ -44,7 +44,7 @@ struct DynamicSettings {
     /// are those that cannot be solved; down to dt / 1024, and back up to dt. 0: every step is kept.
     double step_control = 0;
     /// The script has not said how: `step_control` acts in scenes with hinges, contact or other forces that begin or
-    /// end suddenly, and with dt = "auto", by implicit steps. The balance is looked at less often, and what no shorter
+    /// end suddenly, and with dt = "auto", by implicit steps. The balance is checked less often, and what no shorter
     /// step makes smaller is kept; then the energy monitor decides. While no step is taken back, the bits are those of
     /// step_control 0.
     bool controlled_by_default = false;

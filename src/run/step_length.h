@@ -37,14 +37,14 @@ public:
     template <class Energies, class Error>
     Failure refuse(Energies energy, const AccountList& accounts, LargestEnergy& largest, Error error) {
         if (const Failure turned = rotation_too_large()) return turned;
-        unseen_ = !control_.due(control_.by_default() && is_abrupt(largest.most()), size_);
-        if (unseen_) return {};
+        skipped_ = !control_.due(control_.by_default() && is_abrupt(largest.most()), size_);
+        if (skipped_) return {};
         return control_.refuse(energy(), accounts, largest, size_, error);
     }
     /// Whether the balance of the step that was tried has not been computed.
-    bool is_unseen() const { return unseen_; }
-    void note_unseen() {
-        if (unseen_) control_.not_looked_at(size_);
+    bool is_skipped() const { return skipped_; }
+    void note_skipped() {
+        if (skipped_) control_.skip(size_);
     }
     void start_from(double error) { control_.start_from(error); }
     void leave_behind(double error) { control_.leave_behind(error); }
@@ -71,7 +71,7 @@ private:
     StepControl control_;
     std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps; with control by default
     double motion_ = 0;            ///< J, of the step that is tried
-    bool unseen_ = false;
+    bool skipped_ = false;
     std::vector<double> lumped_;  ///< kg, at each node
 };
 

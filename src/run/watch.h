@@ -1,4 +1,4 @@
-// What looks at a run from outside as it goes, and changes nothing: advice is given so (advice/).
+// The role of what observes a run as it goes and changes nothing: advice (advice/).
 #pragma once
 
 #include "core/archive.h"
