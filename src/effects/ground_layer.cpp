@@ -9,6 +9,7 @@
 // What the dashpots take is their work by the trapezium rule, as that of loads.
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "contact/ground_friction.h"
 #include "effects/ground_law.h"
@@ -24,6 +25,9 @@ namespace {
 constexpr double tangential_stiffness_part = 100;
 /// Forces that differ by this part of themselves from what a step was solved with ask for another solution.
 constexpr double same_force = 0.01;
+/// Strips that are further from their plane than this many times the largest half depth are left alone until a node has
+/// moved as far. Any value gives the same bits: it weighs the strips near the ground against how often all are listed.
+constexpr double near_depths = 4;
 
 /// Contact of a strip at a pose.
 struct StripTouch {
@@ -51,10 +55,10 @@ public:
     void add_forces(std::vector<Vec6>& resisting) override {
         pressed.begin();
         find_touches();
-        for (std::size_t i = 0; i < touches_.size(); ++i) {
+        for (int i : near_) {
             const StripTouch& t = touches_[i];
             if (!t.touches) continue;
-            if (t.carries()) pressed.add(i);
+            if (t.carries()) pressed.add(std::size_t(i));
             const GroundStrip& s = strips()[i];
             for (int e : {0, 1}) add_force(s.end[e], plane(s), t.arm[e], t.resists[e], t.friction[e].slip, resisting);
         }
@@ -62,7 +66,7 @@ public:
     /// Left out: the slope of a friction that slides, which has no symmetry, how the arms rotate, and how the area
     /// changes as a bar topples.
     void add_blocks(Blocks& blocks) const override {
-        for (std::size_t i = 0; i < touches_.size(); ++i) {
+        for (int i : near_) {
             const GroundStrip& s = strips()[i];
             const StripTouch& t = touches_[i];
             if (!t.touches || !t.carries()) continue;
@@ -109,7 +113,8 @@ public:
 
     /// Another solution is needed where the forces are others than those that the last one foresaw.
     bool has_converged() const override {
-        for (std::size_t i = 0; i < touches_.size(); ++i) {
+        const std::vector<int> all = touches_.empty() || is_listed(w_.trial) ? std::vector<int>() : all_strips();
+        for (int i : all.empty() ? near_ : all) {
             const GroundStrip& s = strips()[i];
             const StripTouch &before = touches_[i], now = touch(s, w_.trial);
             if (!now.touches && !before.touches) continue;
@@ -147,12 +152,12 @@ public:
 
     double lost() const override {
         double lost = 0;
-        for (const StripTouch& t : touches_) lost += t.work + t.friction[0].heat + t.friction[1].heat;
+        for (int i : near_) lost += touches_[i].work + touches_[i].friction[0].heat + touches_[i].friction[1].heat;
         return lost;
     }
     /// Where the next step begins.
     void before_commit() override {
-        for (std::size_t i = 0; i < touches_.size(); ++i) {
+        for (int i : near_) {
             GroundStrip& s = strips()[i];
             const StripTouch& t = touches_[i];
             if (!t.touches && !s.touches && !changes_when_apart(s)) continue;
@@ -168,7 +173,7 @@ public:
     }
     /// Forces where a step begins that were found anew.
     void acceleration_found() override {
-        for (std::size_t i = 0; i < touches_.size(); ++i)
+        for (int i : near_)
             for (int e : {0, 1}) strips()[i].loss[e] = touches_[i].loss[e];
     }
 
@@ -192,7 +197,7 @@ public:
             const bool lumps_change = s.element == b.element || s.element == partner;
             if (lumps_change && !s.touches && !s.gone) set_widths(s);
         }
-        touches_.clear();
+        forget();
         return lost;
     }
 
@@ -220,16 +225,53 @@ public:
         return sum;
     }
     std::string name_of_first() const override { return w_.structure.element_name(strips()[pressed.first].element); }
-    void restored() override { touches_.clear(); }
+    void restored() override { forget(); }
 
 private:
     std::vector<GroundStrip>& strips() const { return data().strips; }
     const GroundPlane& plane(const GroundStrip& s) const { return planes_[s.plane]; }
 
     void find_touches() {
+        if (touches_.empty() || !is_listed(w_.trial)) list_near(w_.trial);
+        for (int i : near_) touches_[i] = touch(strips()[i], w_.trial);
+    }
+    void forget() { touches_.clear(), near_.clear(); }
+
+    /// Lists the strips that may touch until a node has moved by margin_ from where it is at this pose.
+    template <class At>
+    void list_near(const At& at) {
         const std::vector<GroundStrip>& all = strips();
+        forget();
         touches_.resize(all.size());
-        for (std::size_t i = 0; i < all.size(); ++i) touches_[i] = touch(all[i], w_.trial);
+        double largest = 0;
+        for (const GroundStrip& s : all) largest = std::max(largest, s.end[0].radius);
+        margin_ = near_depths * largest;
+        listed_at_ = at.displacement;
+        for (int i = 0; i < int(all.size()); ++i)
+            if (!all[i].gone && (acts_apart(all[i]) || is_near(all[i], at))) near_.push_back(i);
+    }
+    template <class At>
+    bool is_near(const GroundStrip& s, const At& at) const {
+        const auto within = [&](const GroundEnd& end) {
+            return overlap_of(end, plane(s), place_of(end, at, Vec3::Zero())) >= -margin_ - just_touches * end.radius;
+        };
+        return within(s.end[0]) || within(s.end[1]);
+    }
+    /// What touched where the step begins, what changes as it leaves, and what is on an arm that may rotate.
+    static bool acts_apart(const GroundStrip& s) {
+        return s.touches || changes_when_apart(s) || !s.end[0].arm.isZero(0) || !s.end[1].arm.isZero(0);
+    }
+    template <class At>
+    bool is_listed(const At& at) const {
+        double most = 0;
+        for (std::size_t n = 0; n < listed_at_.size(); ++n)
+            most = std::max(most, (at.displacement[n] - listed_at_[n]).squaredNorm());
+        return most < margin_ * margin_;
+    }
+    std::vector<int> all_strips() const {
+        std::vector<int> all(strips().size());
+        std::iota(all.begin(), all.end(), 0);
+        return all;
     }
 
     /// Contact of a strip at a pose, on the way from where the step began.
@@ -373,7 +415,10 @@ private:
         return s;
     }
 
-    std::vector<StripTouch> touches_;  ///< as of the last add_forces or solved
+    std::vector<StripTouch> touches_;  ///< of each strip, as of the last add_forces or solved; of those near the ground
+    std::vector<int> near_;            ///< strips that may touch, rising
+    std::vector<Vec3> listed_at_;      ///< m, displacements of the nodes when near_ was listed
+    double margin_ = 0;                ///< m, by which a node may move until near_ is listed anew
 };
 
 }  // namespace
