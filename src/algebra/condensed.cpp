@@ -175,12 +175,16 @@ void Condensed<Number>::leave_out(const std::vector<int>& resting) {
 
 template <class Number>
 void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vector<int>& changed) {
+    const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
+                                       [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
+    couplings_ = couplings;
+    if (same_nodes && laid_out_) return;
+    laid_out_ = true;
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());
     nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
     for (const auto& list : {coupled_, nodes}) changed.insert(changed.end(), list.begin(), list.end());
-    couplings_ = couplings;
     if (structure_.p_delta()) {  // outer nodes that a bridge joins are coupled, too
         for (std::size_t i = 0, n = nodes.size(); i < n; ++i)
             if (const int first = pair_about(nodes[i]); first >= 0) {

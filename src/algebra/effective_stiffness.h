@@ -7,6 +7,7 @@
 
 #include "algebra/condensed.h"
 #include "algebra/direct_factors.h"
+#include "algebra/jointed_members.h"
 #include "algebra/node_blocks.h"
 #include "algebra/reduction.h"
 #include "state/element_assembly.h"
@@ -57,7 +58,7 @@ public:
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
     /// Eliminates degrees of freedom that depend on others: A becomes T^T A T, with the factors that `reduction` has
     /// where A is assembled and solved. To be called before set_held.
-    void set_reduction(const Reduction* reduction) { reduction_ = reduction; }
+    void set_reduction(const Reduction* reduction);
 
     /// Excludes the nodes of which `resting` is not negative from conjugate gradients: nothing acts on them, nothing
     /// couples them to others, and their solution is zero. Empty: none.
@@ -113,6 +114,7 @@ public:
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
           s.counts_.solves, s.counts_.factorisations);
         if (s.reduction_) a(s.given_.pairs, s.given_.nodes);
+        if (s.jointed_) a(*s.jointed_);
         if constexpr (A::reading) a.must(s.finish_restore());
     }
 
@@ -137,6 +139,8 @@ private:
     void take_couplings(std::vector<Coupling> couplings);
     void take_node_blocks(std::vector<Blocks::Node> blocks);
     Blocks reduced_blocks() const;
+    void condense_jointed();
+    void leave_out();
 
     const Structure& structure_;
     ThreadPool& pool_;
@@ -146,8 +150,10 @@ private:
     MatrixStorage keeping_;
     ElementMatrices matrices_;
     std::vector<Coupling> couplings_;
-    const Reduction* reduction_ = nullptr;  ///< null where no degree of freedom depends on others
-    Blocks given_;                          ///< with a reduction: the blocks of effects before it
+    const Reduction* reduction_ = nullptr;     ///< null where no degree of freedom depends on others
+    std::unique_ptr<JointedMembers> jointed_;  ///< for conjugate gradients with a reduction
+    std::vector<int> resting_;                 ///< of each node, not negative where it is left out; empty: none
+    Blocks given_;                             ///< with a reduction: the blocks of effects before it
     bool given_changed_ = false;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> single_;

@@ -110,9 +110,10 @@ Mat6 ElementMatrices::masked(int a, int b, const Mat6& m) const {
 }
 
 Mat6 ElementMatrices::own(int node) const {
+    if (is_out(nodes_out_, node)) return Mat6::Identity();
     Mat6 sum = Mat6::Zero();
     for (int e : structure_.elements_at(node)) {
-        if (empty_[e]) continue;
+        if (empty(e)) continue;
         const int end = structure_.elements()[e].node[0] == node ? 0 : 1;
         sum += single_precision_ ? own_of(&single_part_[stride_ * std::size_t(e)], end)
                                  : own_of(&double_part_[stride_ * std::size_t(e)], end);
@@ -127,7 +128,7 @@ Mat6 ElementMatrices::own(int node) const {
 }
 
 double ElementMatrices::product(int element, const double* x) const {
-    if (empty_[element]) return 0;
+    if (empty(element)) return 0;
     const Element& e = structure_.elements()[element];
     const std::size_t at = stride_ * std::size_t(element);
     const auto own = [&](int end) {

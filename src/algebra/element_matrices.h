@@ -23,7 +23,14 @@ public:
     /// That block in the row of the node at `end` (0, 1) of the pair; zero if there is none.
     Mat6 bridge(int first, int end) const;
     bool has_bridges() const { return !double_bridge_.empty() || !single_bridge_.empty(); }
-    bool empty(int element) const { return empty_[element]; }  ///< cleared: its blocks are zero
+    /// Whether its blocks are zero: cleared, or taken out.
+    bool empty(int element) const { return empty_[element] || is_out(elements_out_, element); }
+    bool is_cleared(int element) const { return empty_[element]; }
+    /// Takes nodes and elements out of own, across and bridge (jointed_members.h): a node that is out has the unit
+    /// matrix. The lists are referred to; empty ones take out none.
+    void take_out(const std::vector<char>& nodes, const std::vector<char>& elements) {
+        nodes_out_ = &nodes, elements_out_ = &elements;
+    }
     void set_offset_mass(int node, const Mat6& mass);
     /// As they were set, with the rows and columns of what is held: an element's part, the block between the outer ends
     /// of a pair, the offset mass of a node.
@@ -70,6 +77,7 @@ private:
     template <class Number>
     Mat6 across_of(const Number* part, int end) const;
     Mat6 masked(int a, int b, const Mat6& block) const;
+    static bool is_out(const std::vector<char>* list, int i) { return list && !list->empty() && (*list)[i]; }
     std::size_t bridge_numbers() const { return empty_.size() / 2 * 36; }
 
     const Structure& structure_;
@@ -83,6 +91,7 @@ private:
     std::vector<Mat6> offset_mass_;  // of each node, empty if none
     std::vector<Blocks::Node> node_blocks_;
     std::vector<std::uint8_t> held_;
+    const std::vector<char>*nodes_out_ = nullptr, *elements_out_ = nullptr;
 };
 
 }  // namespace hinge

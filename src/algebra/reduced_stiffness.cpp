@@ -65,11 +65,13 @@ private:
 /// The blocks of effects, and what T^T A T adds to A without the degrees of freedom that depend on others.
 Blocks EffectiveStiffness::reduced_blocks() const {
     Sums sums(*reduction_, is_dirty_.size());
+    const bool jointed = jointed_ && !jointed_->none();
     std::vector<int> elements, pairs;
     for (const Reduction::Dependent& d : reduction_->dependents()) {
+        if (jointed && jointed_->takes_out_node(d.node)) continue;
         for (const int e : structure_.elements_at(d.node)) {
             if (!matrices_.empty(e)) elements.push_back(e);
-            if (matrices_.has_bridges() && structure_.elements()[e].partner >= 0)
+            if (matrices_.has_bridges() && !matrices_.empty(e) && structure_.elements()[e].partner >= 0)
                 pairs.push_back(std::min(e, structure_.elements()[e].partner));
         }
         sums.spread(d.node, d.node, matrices_.offset_mass(d.node));
@@ -85,13 +87,17 @@ Blocks EffectiveStiffness::reduced_blocks() const {
         sums.spread(outer[0], outer[1], K);
         sums.spread(outer[1], outer[0], K.transpose());
     }
-    for (const Coupling& c : given_.pairs) {
+    Blocks blocks;
+    for (const Coupling& c : given_.pairs)
+        if (!jointed || !jointed_->takes_in(c)) blocks.pairs.push_back(c);
+    for (const Blocks::Node& n : given_.nodes)
+        if (!jointed || !jointed_->takes_out_node(n.node)) blocks.nodes.push_back(n);
+    if (jointed) jointed_->add_to(blocks);
+    for (const Coupling& c : blocks.pairs) {
         const int node[2] = {c.a, c.b};
         sums.spread(node, c.K);
     }
-    for (const Blocks::Node& n : given_.nodes) sums.spread(n.node, n.node, n.K);
-    Blocks blocks;
-    blocks.pairs = given_.pairs, blocks.nodes = given_.nodes;
+    for (const Blocks::Node& n : blocks.nodes) sums.spread(n.node, n.node, n.K);
     for (const auto& [at, block] : sums.blocks()) {
         const auto [a, b] = at;
         if (a == b) blocks.nodes.push_back({a, block});

@@ -44,6 +44,8 @@ public:
     /// The components of a node that depend on others, six bits.
     std::uint8_t tied(int node) const { return which_[node] < 0 ? 0 : dependents_[which_[node]].tied; }
     bool depends(int node) const { return which_[node] >= 0; }
+    /// Of a node that depends on others.
+    const std::vector<Part>& parts_on(int node) const { return dependents_[which_[node]].parts; }
     /// Whether a constraint has the node, as one that depends or as one on which others depend.
     bool joins(int node) const { return joins_[node]; }
     /// Nodes that constraints join, rising: dependent ones and those on which they depend.

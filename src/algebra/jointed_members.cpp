@@ -1,0 +1,240 @@
+#include "algebra/jointed_members.h"
+
+#include <algorithm>
+
+#include "model/model.h"
+
+namespace hinge {
+namespace {
+
+/// Springs and ties that have changed by less than this part of their largest number since a member was condensed stay
+/// as they were. An axis without rotation has a thousand times the stiffness of its member, so this is a hundredth of
+/// that of the member; conjugate gradients and the next solution see the difference in the forces.
+constexpr double same_spring = 1e-5;
+
+bool is_same(const auto& a, const auto& b) {
+    return !((a - b).cwiseAbs().maxCoeff() > same_spring * b.cwiseAbs().maxCoeff());
+}
+
+/// Whether an end of a member lies beside the node that it follows.
+bool has_offset(const Structure& structure, int node) {
+    const Element& e = structure.elements()[structure.elements_at(node)[0]];
+    const MemberData& member = structure.model().members()[e.member];
+    const int end = structure.end_node(e.member, 0) == node ? 0 : 1;
+    return structure.position()[node] != structure.model().nodes()[member.node[end]].position;
+}
+
+int other_node(const Element& e, int node) { return e.node[0] == node ? e.node[1] : e.node[0]; }
+
+}  // namespace
+
+/// A member is condensed if nothing but its joints joins its inner nodes to others, and if it has few of them.
+std::vector<JointedMembers::Member> JointedMembers::list(const Reduction& reduction,
+                                                         const std::vector<Coupling>& springs,
+                                                         const ElementMatrices& parts) const {
+    std::vector<char> joined(structure_.position().size(), 0);  // by blocks other than springs of joints
+    for (const Coupling& c : springs)
+        for (const auto& [node, other] : {std::pair(c.a, c.b), std::pair(c.b, c.a)})
+            if (structure_.declared_node(node) != other || other == node) joined[node] = 1;
+    const auto follows = [&](int node) {  // its own node's end of a member, in one piece with it
+        const int leader = structure_.declared_node(node);
+        return reduction.depends(node) && leader >= 0 && leader != node && structure_.elements_at(node).size() == 1;
+    };
+    std::vector<Member> found;
+    std::vector<char> taken(joined.size(), 0);
+    for (const Reduction::Dependent& d : reduction.dependents()) {
+        if (taken[d.node] || !follows(d.node)) continue;
+        Member m;
+        m.side[0] = structure_.declared_node(d.node);
+        bool fits = true;
+        int node = d.node, element = structure_.elements_at(node)[0];
+        for (;; element = structure_.elements_at(node)[structure_.elements_at(node)[0] == element ? 1 : 0]) {
+            m.nodes.push_back(node), m.elements.push_back(element);
+            fits = fits && !parts.is_cleared(element) && int(m.nodes.size()) <= most_nodes;
+            node = other_node(structure_.elements()[element], node);
+            if (!fits || structure_.declared_node(node) >= 0 || structure_.elements_at(node).size() != 2) break;
+        }
+        if (fits && follows(node)) m.nodes.push_back(node), m.side[1] = structure_.declared_node(node);
+        else m.side[1] = node;
+        fits = fits && int(m.nodes.size()) <= most_nodes && m.side[0] != m.side[1];
+        for (const int n : m.nodes)
+            fits = fits && !joined[n] && (n == m.nodes.front() || n == m.nodes.back() || !reduction.depends(n));
+        for (const int side : m.side) fits = fits && structure_.declared_node(side) == side;
+        for (const int place : {0, int(m.nodes.size()) - 1}) {
+            const int end = m.nodes[place];
+            if (!fits || !follows(end) || (place > 0 && end == d.node)) continue;
+            const int side = structure_.declared_node(end) == m.side[0] ? 0 : 1;
+            m.followers.push_back({end, place, side, {}, 0});
+            fits = !reduction.depends(m.side[side]) || !has_offset(structure_, end);
+        }
+        if (!fits) continue;
+        for (const int n : m.nodes) taken[n] = 1;
+        found.push_back(std::move(m));
+    }
+    return found;
+}
+
+bool JointedMembers::find(const Reduction& reduction, const std::vector<Coupling>& springs,
+                          const ElementMatrices& parts) {
+    std::vector<std::pair<int, int>> pairs, ties;
+    for (const Coupling& c : springs) pairs.push_back({c.a, c.b});
+    for (const Reduction::Dependent& d : reduction.dependents()) ties.push_back({d.node, d.tied});
+    std::vector<char> empty(structure_.elements().size());
+    for (std::size_t e = 0; e < empty.size(); ++e) empty[e] = parts.is_cleared(int(e));
+    const bool same = pairs == pairs_ && ties == ties_ && empty == empty_;
+    if (same && !restored_) return false;
+    pairs_ = std::move(pairs), ties_ = std::move(ties), empty_ = std::move(empty);
+    members_ = list(reduction, springs, parts);
+    member_of_.assign(structure_.position().size(), -1);
+    node_out_.assign(member_of_.size(), 0), element_out_.assign(structure_.elements().size(), 0);
+    std::size_t ends = 0;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        for (const int n : members_[i].nodes) member_of_[n] = int(i), node_out_[n] = 1;
+        for (const int e : members_[i].elements) element_out_[e] = 1;
+        for (Follower& f : members_[i].followers) {
+            f.used = int(ends++);
+            for (std::size_t c = 0; c < springs.size(); ++c)
+                if (springs[c].a == f.node || springs[c].b == f.node) f.springs.push_back(int(c));
+        }
+    }
+    if (!same || used_.size() != ends) used_.assign(ends, {});
+    renew_all_ = true, restored_ = false;
+    return true;
+}
+
+std::vector<int> JointedMembers::condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
+                                          const std::vector<char>& dirty) {
+    std::vector<char> asked(members_.size(), renew_all_);
+    renew_all_ = false;
+    std::vector<std::vector<int>> blocks(members_.size());
+    for (std::size_t i = 0; i < given.nodes.size(); ++i)
+        if (const int member = member_of_[given.nodes[i].node]; member >= 0)
+            blocks[member].push_back(int(i)), asked[member] = 1;
+    for (std::size_t i = 0; i < members_.size(); ++i) {
+        Member& m = members_[i];
+        if (m.had_blocks != !blocks[i].empty()) asked[i] = 1;
+        m.had_blocks = !blocks[i].empty();
+        for (const int n : m.nodes) asked[i] |= dirty[n];
+        for (const Follower& f : m.followers) {
+            Used now{Mat12::Zero(), tie_of(f, m, reduction)}, &used = used_[f.used];
+            for (const int c : f.springs) now.spring += given.pairs[c].K;
+            if (!is_same(now.spring, used.spring) || !is_same(now.tie, used.tie)) used = now, asked[i] = 1;
+        }
+    }
+    std::vector<int> list;
+    for (std::size_t i = 0; i < asked.size(); ++i)
+        if (asked[i]) list.push_back(int(i));
+    pool_.share(int(list.size()), 8, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) condense(members_[list[i]], blocks[list[i]], given, parts);
+    });
+    return list;
+}
+
+/// A over the nodes within and the two outer ones behind them, the ties eliminated, then the Schur complement.
+void JointedMembers::condense(Member& m, const std::vector<int>& blocks, const Blocks& given,
+                              const ElementMatrices& parts) const {
+    const int inner = int(m.nodes.size()), n = 6 * (inner + 2);
+    const auto place = [&](int node) {
+        for (int i = 0; i < inner; ++i)
+            if (m.nodes[i] == node) return 6 * i;
+        return 6 * (inner + (node == m.side[1] ? 1 : 0));
+    };
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_free + 12, most_free + 12> A =
+        decltype(A)::Zero(n, n);
+    const auto add = [&](const int(&node)[2], const Mat12& K) {
+        const int at[2] = {place(node[0]), place(node[1])};
+        for (int i : {0, 1})
+            for (int j : {0, 1}) A.block<6, 6>(at[i], at[j]) += K.block<6, 6>(6 * i, 6 * j);
+    };
+    const std::vector<Element>& elements = structure_.elements();
+    for (const int e : m.elements) {
+        add(elements[e].node, parts.whole_part(e));
+        if (!parts.has_bridges() || elements[e].partner < e) continue;
+        const int a = place(elements[e].node[0]), b = place(elements[e + 1].node[1]);
+        const Mat6 K = parts.whole_bridge(e);
+        A.block<6, 6>(a, b) += K, A.block<6, 6>(b, a) += K.transpose();
+    }
+    for (int i = 0; i < inner; ++i) A.block<6, 6>(6 * i, 6 * i) += parts.offset_mass(m.nodes[i]);
+    for (const int b : blocks)
+        A.block<6, 6>(place(given.nodes[b].node), place(given.nodes[b].node)) += given.nodes[b].K;
+    for (const Follower& f : m.followers) {
+        const Used& used = used_[f.used];
+        if (!f.springs.empty()) {
+            const Coupling& c = given.pairs[f.springs[0]];
+            add({c.a, c.b}, used.spring);
+        }
+        const int at = 6 * f.place, side = 6 * (inner + f.side);
+        A.middleCols<6>(side) += A.middleCols<6>(at) * used.tie;
+        A.middleRows<6>(side) += used.tie.transpose() * A.middleRows<6>(at);
+    }
+    int free[most_free];
+    m.free_count = 0;
+    for (int i = 0; i < 6 * inner; ++i) {
+        const bool is_free = !(parts.held()[m.nodes[i / 6]] >> (i % 6) & 1);
+        m.at[i] = is_free ? (signed char)m.free_count : -1;
+        if (is_free) free[m.free_count++] = i;
+    }
+    const int count = m.free_count;
+    Factors within(count, count);
+    Columns across(count, 12);
+    for (int i = 0; i < count; ++i) {
+        for (int j = 0; j <= i; ++j) within(i, j) = A(free[i], free[j]);
+        across.row(i) = A.block<1, 12>(free[i], 6 * inner);
+    }
+    m.factors.compute(within);
+    m.to_sides = m.factors.solve(across);
+    m.S = A.bottomRightCorner<12, 12>() - across.transpose() * m.to_sides;
+}
+
+/// The part of a follower's motion that is its leader's: rows of the tied components.
+Mat6 JointedMembers::tie_of(const Follower& f, const Member& m, const Reduction& reduction) const {
+    const std::vector<Reduction::Part>& of = reduction.parts_on(f.node);
+    if (of.size() == 1 && of[0].node == m.side[f.side]) return of[0].factors;
+    Mat6 tie = Mat6::Zero();  // the leader follows others itself: an end without an offset has its motion
+    for (int c = 0; c < 6; ++c) tie(c, c) = reduction.tied(f.node) >> c & 1;
+    return tie;
+}
+
+void JointedMembers::add_to(Blocks& blocks) const {
+    for (const Member& m : members_) blocks.pairs.push_back({m.side[0], m.side[1], m.S});
+}
+
+void JointedMembers::reduce(std::vector<Vec6>& right) {
+    pool_.share(int(members_.size()), 32, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            Member& m = members_[i];
+            m.right.resize(m.free_count);
+            for (int k = 0; k < 6 * int(m.nodes.size()); ++k)
+                if (m.at[k] >= 0) m.right[m.at[k]] = right[m.nodes[k / 6]][k % 6];
+            m.to_outer.noalias() = -m.to_sides.transpose() * m.right;
+            for (const Follower& f : m.followers)
+                m.to_outer.segment<6>(6 * f.side) += used_[f.used].tie.transpose() * right[f.node];
+            m.factors.solveInPlace(m.right);
+        }
+    });
+    for (const Member& m : members_) {
+        for (int s : {0, 1}) right[m.side[s]] += m.to_outer.segment<6>(6 * s);
+        for (const int n : m.nodes) right[n].setZero();
+    }
+}
+
+void JointedMembers::solve_back(std::vector<Vec6>& x) const {
+    pool_.share(int(members_.size()), 32, [&](int first, int end, int) {
+        for (int i = first; i < end; ++i) {
+            const Member& m = members_[i];
+            Vec12 outer;
+            outer << x[m.side[0]], x[m.side[1]];
+            const Column within = m.right - m.to_sides * outer;
+            for (int k = 0; k < 6 * int(m.nodes.size()); ++k)
+                if (m.at[k] >= 0) x[m.nodes[k / 6]][k % 6] = within[m.at[k]];
+        }
+    });
+}
+
+int JointedMembers::element_between(int a, int b) const {
+    for (const Member& m : members_)
+        if (m.side[0] == a && m.side[1] == b) return m.elements.front();
+    return -1;
+}
+
+}  // namespace hinge

@@ -1,0 +1,119 @@
+// Members whose ends follow other nodes through joints, condensed between those nodes for conjugate gradients.
+//
+// An end with a joint is a node of one element that moves with a node of the script, its leader, and turns against it
+// by springs. All nodes of such a member but the two that it joins are condensed exactly, as inner nodes are in
+// condensed.h:
+//
+//   S = A_ss - A_sf A_ff^-1 A_fs,   x_f = A_ff^-1 (r_f - A_fs x_s),
+//
+// f: the degrees of freedom within, s: those of the two outer nodes. So a spring that is a thousand times as stiff as
+// the member, as for an axis without rotation, costs no iteration.
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <utility>
+#include <vector>
+
+#include "algebra/element_matrices.h"
+#include "algebra/reduction.h"
+#include "core/thread_pool.h"
+
+namespace hinge {
+
+class JointedMembers {
+public:
+    JointedMembers(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {}
+
+    /// Finds the members that are condensed. `springs`: the blocks of effects between two nodes. Returns whether they
+    /// are others than before.
+    bool find(const Reduction& reduction, const std::vector<Coupling>& springs, const ElementMatrices& parts);
+    bool none() const { return members_.empty(); }
+    bool takes_out_node(int node) const { return !members_.empty() && member_of_[node] >= 0; }
+    bool takes_out_element(int element) const { return !members_.empty() && element_out_[element]; }
+    /// Whether the block between these two nodes is within a member.
+    bool takes_in(const Coupling& spring) const { return takes_out_node(spring.a) || takes_out_node(spring.b); }
+    const std::vector<char>& nodes_out() const { return node_out_; }
+    const std::vector<char>& elements_out() const { return element_out_; }
+
+    /// Condenses those members again of which a node is `dirty` or a spring has changed. Calls changed(node) for the
+    /// outer nodes of each.
+    template <class F>
+    void renew(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
+               const std::vector<char>& dirty, F changed) {
+        for (const int i : condense(reduction, given, parts, dirty))
+            for (const int node : members_[i].side)
+                if (node >= 0) changed(node);
+    }
+    /// Adds S - A of the outer nodes to the blocks.
+    void add_to(Blocks& blocks) const;
+
+    /// Takes the right side of the nodes within to the outer ones.
+    void reduce(std::vector<Vec6>& right);
+    /// Sets the solution within, where that of all other nodes is known and what follows leaders is set.
+    void solve_back(std::vector<Vec6>& x) const;
+    /// An element of the member between these two nodes; -1: there is none.
+    int element_between(int a, int b) const;
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.pairs_, s.ties_, s.empty_, s.used_);
+        if constexpr (A::reading) s.restored_ = true;
+    }
+
+private:
+    static constexpr int most_nodes = 5, most_free = 6 * most_nodes;
+    using Factors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_free, most_free>;
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 12, 0, most_free, 12>;
+    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_free, 1>;
+
+    /// An end that follows its leader.
+    struct Follower {
+        int node, place;           ///< of the node within the member
+        int side;                  ///< of the leader
+        std::vector<int> springs;  ///< between the two: places in the list of blocks
+        int used;                  ///< its place in used_
+    };
+    struct Member {
+        std::vector<int> nodes;  ///< within, in order
+        std::vector<int> elements;
+        int side[2] = {-1, -1};
+        std::vector<Follower> followers;
+        bool had_blocks = false;  ///< of its nodes, from effects
+        int free_count = 0;
+        signed char at[most_free];     ///< of each degree of freedom within: its place in f; -1: held or tied
+        Eigen::LDLT<Factors> factors;  ///< of A_ff
+        Columns to_sides;              ///< A_ff^-1 A_fs
+        Mat12 S;                       ///< S - A of the outer nodes
+        Column right;                  ///< A_ff^-1 r_f of the solution under way
+        Vec12 to_outer;                ///< what the outer nodes get of r_f
+    };
+    /// What a member was condensed with.
+    struct Used {
+        Mat12 spring = Mat12::Zero();
+        Mat6 tie = Mat6::Zero();
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.spring, s.tie);
+        }
+    };
+
+    std::vector<Member> list(const Reduction& reduction, const std::vector<Coupling>& springs,
+                             const ElementMatrices& parts) const;
+    std::vector<int> condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
+                              const std::vector<char>& dirty);
+    void condense(Member& m, const std::vector<int>& blocks, const Blocks& given, const ElementMatrices& parts) const;
+    Mat6 tie_of(const Follower& f, const Member& m, const Reduction& reduction) const;
+
+    const Structure& structure_;
+    ThreadPool& pool_;
+    std::vector<Member> members_;
+    std::vector<int> member_of_;  ///< of each node: the member that it is within, -1
+    std::vector<char> node_out_, element_out_;
+    std::vector<std::pair<int, int>> pairs_;  ///< of the springs, when members were found last
+    std::vector<std::pair<int, int>> ties_;   ///< node and leader, likewise
+    std::vector<char> empty_;                 ///< of each element, likewise
+    std::vector<Used> used_;                  ///< of each follower
+    bool renew_all_ = true, restored_ = false;
+};
+
+}  // namespace hinge
