@@ -222,7 +222,7 @@ void EffectiveStiffness::set_held(const std::vector<std::uint8_t>& by_supports) 
 
 void EffectiveStiffness::set_reduction(const Reduction* reduction) {
     reduction_ = reduction;
-    if (single_ || condensed_) jointed_ = std::make_unique<JointedMembers>(structure_, pool_);
+    if (single_ || condensed_) tied_members_ = std::make_unique<TiedMembers>(structure_, pool_);
 }
 
 void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
@@ -233,23 +233,24 @@ void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
 /// Bodies at rest, and what is condensed within jointed members.
 void EffectiveStiffness::leave_out() {
     std::vector<int> list = resting_;
-    if (jointed_ && !jointed_->none()) {
+    if (tied_members_ && !tied_members_->none()) {
         list.resize(is_dirty_.size(), -1);
         for (std::size_t n = 0; n < list.size(); ++n)
-            if (jointed_->takes_out_node(int(n))) list[n] = 0;
+            if (tied_members_->takes_out_node(int(n))) list[n] = 0;
     }
     if (single_) single_->leave_out(list);
     if (condensed_) condensed_->leave_out(list);
 }
 
 /// Condenses the members whose ends follow other nodes, as far as something has changed.
-void EffectiveStiffness::condense_jointed() {
-    if (jointed_->find(*reduction_, given_.pairs, matrices_)) {
-        matrices_.take_out(jointed_->nodes_out(), jointed_->elements_out());
+void EffectiveStiffness::condense_tied() {
+    if (tied_members_->find(*reduction_, given_.pairs, matrices_)) {
+        matrices_.take_out(tied_members_->nodes_out(), tied_members_->elements_out());
         leave_out();
         for (int node = 0; node < int(is_dirty_.size()); ++node) mark(node);
     }
-    if (!jointed_->none()) jointed_->renew(*reduction_, given_, matrices_, is_dirty_, [this](int node) { mark(node); });
+    if (!tied_members_->none())
+        tied_members_->renew(*reduction_, given_, matrices_, is_dirty_, [this](int node) { mark(node); });
 }
 
 /// After its fields were read. False where a coupling joins what is not there.
@@ -267,15 +268,16 @@ bool EffectiveStiffness::finish_restore() {
 void EffectiveStiffness::assemble() {
     if (reduction_ && (structure_.large() || given_changed_ || !dirty_.empty())) {
         given_changed_ = false;
-        if (jointed_) condense_jointed();
+        if (tied_members_) condense_tied();
         Blocks blocks = reduced_blocks();
         take_couplings(std::move(blocks.pairs));
         take_node_blocks(std::move(blocks.nodes));
     }
     if (dirty_.empty()) return;
     factor_valid_ = false;
-    if (jointed_)
-        std::erase_if(dirty_, [this](int node) { return jointed_->takes_out_node(node) && !(is_dirty_[node] = 0); });
+    if (tied_members_)
+        std::erase_if(dirty_,
+                      [this](int node) { return tied_members_->takes_out_node(node) && !(is_dirty_[node] = 0); });
     std::sort(dirty_.begin(), dirty_.end());
     if (single_) single_->renew(dirty_, matrices_);
     if (condensed_) condensed_->renew(dirty_, matrices_);
@@ -287,13 +289,13 @@ SolveReport EffectiveStiffness::solve(const std::vector<Vec6>& right, std::vecto
                                       const SolverSettings& settings) {
     if (!reduction_) return solve_reduced(right, x, settings);
     std::vector<Vec6> reduced = right;
-    const bool jointed = jointed_ && !jointed_->none();
-    if (jointed) jointed_->reduce(reduced);
+    const bool tied = tied_members_ && !tied_members_->none();
+    if (tied) tied_members_->reduce(reduced);
     reduction_->reduce(reduced);
     take_out_held(reduced);
     const SolveReport report = solve_reduced(reduced, x, settings);
     reduction_->expand(x);
-    if (jointed) jointed_->solve_back(x);
+    if (tied) tied_members_->solve_back(x);
     return report;
 }
 
@@ -333,7 +335,7 @@ EffectiveStiffness::Weakest EffectiveStiffness::weakest_part() const {
     for (const Coupling& c : couplings_) {
         Vec12 x;
         x << at(c.a), at(c.b);
-        compare(x.dot(c.K * x), c.a, c.b, jointed_ ? jointed_->element_between(c.a, c.b) : -1);
+        compare(x.dot(c.K * x), c.a, c.b, tied_members_ ? tied_members_->element_between(c.a, c.b) : -1);
     }
     for (int n = 0; n < nodes && found.node < 0; ++n)  // rounding alone
         if (at(n).squaredNorm() > least) least = at(n).squaredNorm(), found.node = n;

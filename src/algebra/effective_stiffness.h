@@ -7,7 +7,7 @@
 
 #include "algebra/condensed.h"
 #include "algebra/direct_factors.h"
-#include "algebra/jointed_members.h"
+#include "algebra/tied_members.h"
 #include "algebra/node_blocks.h"
 #include "algebra/reduction.h"
 #include "state/element_assembly.h"
@@ -114,7 +114,7 @@ public:
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
           s.counts_.solves, s.counts_.factorisations);
         if (s.reduction_) a(s.given_.pairs, s.given_.nodes);
-        if (s.jointed_) a(*s.jointed_);
+        if (s.tied_members_) a(*s.tied_members_);
         if constexpr (A::reading) a.must(s.finish_restore());
     }
 
@@ -139,7 +139,7 @@ private:
     void take_couplings(std::vector<Coupling> couplings);
     void take_node_blocks(std::vector<Blocks::Node> blocks);
     Blocks reduced_blocks() const;
-    void condense_jointed();
+    void condense_tied();
     void leave_out();
 
     const Structure& structure_;
@@ -150,10 +150,10 @@ private:
     MatrixStorage keeping_;
     ElementMatrices matrices_;
     std::vector<Coupling> couplings_;
-    const Reduction* reduction_ = nullptr;     ///< null where no degree of freedom depends on others
-    std::unique_ptr<JointedMembers> jointed_;  ///< for conjugate gradients with a reduction
-    std::vector<int> resting_;                 ///< of each node, not negative where it is left out; empty: none
-    Blocks given_;                             ///< with a reduction: the blocks of effects before it
+    const Reduction* reduction_ = nullptr;       ///< null where no degree of freedom depends on others
+    std::unique_ptr<TiedMembers> tied_members_;  ///< for conjugate gradients with a reduction
+    std::vector<int> resting_;                   ///< of each node, not negative where it is left out; empty: none
+    Blocks given_;                               ///< with a reduction: the blocks of effects before it
     bool given_changed_ = false;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> single_;

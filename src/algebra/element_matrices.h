@@ -26,7 +26,7 @@ public:
     /// Whether its blocks are zero: cleared, or taken out.
     bool empty(int element) const { return empty_[element] || is_out(elements_out_, element); }
     bool is_cleared(int element) const { return empty_[element]; }
-    /// Takes nodes and elements out of own, across and bridge (jointed_members.h): a node that is out has the unit
+    /// Takes nodes and elements out of own, across and bridge (tied_members.h): a node that is out has the unit
     /// matrix. The lists are referred to; empty ones take out none.
     void take_out(const std::vector<char>& nodes, const std::vector<char>& elements) {
         nodes_out_ = &nodes, elements_out_ = &elements;

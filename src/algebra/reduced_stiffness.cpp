@@ -65,10 +65,10 @@ private:
 /// The blocks of effects, and what T^T A T adds to A without the degrees of freedom that depend on others.
 Blocks EffectiveStiffness::reduced_blocks() const {
     Sums sums(*reduction_, is_dirty_.size());
-    const bool jointed = jointed_ && !jointed_->none();
+    const bool tied = tied_members_ && !tied_members_->none();
     std::vector<int> elements, pairs;
     for (const Reduction::Dependent& d : reduction_->dependents()) {
-        if (jointed && jointed_->takes_out_node(d.node)) continue;
+        if (tied && tied_members_->takes_out_node(d.node)) continue;
         for (const int e : structure_.elements_at(d.node)) {
             if (!matrices_.empty(e)) elements.push_back(e);
             if (matrices_.has_bridges() && !matrices_.empty(e) && structure_.elements()[e].partner >= 0)
@@ -89,10 +89,10 @@ Blocks EffectiveStiffness::reduced_blocks() const {
     }
     Blocks blocks;
     for (const Coupling& c : given_.pairs)
-        if (!jointed || !jointed_->takes_in(c)) blocks.pairs.push_back(c);
+        if (!tied || !tied_members_->takes_in(c)) blocks.pairs.push_back(c);
     for (const Blocks::Node& n : given_.nodes)
-        if (!jointed || !jointed_->takes_out_node(n.node)) blocks.nodes.push_back(n);
-    if (jointed) jointed_->add_to(blocks);
+        if (!tied || !tied_members_->takes_out_node(n.node)) blocks.nodes.push_back(n);
+    if (tied) tied_members_->add_to(blocks);
     for (const Coupling& c : blocks.pairs) {
         const int node[2] = {c.a, c.b};
         sums.spread(node, c.K);

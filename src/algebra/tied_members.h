@@ -1,13 +1,15 @@
-// Members whose ends follow other nodes through joints, condensed between those nodes for conjugate gradients.
+// Members that end at nodes which follow others, condensed between the two nodes that they join: an input of conjugate
+// gradients.
 //
 // An end with a joint is a node of one element that moves with a node of the script, its leader, and turns against it
-// by springs. All nodes of such a member but the two that it joins are condensed exactly, as inner nodes are in
+// by springs. All nodes of such a member but its two outer ones are condensed exactly, as inner nodes are in
 // condensed.h:
 //
 //   S = A_ss - A_sf A_ff^-1 A_fs,   x_f = A_ff^-1 (r_f - A_fs x_s),
 //
 // f: the degrees of freedom within, s: those of the two outer nodes. So a spring that is a thousand times as stiff as
-// the member, as for an axis without rotation, costs no iteration.
+// the member, as for an axis without rotation, costs no iteration. Members at a floor that moves as one are condensed
+// likewise: then only their outer nodes are joined to the floor's.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -20,9 +22,9 @@
 
 namespace hinge {
 
-class JointedMembers {
+class TiedMembers {
 public:
-    JointedMembers(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {}
+    TiedMembers(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {}
 
     /// Finds the members that are condensed. `springs`: the blocks of effects between two nodes. Returns whether they
     /// are others than before.
@@ -97,6 +99,8 @@ private:
         }
     };
 
+    bool follows(const Reduction& reduction, int node) const;
+    bool walk(Member& m, int node, int element, const Reduction& reduction, const ElementMatrices& parts) const;
     std::vector<Member> list(const Reduction& reduction, const std::vector<Coupling>& springs,
                              const ElementMatrices& parts) const;
     std::vector<int> condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,

@@ -1,4 +1,4 @@
-#include "algebra/jointed_members.h"
+#include "algebra/tied_members.h"
 
 #include <algorithm>
 
@@ -28,54 +28,73 @@ int other_node(const Element& e, int node) { return e.node[0] == node ? e.node[1
 
 }  // namespace
 
-/// A member is condensed if nothing but its joints joins its inner nodes to others, and if it has few of them.
-std::vector<JointedMembers::Member> JointedMembers::list(const Reduction& reduction,
-                                                         const std::vector<Coupling>& springs,
-                                                         const ElementMatrices& parts) const {
+/// Whether a node is the end of a member that follows a node of the script, in one piece with the member.
+bool TiedMembers::follows(const Reduction& reduction, int node) const {
+    const int leader = structure_.declared_node(node);
+    return reduction.depends(node) && leader >= 0 && leader != node && structure_.elements_at(node).size() == 1;
+}
+
+/// Adds a member's inner nodes and elements from `node`, of which `element` leads on, to its other end. False where it
+/// has too many, or is broken.
+bool TiedMembers::walk(Member& m, int node, int element, const Reduction& reduction,
+                       const ElementMatrices& parts) const {
+    for (;; element = structure_.elements_at(node)[structure_.elements_at(node)[0] == element ? 1 : 0]) {
+        m.nodes.push_back(node), m.elements.push_back(element);
+        if (parts.is_cleared(element) || int(m.nodes.size()) > most_nodes) return false;
+        node = other_node(structure_.elements()[element], node);
+        if (structure_.declared_node(node) >= 0 || structure_.elements_at(node).size() != 2) break;
+    }
+    m.side[1] = node;
+    if (follows(reduction, node)) m.nodes.push_back(node), m.side[1] = structure_.declared_node(node);
+    return int(m.nodes.size()) <= most_nodes;
+}
+
+/// Members that end at a node which follows others. One is condensed if nothing but its joints joins its inner nodes to
+/// others, and if it has few of them.
+std::vector<TiedMembers::Member> TiedMembers::list(const Reduction& reduction, const std::vector<Coupling>& springs,
+                                                   const ElementMatrices& parts) const {
     std::vector<char> joined(structure_.position().size(), 0);  // by blocks other than springs of joints
     for (const Coupling& c : springs)
         for (const auto& [node, other] : {std::pair(c.a, c.b), std::pair(c.b, c.a)})
             if (structure_.declared_node(node) != other || other == node) joined[node] = 1;
-    const auto follows = [&](int node) {  // its own node's end of a member, in one piece with it
-        const int leader = structure_.declared_node(node);
-        return reduction.depends(node) && leader >= 0 && leader != node && structure_.elements_at(node).size() == 1;
-    };
     std::vector<Member> found;
     std::vector<char> taken(joined.size(), 0);
-    for (const Reduction::Dependent& d : reduction.dependents()) {
-        if (taken[d.node] || !follows(d.node)) continue;
-        Member m;
-        m.side[0] = structure_.declared_node(d.node);
-        bool fits = true;
-        int node = d.node, element = structure_.elements_at(node)[0];
-        for (;; element = structure_.elements_at(node)[structure_.elements_at(node)[0] == element ? 1 : 0]) {
-            m.nodes.push_back(node), m.elements.push_back(element);
-            fits = fits && !parts.is_cleared(element) && int(m.nodes.size()) <= most_nodes;
-            node = other_node(structure_.elements()[element], node);
-            if (!fits || structure_.declared_node(node) >= 0 || structure_.elements_at(node).size() != 2) break;
+    const auto take = [&](Member& m) {
+        if (m.side[0] == m.side[1]) return;
+        for (const int side : m.side)
+            if (structure_.declared_node(side) != side) return;
+        for (std::size_t i = 0; i < m.nodes.size(); ++i) {
+            const int n = m.nodes[i];
+            if (joined[n] || taken[n]) return;
+            if (!reduction.depends(n)) continue;
+            if (!follows(reduction, n)) return;
+            const int side = structure_.declared_node(n) == m.side[0] ? 0 : 1;
+            if (reduction.depends(m.side[side]) && has_offset(structure_, n)) return;
+            m.followers.push_back({n, int(i), side, {}, 0});
         }
-        if (fits && follows(node)) m.nodes.push_back(node), m.side[1] = structure_.declared_node(node);
-        else m.side[1] = node;
-        fits = fits && int(m.nodes.size()) <= most_nodes && m.side[0] != m.side[1];
-        for (const int n : m.nodes)
-            fits = fits && !joined[n] && (n == m.nodes.front() || n == m.nodes.back() || !reduction.depends(n));
-        for (const int side : m.side) fits = fits && structure_.declared_node(side) == side;
-        for (const int place : {0, int(m.nodes.size()) - 1}) {
-            const int end = m.nodes[place];
-            if (!fits || !follows(end) || (place > 0 && end == d.node)) continue;
-            const int side = structure_.declared_node(end) == m.side[0] ? 0 : 1;
-            m.followers.push_back({end, place, side, {}, 0});
-            fits = !reduction.depends(m.side[side]) || !has_offset(structure_, end);
-        }
-        if (!fits) continue;
         for (const int n : m.nodes) taken[n] = 1;
         found.push_back(std::move(m));
+    };
+    for (const Reduction::Dependent& d : reduction.dependents()) {
+        const int leader = structure_.declared_node(d.node);
+        for (const int e : structure_.elements_at(d.node)) {
+            const int next = leader == d.node ? other_node(structure_.elements()[e], d.node) : d.node;
+            if (taken[next] || (next != d.node && structure_.declared_node(next) >= 0)) continue;
+            Member m;
+            m.side[0] = leader;
+            int onwards = e;
+            if (next != d.node) {
+                if (parts.is_cleared(e) || structure_.elements_at(next).size() != 2) continue;
+                m.elements.push_back(e);
+                onwards = structure_.elements_at(next)[structure_.elements_at(next)[0] == e ? 1 : 0];
+            }
+            if ((next != d.node || follows(reduction, next)) && walk(m, next, onwards, reduction, parts)) take(m);
+        }
     }
     return found;
 }
 
-bool JointedMembers::find(const Reduction& reduction, const std::vector<Coupling>& springs,
-                          const ElementMatrices& parts) {
+bool TiedMembers::find(const Reduction& reduction, const std::vector<Coupling>& springs, const ElementMatrices& parts) {
     std::vector<std::pair<int, int>> pairs, ties;
     for (const Coupling& c : springs) pairs.push_back({c.a, c.b});
     for (const Reduction::Dependent& d : reduction.dependents()) ties.push_back({d.node, d.tied});
@@ -102,8 +121,8 @@ bool JointedMembers::find(const Reduction& reduction, const std::vector<Coupling
     return true;
 }
 
-std::vector<int> JointedMembers::condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
-                                          const std::vector<char>& dirty) {
+std::vector<int> TiedMembers::condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
+                                       const std::vector<char>& dirty) {
     std::vector<char> asked(members_.size(), renew_all_);
     renew_all_ = false;
     std::vector<std::vector<int>> blocks(members_.size());
@@ -131,8 +150,8 @@ std::vector<int> JointedMembers::condense(const Reduction& reduction, const Bloc
 }
 
 /// A over the nodes within and the two outer ones behind them, the ties eliminated, then the Schur complement.
-void JointedMembers::condense(Member& m, const std::vector<int>& blocks, const Blocks& given,
-                              const ElementMatrices& parts) const {
+void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Blocks& given,
+                           const ElementMatrices& parts) const {
     const int inner = int(m.nodes.size()), n = 6 * (inner + 2);
     const auto place = [&](int node) {
         for (int i = 0; i < inner; ++i)
@@ -164,8 +183,12 @@ void JointedMembers::condense(Member& m, const std::vector<int>& blocks, const B
             add({c.a, c.b}, used.spring);
         }
         const int at = 6 * f.place, side = 6 * (inner + f.side);
-        A.middleCols<6>(side) += A.middleCols<6>(at) * used.tie;
-        A.middleRows<6>(side) += used.tie.transpose() * A.middleRows<6>(at);
+        for (int tied = 0; tied < 6; ++tied)
+            for (int c = 0; c < 6; ++c)
+                if (const double by = used.tie(tied, c); by != 0) A.col(side + c) += by * A.col(at + tied);
+        for (int tied = 0; tied < 6; ++tied)
+            for (int c = 0; c < 6; ++c)
+                if (const double by = used.tie(tied, c); by != 0) A.row(side + c) += by * A.row(at + tied);
     }
     int free[most_free];
     m.free_count = 0;
@@ -187,7 +210,7 @@ void JointedMembers::condense(Member& m, const std::vector<int>& blocks, const B
 }
 
 /// The part of a follower's motion that is its leader's: rows of the tied components.
-Mat6 JointedMembers::tie_of(const Follower& f, const Member& m, const Reduction& reduction) const {
+Mat6 TiedMembers::tie_of(const Follower& f, const Member& m, const Reduction& reduction) const {
     const std::vector<Reduction::Part>& of = reduction.parts_on(f.node);
     if (of.size() == 1 && of[0].node == m.side[f.side]) return of[0].factors;
     Mat6 tie = Mat6::Zero();  // the leader follows others itself: an end without an offset has its motion
@@ -195,11 +218,11 @@ Mat6 JointedMembers::tie_of(const Follower& f, const Member& m, const Reduction&
     return tie;
 }
 
-void JointedMembers::add_to(Blocks& blocks) const {
+void TiedMembers::add_to(Blocks& blocks) const {
     for (const Member& m : members_) blocks.pairs.push_back({m.side[0], m.side[1], m.S});
 }
 
-void JointedMembers::reduce(std::vector<Vec6>& right) {
+void TiedMembers::reduce(std::vector<Vec6>& right) {
     pool_.share(int(members_.size()), 32, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             Member& m = members_[i];
@@ -218,7 +241,7 @@ void JointedMembers::reduce(std::vector<Vec6>& right) {
     }
 }
 
-void JointedMembers::solve_back(std::vector<Vec6>& x) const {
+void TiedMembers::solve_back(std::vector<Vec6>& x) const {
     pool_.share(int(members_.size()), 32, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const Member& m = members_[i];
@@ -231,7 +254,7 @@ void JointedMembers::solve_back(std::vector<Vec6>& x) const {
     });
 }
 
-int JointedMembers::element_between(int a, int b) const {
+int TiedMembers::element_between(int a, int b) const {
     for (const Member& m : members_)
         if (m.side[0] == a && m.side[1] == b) return m.elements.front();
     return -1;
