@@ -178,8 +178,7 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
                                        [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
     couplings_ = couplings;
-    if (same_nodes && laid_out_) return;
-    laid_out_ = true;
+    if (same_nodes) return;
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());

@@ -81,7 +81,6 @@ private:
     std::vector<int> which_;      ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;  ///< of each place, while it is not coupled
     std::vector<Coupling> couplings_;
-    bool laid_out_ = false;     ///< the couplings' nodes have been told once
     std::vector<int> coupled_;  ///< nodes, rising
     struct Bridge {
         int first, a, b, middle;  ///< first element of the pair; its outer nodes and its middle one

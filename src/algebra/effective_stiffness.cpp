@@ -230,7 +230,7 @@ void EffectiveStiffness::leave_out(const std::vector<int>& resting) {
     leave_out();
 }
 
-/// Bodies at rest, and what is condensed within jointed members.
+/// Bodies at rest, and what is condensed within members.
 void EffectiveStiffness::leave_out() {
     std::vector<int> list = resting_;
     if (tied_members_ && !tied_members_->none()) {
@@ -266,13 +266,7 @@ bool EffectiveStiffness::finish_restore() {
 }
 
 void EffectiveStiffness::assemble() {
-    if (reduction_ && (structure_.large() || given_changed_ || !dirty_.empty())) {
-        given_changed_ = false;
-        if (tied_members_) condense_tied();
-        Blocks blocks = reduced_blocks();
-        take_couplings(std::move(blocks.pairs));
-        take_node_blocks(std::move(blocks.nodes));
-    }
+    if (reduction_) reduce();
     if (dirty_.empty()) return;
     factor_valid_ = false;
     if (tied_members_)

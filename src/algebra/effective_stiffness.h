@@ -113,12 +113,23 @@ public:
     static void fields(Self& s, A& a) {
         a(s.stiffness_factor_, s.by_damping_, s.matrices_, s.couplings_, s.counts_.built, s.counts_.iterations,
           s.counts_.solves, s.counts_.factorisations);
-        if (s.reduction_) a(s.given_.pairs, s.given_.nodes);
+        if (s.reduction_) a(s.given_.pairs, s.given_.nodes, s.reduced_by_);
         if (s.tied_members_) a(*s.tied_members_);
         if constexpr (A::reading) a.must(s.finish_restore());
     }
 
 private:
+    class Sums;
+    /// A node that depends on others, as A was reduced with it.
+    struct ReducedBy {
+        int node = 0;
+        std::uint8_t tied = 0;
+        std::vector<Reduction::Part> parts;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.node, s.tied, s.parts);
+        }
+    };
     struct PairPart {
         Mat12 A[2];
         Mat6 bridge;
@@ -139,6 +150,9 @@ private:
     void take_couplings(std::vector<Coupling> couplings);
     void take_node_blocks(std::vector<Blocks::Node> blocks);
     Blocks reduced_blocks() const;
+    void reduce();
+    bool take_factors();
+    bool any_given() const;
     void condense_tied();
     void leave_out();
 
@@ -154,7 +168,8 @@ private:
     std::unique_ptr<TiedMembers> tied_members_;  ///< for conjugate gradients with a reduction
     std::vector<int> resting_;                   ///< of each node, not negative where it is left out; empty: none
     Blocks given_;                               ///< with a reduction: the blocks of effects before it
-    bool given_changed_ = false;
+    bool given_changed_ = false, has_given_ = true;
+    std::vector<ReducedBy> reduced_by_;
     std::unique_ptr<Condensed<double>> condensed_;  // one of the two, for conjugate gradients
     std::unique_ptr<Condensed<float>> single_;
     std::vector<int> dirty_;  // nodes

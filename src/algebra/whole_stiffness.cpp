@@ -11,7 +11,7 @@ void EffectiveStiffness::subtract_stiffness(const std::vector<Vec6>& u, const Bl
     for (int node = 0; node < int(u.size()); ++node) {
         if (u[node].isZero(0)) continue;
         for (const int e : structure_.elements_at(node)) {
-            if (matrices_.empty(e)) continue;
+            if (matrices_.is_cleared(e)) continue;
             elements.push_back(e);
             if (const int partner = structure_.elements()[e].partner; matrices_.has_bridges() && partner >= 0)
                 pairs.push_back(std::min(e, partner));

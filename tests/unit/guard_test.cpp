@@ -128,12 +128,12 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
         EnergyMonitor guard(0.1, 1000);
         state.step = 50, state.time = 0.5;
         const Energy good = balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + 0.005e8}});
-        REQUIRE(!guard.look(state, good, some_accounts, largest, true, may_grow));
+        REQUIRE(!guard.check(state, good, some_accounts, largest, true, may_grow));
         CHECK(!guard.lost());
         const double before = largest.most();
         state.step = 100, state.time = 1;
         const Energy bad = balance_of(some_accounts, 1e8, {{"kinetic", 1e8}, {"elastic", 0.005e8 - jump}});
-        const auto why = guard.look(state, bad, some_accounts, largest, true, may_grow);
+        const auto why = guard.check(state, bad, some_accounts, largest, true, may_grow);
         REQUIRE(why);
         INFO(text_of(why, *scene.structure));
         CHECK(why.cause == (jump < -0.1e8 ? Cause::energy_error : Cause::energy_error_grown));
@@ -152,7 +152,7 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
     LargestEnergy largest(*scene.structure);
     EnergyMonitor guard(0.1, 1000);
     for (int i = 1; i <= 9; ++i)
-        CHECK(!guard.look(state, balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts,
+        CHECK(!guard.check(state, balance_of(some_accounts, 1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts,
                           largest, true, may_grow));
 }
 
@@ -183,14 +183,14 @@ TEST_CASE("step control by default: looks grow apart while the error does not", 
         REQUIRE(run.keeps(10));
         for (int i = 1; i < apart; ++i) {
             CHECK(!run.control.due(false, run.size));
-            run.control.not_looked_at(run.size);
+            run.control.skip(run.size);
         }
         CHECK(run.control.due(false, run.size));
     }
     REQUIRE(run.keeps(10));
     CHECK(run.control.due(true, run.size));  // something abrupt
     // what was lost while nobody looked is kept, the last step's own loss is not, and every step is looked at then
-    for (int i = 0; i < 10; ++i) run.control.not_looked_at(run.size);
+    for (int i = 0; i < 10; ++i) run.control.skip(run.size);
     CHECK(!run.keeps(5e5, 1e5));
     CHECK(run.control.due(false, run.size));
     CHECK(run.keeps(1.0001e5, 1e5));
@@ -211,7 +211,7 @@ TEST_CASE("step control by default: a loss that halving does not make smaller is
     double error = 2.6e5;
     const double rate = 550;  // J/s: 0.55 % of the energy in the whole run
     REQUIRE(all_along.keeps(0));
-    all_along.control.not_looked_at(all_along.size);
+    all_along.control.skip(all_along.size);
     REQUIRE(all_along.keeps(error, error));
     for (halved = 0; halved < 20 && !all_along.keeps(error + rate * all_along.size.dt()); ++halved) all_along.halve();
     CHECK(halved == 6);
