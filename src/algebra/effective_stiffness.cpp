@@ -250,7 +250,7 @@ void EffectiveStiffness::condense_tied() {
         for (int node = 0; node < int(is_dirty_.size()); ++node) mark(node);
     }
     if (!tied_members_->none())
-        tied_members_->renew(*reduction_, given_, matrices_, is_dirty_, [this](int node) { mark(node); });
+        tied_members_->renew(reduced_by_, given_, matrices_, is_dirty_, [this](int node) { mark(node); });
 }
 
 /// After its fields were read. False where a coupling joins what is not there.

@@ -120,16 +120,7 @@ public:
 
 private:
     class Sums;
-    /// A node that depends on others, as A was reduced with it.
-    struct ReducedBy {
-        int node = 0;
-        std::uint8_t tied = 0;
-        std::vector<Reduction::Part> parts;
-        template <class Self, class A>
-        static void fields(Self& s, A& a) {
-            a(s.node, s.tied, s.parts);
-        }
-    };
+    using ReducedBy = Reduction::ReducedBy;
     struct PairPart {
         Mat12 A[2];
         Mat6 bridge;

@@ -48,12 +48,22 @@ public:
         std::vector<Part> parts;
         const char* declared_by;
     };
+    /// The same, as a matrix was reduced with it.
+    struct ReducedBy {
+        int node = 0;
+        std::uint8_t tied = 0;
+        std::vector<Part> parts;
+        template <class Self, class A>
+        static void fields(Self& s, A& a) {
+            a(s.node, s.tied, s.parts);
+        }
+    };
     const std::vector<Dependent>& dependents() const { return dependents_; }
     /// The components of a node that depend on others, six bits.
     std::uint8_t tied(int node) const { return which_[node] < 0 ? 0 : dependents_[which_[node]].tied; }
     bool depends(int node) const { return which_[node] >= 0; }
-    /// Of a node that depends on others.
-    const std::vector<Part>& parts_on(int node) const { return dependents_[which_[node]].parts; }
+    /// Its place in the list of those that depend on others; -1: it does not.
+    int place_of(int node) const { return which_[node]; }
     /// Whether a constraint has the node, as one that depends or as one on which others depend.
     bool joins(int node) const { return joins_[node]; }
     /// Nodes that constraints join, rising: dependent ones and those on which they depend.

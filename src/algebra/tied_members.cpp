@@ -7,14 +7,14 @@
 namespace hinge {
 namespace {
 
-/// Springs and ties that have changed by less than this part of their largest number since a member was condensed stay
+/// Springs that have changed by less than this part of their largest number since a member was condensed stay
 /// as they were: the next solution sees the difference in the forces. An axis without rotation has a thousand times the
 /// stiffness of its member, so this is a tenth of that of the member. A column lost in a frame of 168 elements: 1e-9,
 /// 1e-5, 1e-4 and 1e-3 give the same displacements to 12, 12, 11 and 9 digits, and the same energy error to 4, 4, 3, 2.
 constexpr double same_spring = 1e-4;
 
-bool is_same(const auto& a, const auto& b, double within) {
-    return !((a - b).cwiseAbs().maxCoeff() > within * b.cwiseAbs().maxCoeff());
+bool is_same(const Mat12& a, const Mat12& b) {
+    return !((a - b).cwiseAbs().maxCoeff() > same_spring * b.cwiseAbs().maxCoeff());
 }
 
 /// Whether an end of a member lies beside the node that it follows.
@@ -71,7 +71,7 @@ std::vector<TiedMembers::Member> TiedMembers::list(const Reduction& reduction, c
             if (!follows(reduction, n)) return;
             const int side = structure_.declared_node(n) == m.side[0] ? 0 : 1;
             if (reduction.depends(m.side[side]) && has_offset(structure_, n)) return;
-            m.followers.push_back({n, int(i), side, {}, 0});
+            m.followers.push_back({n, int(i), side, reduction.place_of(n), {}, 0});
         }
         for (const int n : m.nodes) taken[n] = 1;
         found.push_back(std::move(m));
@@ -122,8 +122,8 @@ bool TiedMembers::find(const Reduction& reduction, const std::vector<Coupling>& 
     return true;
 }
 
-std::vector<int> TiedMembers::condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
-                                       const std::vector<char>& dirty) {
+std::vector<int> TiedMembers::condense(const std::vector<ReducedBy>& reduced_by, const Blocks& given,
+                                       const ElementMatrices& parts, const std::vector<char>& dirty) {
     std::vector<char> asked(members_.size(), renew_all_);
     renew_all_ = false;
     std::vector<std::vector<int>> blocks(members_.size());
@@ -136,10 +136,10 @@ std::vector<int> TiedMembers::condense(const Reduction& reduction, const Blocks&
         m.had_blocks = !blocks[i].empty();
         for (const int n : m.nodes) asked[i] |= dirty[n];
         for (const Follower& f : m.followers) {
-            Used now{Mat12::Zero(), tie_of(f, m, reduction)}, &used = used_[f.used];
+            Used now{Mat12::Zero(), tie_of(f, m, reduced_by)}, &used = used_[f.used];
             for (const int c : f.springs) now.spring += given.pairs[c].K;
-            if (!is_same(now.spring, used.spring, same_spring) || !is_same(now.tie, used.tie, Reduction::same_factors))
-                used = now, asked[i] = 1;
+            if (now.tie != used.tie) used.tie = now.tie, asked[i] = 1;
+            if (!is_same(now.spring, used.spring)) used.spring = now.spring, asked[i] = 1;
         }
     }
     std::vector<int> list;
@@ -212,11 +212,11 @@ void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Bloc
 }
 
 /// The part of a follower's motion that is its leader's: rows of the tied components.
-Mat6 TiedMembers::tie_of(const Follower& f, const Member& m, const Reduction& reduction) const {
-    const std::vector<Reduction::Part>& of = reduction.parts_on(f.node);
-    if (of.size() == 1 && of[0].node == m.side[f.side]) return of[0].factors;
+Mat6 TiedMembers::tie_of(const Follower& f, const Member& m, const std::vector<ReducedBy>& reduced_by) {
+    const ReducedBy& by = reduced_by[f.dependent];
+    if (by.parts.size() == 1 && by.parts[0].node == m.side[f.side]) return by.parts[0].factors;
     Mat6 tie = Mat6::Zero();  // the leader follows others itself: an end without an offset has its motion
-    for (int c = 0; c < 6; ++c) tie(c, c) = reduction.tied(f.node) >> c & 1;
+    for (int c = 0; c < 6; ++c) tie(c, c) = by.tied >> c & 1;
     return tie;
 }
 

@@ -23,6 +23,8 @@
 namespace hinge {
 
 class TiedMembers {
+    using ReducedBy = Reduction::ReducedBy;
+
 public:
     TiedMembers(const Structure& structure, ThreadPool& pool) : structure_(structure), pool_(pool) {}
 
@@ -37,12 +39,13 @@ public:
     const std::vector<char>& nodes_out() const { return node_out_; }
     const std::vector<char>& elements_out() const { return element_out_; }
 
-    /// Condenses those members again of which a node is `dirty` or a spring has changed. Calls changed(node) for the
+    /// Condenses those members again of which a node is `dirty` or a spring or a
+    /// tie has changed. Calls changed(node) for the
     /// outer nodes of each.
     template <class F>
-    void renew(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
+    void renew(const std::vector<ReducedBy>& reduced_by, const Blocks& given, const ElementMatrices& parts,
                const std::vector<char>& dirty, F changed) {
-        for (const int i : condense(reduction, given, parts, dirty))
+        for (const int i : condense(reduced_by, given, parts, dirty))
             for (const int node : members_[i].side)
                 if (node >= 0) changed(node);
     }
@@ -72,6 +75,7 @@ private:
     struct Follower {
         int node, place;           ///< of the node within the member
         int side;                  ///< of the leader
+        int dependent;             ///< its place in the list of those that depend on others
         std::vector<int> springs;  ///< between the two: places in the list of blocks
         int used;                  ///< its place in used_
     };
@@ -103,10 +107,10 @@ private:
     bool walk(Member& m, int node, int element, const Reduction& reduction, const ElementMatrices& parts) const;
     std::vector<Member> list(const Reduction& reduction, const std::vector<Coupling>& springs,
                              const ElementMatrices& parts) const;
-    std::vector<int> condense(const Reduction& reduction, const Blocks& given, const ElementMatrices& parts,
-                              const std::vector<char>& dirty);
+    std::vector<int> condense(const std::vector<ReducedBy>& reduced_by, const Blocks& given,
+                              const ElementMatrices& parts, const std::vector<char>& dirty);
     void condense(Member& m, const std::vector<int>& blocks, const Blocks& given, const ElementMatrices& parts) const;
-    Mat6 tie_of(const Follower& f, const Member& m, const Reduction& reduction) const;
+    static Mat6 tie_of(const Follower& f, const Member& m, const std::vector<ReducedBy>& reduced_by);
 
     const Structure& structure_;
     ThreadPool& pool_;
