@@ -80,7 +80,7 @@ local chinese = { H = { "HW", "HM", "HN" }, HW = { "HW" }, HM = { "HM" }, HN = {
 local function by_plates(families, name, sizes)
   for _, other in ipairs(chinese[name]) do
     for _, row in ipairs(#sizes <= 4 and (name ~= "H" or #sizes == 4) and families[other].rows or {}) do
-      local plates, same = row.text:gmatch "[%d.]+", true
+      local plates, same = row.dimensions:gmatch "%S+", true
       for i = 1, #sizes do same = tonumber(plates()) == sizes[i] and same end
       if same then return row end
     end

@@ -78,6 +78,31 @@ local function key_of(family, sizes)
   return family .. " " .. table.concat(parts, "x")
 end
 
+-- The rows of a table, each { name, dimensions in the table's unit, what is published }. A line of a table `by_walls`
+-- is of one size: "100x50 8 4: 6 | 8.71 95.4; 8 | 11.4 121" are the sections 100x50x6 and 100x50x8, with 8 and 4 as
+-- their further dimensions. Walls of American hollow sections are 0.93 of what the name says, to a thousandth; after
+-- "0.322 0.3 |" it is 0.3.
+local function rows_of(kind)
+  local list = {}
+  for line in kind.rows:gsub("\n  ", " "):gmatch "[^\n]+" do
+    local head, rest = line:match "^(.-): (.*)$"
+    for first, published in (rest .. ";"):gmatch " ?([^;|]*) | ([^;]*);" do
+      local name, dimensions = head, first
+      if kind.by_walls then
+        local size, further_ones = head:match "^(%S+)(.*)$"
+        local wall, given = first:match "^(%S+) ?(.*)$"
+        if given == "" then
+          given = kind.unit == "in" and ("%.3f"):format(0.93 * sizes_of(wall, true)[1]) or wall
+        end
+        name = size .. (kind.unit == "in" and "X" or "x") .. wall
+        dimensions = table.concat(sizes_of(size:upper()), " ") .. " " .. given .. further_ones
+      end
+      list[#list + 1] = { name, dimensions, published }
+    end
+  end
+  return list
+end
+
 -- All rows by key, and the families in their order: { name =, rows = }.
 local rows, families
 local function read()
@@ -90,9 +115,9 @@ local function read()
         family = { name = kind.family, rows = {}, inches = kind.unit == "in" }
         families[#families + 1], families[kind.family] = family, family
       end
-      for name, text in kind.rows:gmatch "([^\n:]+): ([^\n]+)" do
-        local sizes = assert(sizes_of(name:upper(), family.inches), name)
-        local row = { kind = kind, name = kind.prefix .. name, text = text, sizes = sizes }
+      for _, of in ipairs(rows_of(kind)) do
+        local sizes = assert(sizes_of(of[1]:upper(), family.inches), of[1])
+        local row = { kind = kind, name = kind.prefix .. of[1], dimensions = of[2], published = of[3], sizes = sizes }
         family.rows[#family.rows + 1] = row
         rows[key_of(kind.family, sizes)] = row
       end
@@ -105,7 +130,7 @@ local others = { UKB = "UB", UKC = "UC", HFSHS = "SHS", HFRHS = "RHS", HFCHS = "
 
 -- The dimensions of a row, m.
 local function dimensions_of(row)
-  local dimensions, unit, values = {}, units[row.kind.unit], row.text:gmatch "[%d.]+"
+  local dimensions, unit, values = {}, units[row.kind.unit], row.dimensions:gmatch "%S+"
   for field in row.kind.columns:gmatch "%S+" do dimensions[field] = unit * tonumber(values()) end
   return dimensions
 end
@@ -241,10 +266,12 @@ end
 function named.published(name)
   read()
   local row = assert(rows[key_of(taken_apart(name))], name)
-  local values, published, unit = row.text:match "| (.*)$":gmatch "[%d.]+", {}, row.kind.unit == "mm" and 1e-2 or 0.0254
-  for field in row.kind.published:gmatch "%S+" do
-    local power = field == "area" and 2 or field:find "^Z" and 3 or 4
-    published[field] = tonumber(values()) * unit ^ power
+  local values, published, unit = row.published:gmatch "%S+", {}, row.kind.unit == "mm" and 1e-2 or 0.0254
+  for fields in row.kind.published:gmatch "%S+" do
+    local value = tonumber(values())
+    for field in fields:gmatch "[^=]+" do -- "Ix=Iy" of a square: one value for both
+      published[field] = value * unit ^ (field == "area" and 2 or field:find "^Z" and 3 or 4)
+    end
   end
   return published
 end
