@@ -5,6 +5,8 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
+local law_scenes = require "sections.law_scenes"
 local checks = support.checks "backbone"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -106,9 +108,7 @@ case("cycles of one amplitude keep the strength, and wear takes its part", funct
   local turns = { 0.06, -0.06, 0.06, -0.06 }
   local kept = driven(2, hinge.backbone(numbers), turns)
   near(math.abs(kept[50][2] / kept[100][2]), 1, 0.02, "without wear")
-  numbers.wear = 1
-  local worn = driven(2, hinge.backbone(numbers), turns)
-  numbers.wear = nil
+  local worn = driven(2, hinge.backbone(scenes.with(numbers, { wear = 1 })), turns)
   -- each half cycle turns the hinge by about 2 x 0.05 rad at 0.9 My, of 1 rad that there is: sqrt(1 - 0.32) is left
   local last = math.abs(worn[100][2] / kept[100][2])
   expect(last > 0.8 and last < 0.85, "with wear %g of it is left", last)
@@ -146,64 +146,39 @@ case("wear takes stiffness in unloading by the plastic work, with two, four and 
 end)
 
 local function portal(backbone)
-  local model = hinge.model {}
-  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
-  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
-    model:member(with(backbone, { n[pair[1]], n[pair[2]], up = { 0, 1, 0 } }))
-  end
-  model:member(with(backbone, { n[2], n[3], up = { 0, 0, 1 }, elements = 4 }))
-  model:fix(n[1], "all")
-  model:fix(n[4], "all")
-  for i = 2, 3 do
-    model:mass { node = n[i], mass = 20000 }
-    model:velocity(n[i], { 6, 1, -1 })
-  end
-  return model
+  return law_scenes.struck({ column = with(backbone, {}), beam = with(backbone, {}) }, { 6, 1, -1 })
 end
 
 local function closes(backbone)
-  local work, error = {}, { newmark = 2e-3, explicit = 1e-4, conserving = 1e-9 }
-  for method, options in pairs { newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
-    conserving = { integrator = "energy-momentum", dt = 2e-4 } } do
-    options.duration = 0.2
-    local run = portal(backbone):dynamic(options)
-    run:finish()
-    equal(run.verdict, "completed", method .. ": " .. tostring(run.reason))
-    near(run.energy_error, 0, error[method], method .. ": energy error")
-    work[method] = run.energy.plastic
-    expect(work[method] > 1e4, "%s: dissipates %g J", method, work[method])
-  end
-  near(work.newmark / work.conserving, 1, 0.01, "the methods dissipate the same")
-  near(work.newmark / work.explicit, 1, 0.02, "implicit and explicit dissipate the same")
+  law_scenes.balances(checks, function() return portal(backbone) end, { duration = 0.2, explicit = 0.02,
+    error = { newmark = 2e-3, explicit = 1e-4, conserving = 1e-9 } })
 end
 
+-- The backbone of the numbers, and others in their place.
+local function numbered(more) return hinge.backbone(scenes.with(numbers, more)) end
+local soft = { wear = 0.5, stiffness_wear = true }
+
 case("where strength falls the energy balance closes, whatever the method", function()
-  numbers.wear = 2
-  closes(hinge.backbone(numbers))
-  numbers.wear = nil
+  closes(numbered { wear = 2 })
 end)
 
 case("the same where stiffness falls with it", function()
-  local worn = { wear = 0.5, stiffness_wear = true }
+  local worn = scenes.with(numbers, soft)
   -- at the ultimate rotation the strength drops faster than a soft end can unload: 0.02 % of the energy are lost there
-  for name, x in pairs(numbers) do worn[name] = name ~= "ultimate_rotation" and x or nil end
+  worn.ultimate_rotation = nil
   closes(hinge.backbone(worn))
 end)
 
 case("worn members that are heated or break keep the energy balance", function()
-  numbers.wear, numbers.stiffness_wear = 0.5, true
-  local worn = hinge.backbone(numbers)
-  numbers.wear, numbers.stiffness_wear = nil, nil
+  local worn = numbered(soft)
   local hot = portal(worn)
-  hot:heat { temperature = { { 0, 20 }, { 0.05, 20 }, { 0.2, 600 } },
-    properties = hinge.heat.steel() }
+  hot:heat { temperature = { { 0, 20 }, { 0.05, 20 }, { 0.2, 600 } }, properties = hinge.heat.steel() }
   local run = hot:dynamic { dt = 2e-4, duration = 0.2 }:finish()
   equal(run.verdict, "completed", run.reason)
   expect(run.energy.plastic > 1e4 and run.energy.heat ~= 0, "it yields and is heated")
   near(run.energy_error, 0, 1e-3, "heated: energy error") -- moments in the span follow the step before
 
-  local weak = portal(worn)
-  local broken = 0
+  local weak, broken = portal(worn), 0
   weak:fracture(function(section)
     local breaks = section.plastic_work > 4e3
     broken = broken + (breaks and 1 or 0)
@@ -218,9 +193,7 @@ end)
 -- A cantilever that has been driven to and fro beside an axial force; then one of its two elements breaks in a step of
 -- 10 ns, in which nothing moves. keeps: "foot", whose hinge is worn, or "tip", which never yields.
 local function half_broken(wear, axial, turned, keeps)
-  numbers.wear, numbers.stiffness_wear = wear and 0.5 or nil, wear or nil
-  local backbone = hinge.backbone(numbers)
-  numbers.wear, numbers.stiffness_wear = nil, nil
+  local backbone = numbered(wear and soft)
   local model = hinge.model {}
   local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   local member = model:member { turned and tip or foot, turned and foot or tip, section = column, material = steel,
@@ -272,21 +245,8 @@ case("where one element of a pair breaks the other keeps its force, worn or not"
 end)
 
 case("a run that was saved on the falling branch goes on to the same bytes", function()
-  local path, options = os.tmpname(), { dt = 2e-4, duration = 0.12 }
-  numbers.wear, numbers.stiffness_wear = 0.5, true
-  local backbone = hinge.backbone(numbers)
-  numbers.wear, numbers.stiffness_wear = nil, nil
-  local run = portal(backbone):dynamic(options)
-  for _ = 1, 400 do run:step() end
-  run:checkpoint(path)
-  run:finish()
-  local resumed = portal(backbone):dynamic(options):resume(path)
-  resumed:finish()
-  equal(resumed.hash, run.hash, "state")
-  local other = hinge.backbone { points = { { 0, 1.1 }, { 0.1, 1 } } }
-  local ok, message = pcall(function() portal(other):dynamic(options):resume(path) end)
-  expect(not ok and tostring(message):find "materials", "another backbone is refused: %s", message)
-  os.remove(path)
+  law_scenes.resumes(checks, function() return portal(numbered(soft)) end, { steps = 400, duration = 0.12, others = {
+    [function() return portal(hinge.backbone { points = { { 0, 1.1 }, { 0.1, 1 } } }) end] = "materials" } })
 end)
 
 case("a law of the script that follows the rotation is the same backbone, to rounding", function()
@@ -339,42 +299,30 @@ case("what was given can be read, and the plan names it", function()
 end)
 
 case("wrong input", function()
-  local function refused(what, options)
-    local ok, message = pcall(hinge.backbone, options)
-    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
-  end
-  refused("cap_rotation", {})
-  refused("it must be 0", { points = { { 0.1, 1 } } })
-  refused("must be more than that before", { points = { { 0, 1 }, { 0, 2 } } })
-  refused("0.01 or more", { points = { { 0, 1 }, { 0.1, 0 } } })
-  refused("must be { rotation (rad), strength }", { points = { { 0, "a" } } })
-  refused("at least one point", { points = {} })
-  refused("given beside points", { points = { { 0, 1 } }, yield = 1 })
-  refused("needs post_cap_rotation", { cap_rotation = 0.02, residual = 0.4 })
-  refused("more than cap_rotation", { cap_rotation = 0.02, ultimate_rotation = 0.01 })
-  refused("more than cap_strength", { cap_rotation = 0.02, post_cap_rotation = 0.1, residual = 2 })
-  refused("must be above 0", { cap_rotation = 0.02, wear = -1 })
-  refused("needs wear (rad)", { cap_rotation = 0.02, stiffness_wear = true })
-  local function member(options, model_options)
-    return pcall(function()
-      local model = hinge.model(model_options or {})
-      options[1], options[2] = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-      options.section = column
-      model:member(options)
-    end)
+  for _, row in ipairs {
+    { "cap_rotation", {} }, { "it must be 0", { points = { { 0.1, 1 } } } },
+    { "must be more than that before", { points = { { 0, 1 }, { 0, 2 } } } },
+    { "0.01 or more", { points = { { 0, 1 }, { 0.1, 0 } } } },
+    { "must be { rotation (rad), strength }", { points = { { 0, "a" } } } },
+    { "at least one point", { points = {} } }, { "given beside points", { points = { { 0, 1 } }, yield = 1 } },
+    { "needs post_cap_rotation", { cap_rotation = 0.02, residual = 0.4 } },
+    { "more than cap_rotation", { cap_rotation = 0.02, ultimate_rotation = 0.01 } },
+    { "more than cap_strength", { cap_rotation = 0.02, post_cap_rotation = 0.1, residual = 2 } },
+    { "must be above 0", { cap_rotation = 0.02, wear = -1 } },
+    { "needs wear (rad)", { cap_rotation = 0.02, stiffness_wear = true } },
+  } do
+    checks.refused(row[1], function() hinge.backbone(row[2]) end)
   end
   local b = hinge.backbone(numbers)
   for _, given in ipairs { {}, function() return 1 end } do
-    local refusal = select(2, member { material = steel, backbone = given })
-    expect(tostring(refusal):find "hinge.backbone" and tostring(refusal):find "law =", "%s: %s", given, refusal)
+    checks.refused({ "hinge.backbone", "law =" }, scenes.cantilever, { member = { backbone = given } })
   end
-  local ok, message
-  ok, message = member { material = hinge.material { E = E }, backbone = b }
-  expect(not ok and tostring(message):find "yield_stress", "an elastic material: %s", message)
-  ok, message = member({ material = steel, backbone = b }, { formulation = "conventional" })
-  expect(not ok and tostring(message):find "ends of elements", "the conventional element: %s", message)
-  ok, message = member { material = steel, backbone = b, carries = "tension" }
-  expect(not ok and tostring(message):find "no hinges at its ends", "a cable: %s", message)
+  for words, more in pairs { yield_stress = { material = scenes.elastic }, ["no hinges at its ends"] = {
+    carries = "tension" } } do
+    checks.refused(words, scenes.cantilever, { member = scenes.with({ material = steel, backbone = b }, more) })
+  end
+  checks.refused("ends of elements", scenes.cantilever, { model = { formulation = "conventional" },
+    member = { material = steel, backbone = b } })
 end)
 
 checks.done()

@@ -5,12 +5,13 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local law_scenes = require "sections.law_scenes"
 local checks = support.checks "material law"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
 local E, fy, L = 210e9, 235e6, 3
 local function steel(hardening, rate)
-  return hinge.material { E = E, density = 7850, yield_stress = fy, hardening = hardening, rate = rate }
+  return (hinge.material { E = E, density = 7850, yield_stress = fy, hardening = hardening, rate = rate })
 end
 local function heb(law)
   return hinge.section.h { depth = 0.3, width = 0.3, web = 0.011, flange = 0.019, interaction = law }
@@ -131,19 +132,8 @@ case("the plastic zone of a cantilever spreads as in the beam, with more and mor
 end)
 
 local function portal(material, law)
-  local model = hinge.model { interaction = law }
-  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
-  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
-    model:member { n[pair[1]], n[pair[2]], section = heb(), material = material, up = { 0, 1, 0 } }
-  end
-  model:member { n[2], n[3], section = heb(), material = material, up = { 0, 0, 1 }, elements = 4 }
-  model:fix(n[1], "all")
-  model:fix(n[4], "all")
-  for i = 2, 3 do
-    model:mass { node = n[i], mass = 20000 }
-    model:velocity(n[i], { 9, 1.5, -2 })
-  end
-  return model
+  local member = { section = heb(), material = material }
+  return law_scenes.struck({ model = { interaction = law }, column = member, beam = member }, { 9, 1.5, -2 })
 end
 
 local laws = { moves = { { tangent = E / 50 } }, grows = { { tangent = E / 50, kinematic = 0 } },
@@ -152,34 +142,16 @@ local laws = { moves = { { tangent = E / 50 } }, grows = { { tangent = E / 50, k
 
 case("in dynamics the energy balance closes, whatever the law and the method", function()
   for name, law in pairs(laws) do
-    local work = {}
-    for method, options in pairs { newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
-      conserving = { integrator = "energy-momentum", dt = 2e-4 } } do
-      options.duration = 0.1
-      local run = portal(steel(law[1], law[2]), method == "explicit" and "paper" or "exact"):dynamic(options)
-      run:finish()
-      equal(run.verdict, "completed", name .. ", " .. method)
-      near(run.energy_error, 0, 2e-3, name .. ", " .. method .. ": energy error")
-      work[method] = run.energy.plastic
-      expect(work[method] > 1e4, "%s, %s: dissipates %g J", name, method, work[method])
-    end
-    near(work.newmark / work.conserving, 1, 0.01, name .. ": the methods dissipate the same")
+    law_scenes.balances(checks, function(method)
+      return portal(steel(law[1], law[2]), method == "explicit" and "paper" or "exact")
+    end, { duration = 0.1, error = 2e-3, what = name })
   end
 end)
 
 case("a run that was saved in the middle of a cycle goes on to the same bytes", function()
-  local path, options = os.tmpname(), { dt = 2e-4, duration = 0.12 }
   local law = laws.all
-  local run = portal(steel(law[1], law[2]), "exact"):dynamic(options)
-  for _ = 1, 300 do run:step() end
-  run:checkpoint(path)
-  run:finish()
-  local resumed = portal(steel(law[1], law[2]), "exact"):dynamic(options):resume(path)
-  resumed:finish()
-  equal(resumed.hash, run.hash, "state")
-  local ok, message = pcall(function() portal(steel(law[1]), "exact"):dynamic(options):resume(path) end)
-  expect(not ok and tostring(message):find "materials", "another law is refused: %s", message)
-  os.remove(path)
+  law_scenes.resumes(checks, function() return portal(steel(law[1], law[2]), "exact") end, { steps = 300,
+    duration = 0.12, others = { [function() return portal(steel(law[1]), "exact") end] = "materials" } })
 end)
 
 case("the plan names the law, and a copy with another density keeps it", function()
@@ -195,20 +167,16 @@ case("the plan names the law, and a copy with another density keeps it", functio
 end)
 
 case("wrong input", function()
-  local function refused(what, hardening, rate)
-    local ok, message = pcall(steel, hardening, rate)
-    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
+  for _, row in ipairs {
+    { "give one of two", {} }, { "give one of two", { tangent = 1e9, modulus = 1e9 } },
+    { "must be less than E", { tangent = 300e9 } }, { "from 0 to 1", { tangent = 1e9, kinematic = 1.5 } },
+    { "needs kinematic hardening", { tangent = 1e9, kinematic = 0, saturation = 1e8 } },
+    { "Cowper and Symonds", nil, { D = 40 } }, { "Cowper and Symonds", nil, { D = 40, q = 5, C = 0.1, reference = 1 } },
+    { "must be a table", 1 },
+  } do
+    checks.refused(row[1], steel, row[2], row[3])
   end
-  refused("give one of two", {})
-  refused("give one of two", { tangent = 1e9, modulus = 1e9 })
-  refused("must be less than E", { tangent = 300e9 })
-  refused("from 0 to 1", { tangent = 1e9, kinematic = 1.5 })
-  refused("needs kinematic hardening", { tangent = 1e9, kinematic = 0, saturation = 1e8 })
-  refused("Cowper and Symonds", nil, { D = 40 })
-  refused("Cowper and Symonds", nil, { D = 40, q = 5, C = 0.1, reference = 1 })
-  refused("must be a table", 1)
-  local ok, message = pcall(hinge.material, { E = E, hardening = { tangent = 1e9 } })
-  expect(not ok and tostring(message):find "needs yield_stress", "without a yield stress: %s", message)
+  checks.refused("needs yield_stress", function() hinge.material { E = E, hardening = { tangent = 1e9 } } end)
 end)
 
 checks.done()

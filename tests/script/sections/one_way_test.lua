@@ -6,15 +6,15 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
+local law_scenes = require "sections.law_scenes"
 local checks = support.checks "one way"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
 local E, g = 206e9, 9.80665
 local steel = hinge.material { E = E, density = 7850 }
 local function yielding(stress, options)
-  local all = { E = E, density = 7850, yield_stress = stress }
-  for k, v in pairs(options or {}) do all[k] = v end
-  return hinge.material(all)
+  return hinge.material(scenes.with({ E = E, density = 7850, yield_stress = stress }, options))
 end
 -- A section without bending stiffness to speak of, so that sums by hand have the axial force alone.
 local function wire(area) return hinge.section.general { area = area, Ix = 1e-12, Iy = 1e-12, J = 1e-12 } end
@@ -152,17 +152,8 @@ case("in a braced frame that swings the energy balance closes, whatever the meth
 end)
 
 case("a run that was saved while a brace was slack goes on to the same bytes", function()
-  local path, options = os.tmpname(), { dt = 5e-4, duration = 0.3 }
-  local run = swinging(300e6):dynamic(options)
-  for _ = 1, 250 do run:step() end
-  run:checkpoint(path)
-  run:finish()
-  local resumed = swinging(300e6):dynamic(options):resume(path)
-  resumed:finish()
-  equal(resumed.hash, run.hash, "state")
-  local ok, message = pcall(function() swinging(300e6, "both"):dynamic(options):resume(path) end)
-  expect(not ok and tostring(message):find "members", "other members are refused: %s", message)
-  os.remove(path)
+  law_scenes.resumes(checks, function() return (swinging(300e6)) end, { dt = 5e-4, steps = 250, duration = 0.3,
+    others = { [function() return (swinging(300e6, "both")) end] = "members" } })
 end)
 
 case("slack is no strain for fracture, and no hinge", function()
@@ -391,14 +382,10 @@ case("the plan and the member say which forces it carries", function()
 end)
 
 case("wrong input", function()
-  local function refused(what, carries, material)
-    local ok, message = pcall(braced, carries, nil, material)
-    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
-  end
-  refused("field 'carries' is 'tensile'", "tensile")
-  refused("carries is 'tension', and its material has hardening", "tension",
+  checks.refused("field 'carries' is 'tensile'", braced, "tensile")
+  checks.refused("carries is 'tension', and its material has hardening", braced, "tension", nil,
     yielding(235e6, { hardening = { tangent = 2e9 } }))
-  refused("carries is 'compression', and its material has strain rate", "compression",
+  checks.refused("carries is 'compression', and its material has strain rate", braced, "compression", nil,
     yielding(235e6, { rate = { D = 40.4, q = 5 } }))
 end)
 

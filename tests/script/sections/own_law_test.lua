@@ -4,6 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "own_law"
 local case, expect, near = checks.case, checks.expect, checks.near
 
@@ -42,11 +43,8 @@ local function in_batches(law)
 end
 
 local function cantilever(law, hardening, interaction)
-  local model = hinge.model { interaction = interaction }
-  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(foot)
-  model:member { foot, tip, section = bar, material = steel(hardening), law = law }
-  return model, tip
+  return scenes.cantilever { model = { interaction = interaction }, length = L,
+    member = { section = bar, material = steel(hardening), law = law } }
 end
 
 -- Cycles of a force that bends about both axes, pulls and turns.
@@ -103,12 +101,9 @@ end)
 
 -- A bar that is pulled: the force beyond yield is what the function says.
 local function pulled(law, to)
-  local model = hinge.model { displacement = "small" }
-  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(a)
-  model:member { a, b, section = bar, material = steel(), law = law }
-  model:load { node = b, force = { 1e3, 0, 0 } }
-  local run = model:static { steps = 50, record = false, control = { node = b, "ux", to = to } }:finish()
+  local model, tip = scenes.cantilever { model = { displacement = "small" }, length = L, force = { 1e3, 0, 0 },
+    member = { section = bar, material = steel(), law = law } }
+  local run = model:static { steps = 50, record = false, control = { node = tip, "ux", to = to } }:finish()
   return 1e3 * run.factor / (bar.area * fy), run
 end
 

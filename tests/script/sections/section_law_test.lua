@@ -6,6 +6,8 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local core = require "hinge.core"
+local scenes = require "scenes"
+local law_scenes = require "sections.law_scenes"
 local checks = support.checks "section law"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -19,33 +21,15 @@ local shapes = {
   solid = { hinge.section.solid, { width = 0.1, depth = 0.15 } },
 }
 local function section(name, law)
-  local options = { interaction = law }
-  for k, v in pairs(shapes[name][2]) do options[k] = v end
-  return shapes[name][1](options)
+  return (shapes[name][1](scenes.with({ interaction = law }, shapes[name][2])))
 end
 
--- A cantilever along x that N stretches or presses; `push`: the force across at its tip, {y, z}, N.
+-- n: the axial force over its plastic one.
 local function cantilever(of, n, push, options)
-  options = options or {}
-  local model = hinge.model { displacement = "small", interaction = options.interaction }
-  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local member = model:member { a, b, section = of, material = steel, up = { 0, 0, 1 } }
-  model:fix(a, "all")
-  local N = n * of.plastic_area * fy
-  model:case "axial":load { node = b, force = { N, 0, 0 } }
-  model:case "push":load { node = b, force = { 0, push[1], push[2] } }
-  return { model = model, tip = b, member = member }
+  return law_scenes.pressed({ model = options, member = { section = of, material = steel } }, n * of.plastic_area * fy,
+    push)
 end
-
--- The factor of the push at the limit, beside a held N.
-local function limit(c)
-  local held = c.model:static { loads = { axial = 1 }, steps = 4 }
-  held:finish()
-  local run = c.model:static { from = held, loads = { push = 1 }, steps = 20, to_limit = true }
-  run:finish()
-  expect(run.reason:find "limit load" ~= nil, "ends at a limit load: %s", run.reason)
-  return run.factor, run
-end
+local function limit(scene) return law_scenes.limit(checks, scene) end
 
 case("the moment beside N is that of closed forms, about both axes, in tension and compression", function()
   for name in pairs(shapes) do
@@ -208,81 +192,35 @@ case("a channel carries Zy fy about its weak axis, either way", function()
   end
 end)
 
--- A portal with a blow at its corner that makes hinges, in each integrator.
+-- A portal with a blow at its corners that makes hinges.
 local function portal(law)
-  local model = hinge.model { interaction = law }
-  local col, beam = section "HEB", section "RHS"
-  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 4 }, model:node { 5, 0, 4 }, model:node { 5, 0, 0 } }
-  for _, pair in ipairs { { 1, 2 }, { 4, 3 } } do
-    model:member { n[pair[1]], n[pair[2]], section = col, material = steel, up = { 0, 1, 0 } }
-  end
-  model:member { n[2], n[3], section = beam, material = steel, up = { 0, 0, 1 }, elements = 4 }
-  model:fix(n[1], "all")
-  model:fix(n[4], "all")
-  for i = 2, 3 do
-    model:mass { node = n[i], mass = 20000 }
-    model:velocity(n[i], { 6, 1.5, -2 })
-  end
-  return model, n
-end
-local integrators = {
-  newmark = { dt = 2e-4 }, explicit = { integrator = "explicit", dt = "auto" },
-  ["energy-momentum"] = { integrator = "energy-momentum", dt = 2e-4 },
-}
-local function run_of(law, options)
-  local model = portal(law)
-  local all = { duration = 0.15 }
-  for k, v in pairs(options) do all[k] = v end
-  local run = model:dynamic(all)
-  run:finish()
-  return run
+  return law_scenes.struck({ model = { interaction = law }, column = { section = section "HEB", material = steel },
+    beam = { section = section "RHS", material = steel } }, { 6, 1.5, -2 })
 end
 
 case("in dynamics the energy balance closes, and three integrators dissipate the same", function()
-  local work = {}
-  for name, options in pairs(integrators) do
-    local run = run_of("exact", options)
-    equal(run.verdict, "completed", name)
-    near(run.energy_error, 0, 1e-3, name .. ": energy error")
-    work[name] = run.energy.plastic
-    expect(work[name] > 1e4, "%s: dissipates %g J", name, work[name])
-  end
-  near(work.newmark / work.explicit, 1, 0.01, "newmark over explicit")
-  near(work["energy-momentum"] / work.explicit, 1, 0.01, "energy-momentum over explicit")
+  law_scenes.balances(checks, function() return portal "exact" end, { duration = 0.15, error = 1e-3, explicit = 0.01 })
 end)
 
 case("a run that was saved while hinges turn goes on to the same bytes", function()
-  local path = os.tmpname()
-  local model = portal "exact"
-  local run = model:dynamic { dt = 2e-4, duration = 0.12 }
-  for _ = 1, 300 do run:step() end
-  run:checkpoint(path)
-  run:finish()
-  local resumed = portal("exact"):dynamic({ dt = 2e-4, duration = 0.12 }):resume(path)
-  resumed:finish()
-  equal(resumed.hash, run.hash, "state")
-  local ok, message = pcall(function() portal("paper"):dynamic({ dt = 2e-4, duration = 0.12 }):resume(path) end)
-  expect(not ok and tostring(message):find "options of the model", "another law is refused: %s", message)
-  os.remove(path)
+  law_scenes.resumes(checks, function() return portal "exact" end, { steps = 300, duration = 0.12,
+    others = { [function() return portal "paper" end] = "options of the model" } })
 end)
 
 case("wrong input", function()
-  local function refused(what, f)
-    local ok, message = pcall(f)
-    expect(not ok and tostring(message):find(what, 1, true), "refused with '%s': %s", what, message)
+  checks.refused("one of paper, exact", section, "HEB", "exakt")
+  checks.refused("'paper', 'exact'", hinge.model, { interaction = "best" })
+  for words, more in pairs {
+    ["needs the section's shape"] = { interaction = "exact" },
+    ["three or more"] = { outline = { { corners = { { 0, 0 }, { 1, 1 } } } } },
+    ["must be {x, y}"] = { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 1, "a" } } } } },
+    ["on one line"] = { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 2, 2 } } } } },
+    ["either 'corners'"] = { outline = { {} } },
+    ["area must be above 0"] = { outline = { { diameter = 0.1 }, { diameter = 0.2, hole = true } } },
+    ["may differ by 2 %"] = { outline = { { diameter = 0.1 } } },
+  } do
+    checks.refused(words, hinge.section.general, scenes.with({ area = 0.01, Ix = 1e-4, Iy = 1e-4, J = 1e-5 }, more))
   end
-  local general = { area = 0.01, Ix = 1e-4, Iy = 1e-4, J = 1e-5 }
-  local function with(more) return function() local t = {} for k, v in pairs(general) do t[k] = v end
-    for k, v in pairs(more) do t[k] = v end return hinge.section.general(t) end end
-  refused("needs the section's shape", with { interaction = "exact" })
-  refused("one of paper, exact", function() section("HEB", "exakt") end)
-  refused("'paper', 'exact'", function() hinge.model { interaction = "best" } end)
-  refused("three or more", with { outline = { { corners = { { 0, 0 }, { 1, 1 } } } } })
-  refused("must be {x, y}", with { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 1, "a" } } } } })
-  refused("on one line", with { outline = { { corners = { { 0, 0 }, { 1, 1 }, { 2, 2 } } } } })
-  refused("either 'corners'", with { outline = { {} } })
-  refused("area must be above 0", with { outline = { { diameter = 0.1 }, { diameter = 0.2, hole = true } } })
-  refused("may differ by 2 %", with { outline = { { diameter = 0.1 } } })
 end)
 
 checks.done()
