@@ -127,8 +127,7 @@ for what, sign in pairs { stretched = 1, pressed = -1 } do
     local c = model:connector { right, ground = true, stiffness = { x = k }, capacity = { x = capacity } }
     local target = sign * capacity / k * 1.0005
     model:load { node = right, force = { 1, 0, 0 } }
-    local run = model:static { steps = 2001, control = { node = right, "ux", to = target } }
-    run:finish()
+    local run = model:static { steps = 2001, control = { node = right, "ux", to = target } }:finish()
     equal(run.verdict, "completed", what .. ": verdict after a break")
     expect(c:broken(run), "a connector %s past its capacity is broken", what)
     equal(c:force(run), 0, "a broken connector has no force")

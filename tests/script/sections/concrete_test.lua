@@ -234,8 +234,7 @@ case("stiffness is a factor on E I, and not on N or the mass", function()
   for given, factor in pairs { gross = 1, cracked = 0.3, [0.5] = 0.5 } do
     local of = section(3, 3, { stiffness = given })
     local c = cantilever(of, 0, { 0, 1e3 })
-    local run = c.model:static { loads = { push = 1 } }
-    run:finish()
+    local run = c.model:static { loads = { push = 1 } }:finish()
     local _, _, uz = c.tip:displacement(run)
     local G = material.E / 2.4
     local wanted = 1e3 * L ^ 3 / (3 * material.E * factor * b * d ^ 3 / 12) + 1e3 * L / (G * of.shear_area_y)

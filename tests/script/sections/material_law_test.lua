@@ -26,8 +26,7 @@ local function stretched(material, law, strains)
   model:load { node = b, force = { 1e6, 0, 0 } }
   local stress, run = {}, nil
   for i, strain in ipairs(strains) do
-    run = model:static { from = run, steps = 3, control = { node = b, "ux", to = strain * L } }
-    run:finish()
+    run = model:static { from = run, steps = 3, control = { node = b, "ux", to = strain * L } }:finish()
     equal(run.verdict, "completed", run.reason)
     stress[i] = bar:forces(run).N / bar.section.area
   end
@@ -122,8 +121,7 @@ case("the plastic zone of a cantilever spreads as in the beam, with more and mor
       hardening = { modulus = H } }, up = { 0, 0, 1 }, elements = elements }
     model:fix(a, "all")
     model:load { node = b, force = { 0, 0, M / L } }
-    local run = model:static { steps = 4 }
-    run:finish()
+    local run = model:static { steps = 4 }:finish()
     local _, _, uz = b:displacement(run)
     off[i] = math.abs(uz / wanted - 1)
   end

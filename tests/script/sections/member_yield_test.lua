@@ -6,6 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "member yield"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -17,32 +18,30 @@ local section = hinge.section.solid { width = width, depth = width }
 local strong = hinge.section.solid { width = 2 * width, depth = 2 * width }
 
 local function close(value, wanted, what, part) near(value, wanted, (part or 1e-9) * math.abs(wanted), what) end
-local function merged(a, b)
-  local t = {}
-  for k, v in pairs(a or {}) do t[k] = v end
-  for k, v in pairs(b or {}) do t[k] = v end
-  return t
-end
+local merged = scenes.with
 
 local pinned = { "xyz,rx,rz", "yz,rx,rz" }
 local clamped = { "all", "yz,rx,ry,rz" }
 local propped = { "all", "yz,rx,rz" }
+-- What acts down along a member, N/m: a load in the axes of space or in its own (down: along -y), or its weight.
+local function presses(model, member, kind, load, own)
+  if kind == "q" then model:load { member = member, q = { 0, 0, -load } }
+  elseif kind == "local" then model:load { member = member, q = own or { 0, -load, 0 }, axes = "local" }
+  else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
+end
+
 -- A straight member with `load` per length, N/m, down.
 local function beam(ends, kind, load, options)
   local model = hinge.model(merged({ displacement = "small" }, options))
   local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local s = { model = model, a = a, b = b }
-  s.member = model:member { a, b, section = section, material = steel }
+  local member = model:member { a, b, section = section, material = steel }
   model:fix(a, ends[1])
   model:fix(b, ends[2])
-  if kind == "q" then model:load { member = s.member, q = { 0, 0, -load } }
-  elseif kind == "local" then model:load { member = s.member, q = { 0, -load, 0 }, axes = "local" }
-  else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
-  return s
+  presses(model, member, kind, load)
+  return { model = model, a = a, b = b, member = member }
 end
 local function limit(model, options)
-  local run = model:static(merged({ steps = 20, to_limit = true }, options))
-  run:finish()
+  local run = model:static(merged({ steps = 20, to_limit = true }, options)):finish()
   equal(run.verdict, "completed", "limit run")
   expect(run.reason:find "limit load" ~= nil, "ends at a limit load")
   return run
@@ -64,18 +63,14 @@ case("hinges stand at nodes, and the collapse load does not depend on where they
       for name, row in pairs {
         pinned = { pinned, 8 }, clamped = { clamped, 16 }, propped = { propped, propped_limit(n) },
       } do
-        local s = beam(row[1], kind, row[2] * unit, options)
-        local model = s.model
         -- Load beyond the limit, so that the limit stops it.
-        if kind == "weight" then model:gravity { 0, 0, -1.5 * row[2] * unit / (rho * width ^ 2) }
-        else s = beam(row[1], kind, 1.5 * row[2] * unit, options) end
+        local s = beam(row[1], kind, 1.5 * row[2] * unit, options)
         close(1.5 * limit(s.model).factor, 1, what .. name .. ", limit load", 1e-4)
       end
       -- First yield: of a clamped beam at its ends with w L^2/12. A pinned one has its limit there.
       for _, row in ipairs { { pinned, 8, 0.999 }, { clamped, 12, 0.999 }, { clamped, 12, 1.001 } } do
         local s = beam(row[1], kind, row[3] * row[2] * unit, options)
-        local run = s.model:static { steps = 4 }
-        run:finish()
+        local run = s.model:static { steps = 4 }:finish()
         local state, f_y = s.member:state(run)
         local at = ("first yield, %g of %g: "):format(row[3], row[2])
         equal(state, row[3] < 1 and "elastic" or "yielded", what .. at .. "state")
@@ -91,21 +86,11 @@ case("a portal whose beam carries q between strong columns falls with its beam m
   -- A portal whose beam carries q between strong columns: its own mechanism, but for what N takes of Mp.
   for _, n in ipairs { 2, 4, 8 } do
     for _, kind in ipairs { "q", "weight" } do
-      local model = hinge.model { displacement = "small", elements_per_member = n }
-      local span, height = 4, 2
-      local p = {}
-      local corners = { { 0, 0, 0 }, { 0, 0, height }, { span, 0, height }, { span, 0, 0 } }
-      for i, at in ipairs(corners) do p[i] = model:node(at) end
       local light = hinge.material { E = 206e9, density = 1e-6, yield_stress = sigma }
-      for i, side in ipairs { { 1, 2 }, { 3, 4 } } do
-        model:member { p[side[1]], p[side[2]], section = strong, material = light, up = { 0, 1, 0 } }
-        model:fix(p[i == 1 and 1 or 4], "all")
-      end
-      for i = 2, 3 do model:fix(p[i], "y,rx,rz") end
-      local girder = model:member { p[2], p[3], section = section, material = steel }
-      local load = 1.5 * 16 * Mp / span ^ 2
-      if kind == "q" then model:load { member = girder, q = { 0, 0, -load } }
-      else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
+      local model, _, member = scenes.portal { model = { displacement = "small", elements_per_member = n }, height = 2,
+        column = { section = strong, material = light, up = { 0, 1, 0 } }, heads = "y,rx,rz",
+        beam = { section = section, material = steel } }
+      presses(model, member[2], kind, 1.5 * 16 * Mp / 4 ^ 2)
       close(1.5 * limit(model).factor, 1, ("portal, %s, %d elements: limit load"):format(kind, n), 1e-3)
     end
   end
@@ -115,14 +100,10 @@ case("a hanging bar yields under its own weight at its top", function()
   -- A hanging bar: N at its support is the whole of the load along it.
   for _, kind in ipairs { "q", "local", "weight" } do
     for _, n in ipairs { 2, 4 } do
-      local model = hinge.model { displacement = "small", elements_per_member = n }
-      local top, tip = model:node { 0, 0, 0 }, model:node { 0, 0, -L }
-      model:fix(top)
-      local bar = model:member { top, tip, section = section, material = steel }
+      local model, _, bar = scenes.cantilever { model = { displacement = "small", elements_per_member = n }, length = L,
+        along = { 0, 0, -1 }, member = { section = section, material = steel } }
       local load = 1.5 * sigma * width ^ 2 / L
-      if kind == "q" then model:load { member = bar, q = { 0, 0, -load } }
-      elseif kind == "local" then model:load { member = bar, q = { 0, 0, load }, axes = "local" }
-      else model:gravity { 0, 0, -load / (rho * width ^ 2) } end
+      presses(model, bar, kind, load, { 0, 0, load })
       local run = limit(model)
       local what = ("hanging, %s, %d elements: "):format(kind, n)
       close(1.5 * run.factor, 1, what .. "limit load", 1e-4)
@@ -182,8 +163,7 @@ case("a fracture rule reads the forces that member:forces gives", function()
       if v.element ~= v["end"] then return end
       told[v.element] = { Mx = v.Mx, My = v.My, N = v.N, Mz = v.Mz, f_y = v.f_y }
     end }
-    local run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }
-    run:finish()
+    local run = s.model:dynamic { dt = 1e-5, duration = 1e-3 }:finish()
     local forces = { s.member:forces(run) }
     for e = 1, 2 do
       for name, value in pairs(told[e] or { f_y = 0 / 0 }) do
@@ -209,8 +189,7 @@ case("slow dynamics follows statics", function()
         local what = ("%s, %s, %d elements, slowly: "):format(how[1], kind, n)
         local s = beam(pinned, kind, 4 * unit, merged({ elements_per_member = n, p_delta = how[3] and "chord" },
           how[3]))
-        local still = s.model:static { steps = 1 }
-        still:finish()
+        local still = s.model:static { steps = 1 }:finish()
         s.model:load { member = s.member, q = { 0, 0, -4.08 * unit },
           history = function(t) return t < slowly and (t / slowly) ^ 2 * (3 - 2 * t / slowly) or 1 end }
         local run = s.model:dynamic(merged({ from = still, duration = slowly, energy_tolerance = 1 }, how[2]))
@@ -326,8 +305,7 @@ case("the remedies that such a failure names hold: elements, a node at the load,
     { elements = 2, q = { 0, 0, -5e4 }, history = grows },
   } do
     local given = { at = load.at, force = load.force, q = load.q, history = load.history }
-    local run = struck_bar(load.elements, given):dynamic { dt = 1e-4, duration = 4e-3, record = false }
-    run:finish()
+    local run = struck_bar(load.elements, given):dynamic { dt = 1e-4, duration = 4e-3, record = false }:finish()
     local what = ("%d elements, at %s, history %s: "):format(load.elements, load.at, load.history ~= nil)
     equal(run.verdict, "completed", what .. run.reason)
     near(run.energy_error, 0, 0.01, what .. "energy error")

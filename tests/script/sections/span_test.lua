@@ -6,6 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "span"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
@@ -34,6 +35,14 @@ local function exact(P)
     ends = function(a, b, x) return (a * sin(k * (L - x)) + b * sin(k * x)) / sin(k * L) end,
     u = k * L / 2,
   }
+end
+
+-- A member of `o` along x from a pin to a roller (or what o.slide holds). Returns the member and its far end.
+local function simple(model, o)
+  local a, b = model:node { 0, 0, 0 }, model:node { o.length or L, 0, 0 }
+  model:fix(a, "xyz rx")
+  model:fix(b, o.slide or "yz")
+  return model:member { a, b, section = o.section or section, material = o.material or steel, up = { 0, 0, 1 } }, b
 end
 
 -- Small loads: the bow is so small that the closed form, which is linear in it, is right to 1e-3 at 0.9 P_E.
@@ -85,7 +94,7 @@ case("the largest moment of the span is that of the beam-column, in compression 
       return M
     end
     local W, m = q * L, q * L ^ 2 / 8
-    local scenes = {
+    local cases = {
       { "even load", { { q = q } }, function(x) return of.even(q, x) end },
       { "force in a quarter", { { at = 0.25, force = W } }, function(x) return of.force(W, L / 4, x) end },
       { "force near an end", { { at = 0.9, force = W } }, function(x) return of.force(W, 0.9 * L, x) end },
@@ -94,7 +103,7 @@ case("the largest moment of the span is that of the beam-column, in compression 
       { "moments at the ends", { { at = 1, couple = m }, { at = 2, couple = -0.4 * m } },
         function(x) return of.ends(m, 0.4 * m, x) end },
     }
-    for _, scene in ipairs(scenes) do
+    for _, scene in ipairs(cases) do
       local want = most(scene[3])
       for _, elements in ipairs { 2, 4 } do
         local model, member = pressed { part = part, loads = scene[2], elements = elements }
@@ -124,10 +133,7 @@ case("shear takes its part of Euler's load: rolled sections about both axes", fu
         local want = small * I / P * (1 / math.cos(k * length / 2) - 1)
         for _, elements in ipairs { 2, 4 } do
           local model = hinge.model { elements_per_member = elements }
-          local a, b = model:node { 0, 0, 0 }, model:node { length, 0, 0 }
-          model:fix(a, "xyz rx")
-          model:fix(b, "yz")
-          local member = model:member { a, b, section = firm, material = steel, up = { 0, 0, 1 } }
+          local member, b = simple(model, { length = length, section = firm })
           model:load { node = b, force = { -P, 0, 0 } }
           model:load { member = member, q = { 0, 0, -small } }
           local M = largest(member, model:static { steps = 2 }:finish())
@@ -216,10 +222,7 @@ case("a load that comes slowly makes the hinge at the same load in dynamics", fu
     local part = 0.6
     local want = limit_of(part)
     local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    model:fix(a, "xyz rx")
-    model:fix(b, "yz")
-    local member = model:member { a, b, section = section, material = yielding, up = { 0, 0, -1 } }
+    local member, b = simple(model, { material = yielding })
     model:load { member = member, q = { 0, 0, -1.2 * want }, history = { { 0, 0 }, { 2, 1 }, { 3, 1 } } }
     model:load { node = b, force = { -part * P_E, 0, 0 }, history = { { 0, 0 }, { 0.5, 1 }, { 3, 1 } } }
     model:damping { alpha = 20 }
@@ -252,10 +255,7 @@ case("without axial force nothing is added: chord and member agree", function()
   local found = {}
   for i, p_delta in ipairs { "chord", "member" } do
     local model = hinge.model { p_delta = p_delta }
-    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    model:fix(a, "xyz rx")
-    model:fix(b, "yz")
-    local member = model:member { a, b, section = section, material = steel, up = { 0, 0, 1 } }
+    local member = simple(model, {})
     model:load { member = member, q = { 0, 0, -q } }
     found[i] = largest(member, model:static { steps = 1 }:finish())
   end
@@ -266,10 +266,7 @@ end)
 case("weight at the nodes beside compression is warned of", function()
   local model = hinge.model { weight = "nodes" }
   local axial, own = model:case "axial", model:case "own"
-  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(a, "xyz rx")
-  model:fix(b, "yz")
-  model:member { a, b, section = section, material = steel, up = { 0, 0, 1 } }
+  local _, b = simple(model, {})
   own:gravity { 0, 0, -9.81 }
   axial:load { node = b, force = { -0.6 * P_E, 0, 0 } }
   local run = model:static { loads = { axial = 1, own = 1 }, steps = 2 }:finish()
@@ -283,8 +280,7 @@ case("a held beam whose sag would pull it is warned of with two elements, and no
       local model = hinge.model { elements_per_member = elements }
       local a, b = model:node { 0, 0, 0 }, model:node(ends)
       model:fix { a, b }
-      local member = model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-        material = steel, up = { 1, 1, 1 } }
+      local member = model:member { a, b, section = scenes.square, material = steel, up = { 1, 1, 1 } }
       model:gravity { 0, 0, -9.80665 }
       local run = model:static { steps = 4 }:finish()
       N[elements], told[elements] = member:forces(run).N, table.concat(run.warnings, "; ")
@@ -298,11 +294,7 @@ end)
 case("dynamics warns of it, too, and neither does where an end is free or the beam is struck", function()
   local function told(o)
     local model = hinge.model { elements_per_member = 2 }
-    local a, b = model:node { 0, 0, 0 }, model:node { 10, 0, 0 }
-    model:fix(a, "xyz rx")
-    model:fix(b, o.free and "yz" or "xyz")
-    local member = model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = steel,
-      up = { 0, 0, 1 } }
+    local member = simple(model, { length = 10, slide = o.free and "yz" or "xyz", section = scenes.square })
     local down = -1e3 * (o.blow and 30 or 1)
     model:case("down"):load { member = member, q = { 0, 0, down },
       history = o.blow and { { 0, 1 }, { 0.02, 0 } } or { { 0, 0 }, { 2, 1 } } }
