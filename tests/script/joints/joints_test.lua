@@ -5,6 +5,8 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
+local with = scenes.with
 local checks = support.checks "joints"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
@@ -13,44 +15,42 @@ local EI = E * side ^ 4 / 12
 -- rigid in shear, so that the sums of beams by hand are exact
 local stiff = hinge.material { E = E, G = 1e6 * E, density = 7850 }
 local steel = hinge.material { E = E, density = 7850 }
-local square = hinge.section.solid { width = side, depth = side }
+local square = scenes.square
+local small = { displacement = "small" }
 
 -- A beam of 2 m between two walls, under a load along it.
-local function beam(options, elements, displacement)
-  local model = hinge.model { displacement = displacement or "small", elements_per_member = elements }
-  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-  model:fix { a, b }
-  local all = { a, b, section = square, material = stiff }
-  for name, value in pairs(options) do all[name] = value end
-  local member = model:member(all)
+local function beam(options, elements)
+  local model, tip, member, wall = scenes.cantilever { length = 2, member = with({ material = stiff }, options),
+    model = { displacement = "small", elements_per_member = elements } }
+  model:fix(tip)
   model:load { member = member, q = { 0, 0, -100 } }
-  return member, model:static():finish(), a
+  return member, model:static():finish(), wall
 end
 
 case("pins and semi-rigid ends of a loaded beam by hand, with 2, 4 and 8 elements", function()
   local q, L = 100, 2
-  local small = 1e-6 * q * L ^ 2 -- of the solution, with axes that are 1000 times as stiff as the member
+  local off = 1e-6 * q * L ^ 2 -- of the solution, with axes that are 1000 times as stiff as the member
   for _, elements in ipairs { 2, 4, 8 } do
     local what = elements .. " elements: "
     local a, b = beam({ release = { a = "Mx", b = { "Mx", "My" } } }, elements):forces()
-    near(a.Mx, 0, small, what .. "moment at a pin")
-    near(math.abs(a.Qy) + math.abs(b.Qy), q * L, small, what .. "shear forces of a simple beam")
+    near(a.Mx, 0, off, what .. "moment at a pin")
+    near(math.abs(a.Qy) + math.abs(b.Qy), q * L, off, what .. "shear forces of a simple beam")
     a, b = beam({ release = { b = "Mx" } }, elements):forces()
     near(math.abs(a.Mx), q * L ^ 2 / 8, 1e-6 * q * L ^ 2, what .. "q L^2 / 8 where the other end is pinned")
-    near(b.Mx, 0, small, what .. "its pin")
+    near(b.Mx, 0, off, what .. "its pin")
     local k = 3 * EI / L
     local member, _, node = beam({ ends = { a = hinge.joint { Mx = { stiffness = k } },
       b = hinge.joint { Mx = { stiffness = k } } } }, elements)
     local M = q * L ^ 2 / 12 / (1 + 2 * EI / (k * L))
-    near(math.abs(member:forces().Mx), M, small, what .. "semi-rigid ends")
+    near(math.abs(member:forces().Mx), M, off, what .. "semi-rigid ends")
     local joint = member:joint "a"
-    near(math.abs(joint.Mx), M, small, what .. "moment of the joint")
-    near(math.abs(joint.rotation_x), M / k, small / k, what .. "its rotation")
-    near(joint.shear, q * L / 2, small, what .. "its shear force")
+    near(math.abs(joint.Mx), M, off, what .. "moment of the joint")
+    near(math.abs(joint.rotation_x), M / k, off / k, what .. "its rotation")
+    near(joint.shear, q * L / 2, off, what .. "its shear force")
     equal(joint.broken, false, what .. "broken")
     local _, _, z, _, my = node:reaction()
-    near(z, q * L / 2, small, what .. "reaction of a support that has only a joint")
-    near(math.abs(my), M, small, what .. "its moment")
+    near(z, q * L / 2, off, what .. "reaction of a support that has only a joint")
+    near(math.abs(my), M, off, what .. "its moment")
   end
   equal(beam({}, 2):joint "a", nil, "an end without a joint has none")
 end)
@@ -67,12 +67,8 @@ case("a column on a semi-rigid base under compression: the exact beam-column, tw
   -- the smallest root of k L / EI = alpha tan(alpha), alpha = L sqrt(P / EI), with k L / EI = 2
   local critical = 1.0768740 ^ 2 * EI / 9
   for _, part in ipairs { 0.3, 0.6, 0.9 } do
-    local model = hinge.model()
-    local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-    model:fix(foot)
-    model:member { foot, head, section = square, material = stiff,
-      ends = { a = hinge.joint { Mx = { stiffness = k }, My = { stiffness = k } } } }
-    model:load { node = head, force = { 1, 0, -part * critical } }
+    local model, head = scenes.cantilever { along = { 0, 0, 1 }, length = 3, force = { 1, 0, -part * critical },
+      member = { material = stiff, ends = { a = hinge.joint { Mx = { stiffness = k }, My = { stiffness = k } } } } }
     equal(model:static { steps = 4, tolerance = 1e-10 }:finish().verdict, "completed", "static run")
     local by_hand = sway_by_hand(1, part * critical, k)
     near(head:displacement(), by_hand, 5e-4 * by_hand, ("sway at %g of the critical load"):format(part))
@@ -80,31 +76,21 @@ case("a column on a semi-rigid base under compression: the exact beam-column, tw
 end)
 
 case("a portal whose beam is pinned: two cantilevers", function()
-  local model = hinge.model { displacement = "small" }
-  local feet, heads = {}, {}
-  for i = 1, 2 do
-    feet[i], heads[i] = model:node { 5 * i, 0, 0 }, model:node { 5 * i, 0, 3 }
-    model:fix(feet[i])
-    model:member { feet[i], heads[i], section = square, material = stiff }
-  end
   local pinned = { "Mx", "My" }
-  model:member { heads[1], heads[2], section = square, material = stiff, release = { a = pinned, b = pinned } }
-  model:load { node = heads[1], force = { 100, 0, 0 } }
+  local model, node = scenes.portal { model = small, width = 5, column = { material = stiff },
+    beam = { material = stiff, release = { a = pinned, b = pinned } } }
+  model:load { node = node[2], force = { 100, 0, 0 } }
   model:static():finish()
   local sway = 50 * 3 ^ 3 / (3 * EI)
   -- the beam's own shortening is 2.4e-4 of the sway of a square of 50 mm
-  near((heads[1]:displacement() + heads[2]:displacement()) / 2, sway, 1e-6 * sway, "sway")
+  near((node[2]:displacement() + node[3]:displacement()) / 2, sway, 1e-6 * sway, "sway")
 end)
 
 -- A nearly rigid arm of 1 m on a joint, whose tip moves to each of these heights.
 local function cycle(points, heights)
-  local model = hinge.model { displacement = "small" }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(wall)
   local rigid = hinge.material { E = 1e6 * E, G = 1e6 * E, density = 7850 }
-  local arm = model:member { wall, tip, section = square, material = rigid,
-    ends = { a = hinge.joint { Mx = { points = points } } } }
-  model:load { node = tip, force = { 0, 0, 1 } }
+  local model, tip, arm = scenes.cantilever { model = small, force = { 0, 0, 1 },
+    member = { material = rigid, ends = { a = hinge.joint { Mx = { points = points } } } } }
   local run, forces = nil, {}
   for i, z in ipairs(heights) do
     run = model:static { from = run, steps = 20, control = { node = tip, "uz", to = z } }:finish()
@@ -137,14 +123,9 @@ end)
 
 -- A bar of 1 m that swings down from a wall.
 local function pendulum(joint, options)
-  local model = hinge.model()
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(wall)
-  local bar = model:member { wall, tip, section = square, material = steel, ends = { a = hinge.joint(joint) } }
+  local model, tip, bar = scenes.cantilever { member = { material = steel, ends = { a = hinge.joint(joint) } } }
   model:gravity { 0, 0, -g }
-  local all = { dt = 1e-3, duration = 1 }
-  for name, value in pairs(options or {}) do all[name] = value end
-  return model:dynamic(all), bar, tip
+  return model:dynamic(with({ dt = 1e-3, duration = 1 }, options)), bar, tip
 end
 local mass = 7850 * side ^ 2
 
@@ -197,11 +178,8 @@ case("it breaks by rotation, tension and shear, falls freely, and keeps the ener
 end)
 
 case("statics breaks no joint, and warns", function()
-  local model = hinge.model()
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(wall)
-  model:member { wall, tip, section = square, material = steel, ends = { a = hinge.joint { shear = 50 } } }
-  model:load { node = tip, force = { 0, 0, -60 } }
+  local model = scenes.cantilever { force = { 0, 0, -60 },
+    member = { material = steel, ends = { a = hinge.joint { shear = 50 } } } }
   local run = model:static():finish()
   equal(run.verdict, "completed", "verdict")
   expect(support.has(table.concat(run.warnings, "\n"), "is beyond its capacity: shear force of 60"), "warnings: %s",
@@ -245,12 +223,8 @@ end)
 -- In explicit steps rigid axes are springs of another stiffness.
 case("a beam at rest stays at rest in the run that goes on from statics", function()
   for _, integrator in ipairs { "newmark", "explicit" } do
-    local model = hinge.model()
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = square, material = steel, -- My and Mz are rigid
-      ends = { a = hinge.joint { Mx = { stiffness = 1e5 } } } }
-    model:load { node = tip, force = { 0, 500, -300 } }
+    local model, tip = scenes.cantilever { force = { 0, 500, -300 }, member = { material = steel, -- My, Mz are rigid
+      ends = { a = hinge.joint { Mx = { stiffness = 1e5 } } } } }
     local rest = model:static():finish()
     local _, y = tip:displacement(rest)
     local run = model:dynamic { from = rest, dt = integrator == "explicit" and "auto" or 1e-4, duration = 2e-3,
@@ -260,40 +234,20 @@ case("a beam at rest stays at rest in the run that goes on from statics", functi
   end
 end)
 
-case("the same bytes after a checkpoint in the middle of a cycle", function()
-  local folder = support.temporary_folder()
-  local function swing() return (pendulum { Mx = { points = { { 6e-4, 60 }, { 0.01, 70 } }, capacity = 0.7 } }) end
-  local whole = swing():finish()
-  local first = swing()
-  for _ = 1, 200 do first:step() end
-  first:checkpoint(folder .. "/half")
-  local second = swing()
-  second:resume(folder .. "/half")
-  second:finish()
-  equal(second.energy.joint_dissipated, whole.energy.joint_dissipated, "plastic work")
-  equal(second.energy.kinetic, whole.energy.kinetic, "kinetic energy")
-  equal(#second.state_changes, #whole.state_changes, "what has happened")
-end)
-
 -- A portal whose columns have joints at their feet, under an acceleration of 20 m/s^2 from the right: its weight
 -- (nil), or ground that moves, with a path. Nearly all of its mass is at the heads of the columns.
 local function accelerated(moves, capacity, integrator, duration)
-  local model = hinge.model()
-  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-  local c, d = model:node { 6, 0, 0 }, model:node { 6, 0, 3 }
-  model:fix { a, c }
   local light = hinge.material { E = 210e9, density = 50, yield_stress = 235e6 }
   local base = hinge.joint { Mx = { points = { { 0.002, 40e3 }, { 0.01, 80e3 } }, capacity = capacity }, My = "free" }
-  local post = hinge.section.named "HEB 200"
-  local left = model:member { a, b, section = post, material = light, up = { 1, 0, 0 }, ends = { a = base } }
-  model:member { c, d, section = post, material = light, up = { 1, 0, 0 }, ends = { a = base } }
-  model:member { b, d, section = post, material = light }
-  for _, head in ipairs { b, d } do model:mass { node = head, mass = 5000 } end
-  if moves then model:move { node = { a, c }, x = function(t) return 10 * t ^ 2 end }
+  local post = { section = hinge.section.named "HEB 200", material = light }
+  local model, node, member = scenes.portal { width = 6, beam = post,
+    column = with(post, { up = { 1, 0, 0 }, ends = { a = base } }) }
+  for i = 2, 3 do model:mass { node = node[i], mass = 5000 } end
+  if moves then model:move { node = { node[1], node[4] }, x = function(t) return 10 * t ^ 2 end }
   else model:gravity { -20, 0, 0 } end
   local run = model:dynamic { dt = integrator == "explicit" and "auto" or 2.5e-4, duration = duration,
     integrator = integrator }
-  return run, d, left, a
+  return run, node[3], member[1], node[1]
 end
 
 case("joints at feet that move: as in a frame of reference that is accelerated", function()
@@ -331,16 +285,13 @@ end)
 
 case("tension takes from the moment: M / M_R + T / T_R is 1", function()
   for _, part in ipairs { 0, 0.25, 0.75, -0.5 } do
-    local model = hinge.model { displacement = "small" }
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-    local pull, push = model:case "pull", model:case "push"
-    model:fix(wall)
     local joint = hinge.joint { Mx = { points = { { 0.004, 60e3 }, { 0.02, 100e3 } } }, tension = 200e3,
       interaction = "linear" }
-    local arm = model:member { wall, tip, section = hinge.section.named "IPE 360",
-      material = hinge.material { E = 210e9, density = 7850 }, up = { 0, 0, 1 }, ends = { a = joint } }
-    model:load { node = tip, force = { 200e3 * part, 0, 0 }, case = pull }
-    model:load { node = tip, force = { 0, 0, -1e3 }, case = push }
+    local model, tip, arm = scenes.cantilever { model = small, length = 2, member = { up = { 0, 0, 1 },
+      ends = { a = joint }, section = hinge.section.named "IPE 360",
+      material = hinge.material { E = 210e9, density = 7850 } } }
+    model:case "pull":load { node = tip, force = { 200e3 * part, 0, 0 } }
+    model:case "push":load { node = tip, force = { 0, 0, -1e3 } }
     local pulled = model:static { loads = "pull", steps = 2 }:finish()
     local run = model:static { from = pulled, loads = { push = 1 }, steps = 40,
       control = { node = tip, "uz", to = -0.1 } }:finish()
@@ -358,13 +309,11 @@ end)
 case("a beam that hangs between joints: the energy closes while tension grows", function()
   local errors = {}
   for i, dt in ipairs { 4e-4, 1e-4 } do
-    local model = hinge.model()
-    local left, right = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
-    model:fix { left, right }
     local joint = hinge.joint { Mx = { stiffness = 2e7, strength = 40e3 }, tension = 600e3, interaction = "linear" }
     local girder = hinge.section.named "IPE 200"
-    local hung = model:member { left, right, section = girder, elements = 4, ends = { a = joint, b = joint },
-      material = hinge.material { E = 210e9, density = 3e3 / g / girder.area } }
+    local model, right, hung = scenes.cantilever { length = 6, member = { section = girder, elements = 4,
+      ends = { a = joint, b = joint }, material = hinge.material { E = 210e9, density = 3e3 / g / girder.area } } }
+    model:fix(right)
     model:gravity { 0, 0, -8 * g }
     model:damping { ratio = 0.05, periods = { 0.2, 0.01 } } -- of the ringing along the beam
     local run = model:dynamic { dt = dt, duration = 0.2 }
@@ -387,17 +336,19 @@ case("a beam that hangs between joints: the energy closes while tension grows", 
   expect(errors[2] < 0.5 * errors[1], "energy error %g in a quarter of the step, %g before", errors[2], errors[1])
 end)
 
-case("a run with joints at feet that move goes on from a checkpoint", function()
+case("runs with joints, also at feet that move, go on from a checkpoint to the same energies", function()
   local file = support.temporary_folder() .. "/half"
-  local whole = accelerated(true, nil, "newmark", 0.1)
-  whole:finish()
-  local first = accelerated(true, nil, "newmark", 0.1)
-  for _ = 1, 100 do first:step() end
-  first:checkpoint(file)
-  local second = accelerated(true, nil, "newmark", 0.1)
-  second:resume(file)
-  second:finish()
-  for _, of in ipairs { "work", "kinetic", "joint_dissipated" } do equal(second.energy[of], whole.energy[of], of) end
+  for steps, make in pairs {
+    [200] = function() return (pendulum { Mx = { points = { { 6e-4, 60 }, { 0.01, 70 } }, capacity = 0.7 } }) end,
+    [100] = function() return (accelerated(true, nil, "newmark", 0.1)) end,
+  } do
+    local whole, first = make():finish(), make()
+    for _ = 1, steps do first:step() end
+    first:checkpoint(file)
+    local second = make():resume(file):finish()
+    for _, of in ipairs { "work", "kinetic", "joint_dissipated" } do equal(second.energy[of], whole.energy[of], of) end
+    equal(#second.state_changes, #whole.state_changes, "what has happened")
+  end
 end)
 
 -- A cross of half storeys and half spans with a node for the beams where they meet the columns, if there is a joint:
@@ -531,62 +482,55 @@ case("a member tells of its joints, and copies of a grid have them", function()
 end)
 
 case("wrong input is refused", function()
+  local free = hinge.joint { Mx = "free" }
+  for _, row in ipairs {
+    { "it is rigid and never breaks", {} }, { "must be 'free', 'rigid'", { Mx = "fre" } },
+    { "stiffness", { Mx = { strength = 5 } } },
+    { "less steep", { Mx = { points = { { 0.01, 10 }, { 0.02, 30 } } } } },
+    { "'capacity'", { Mx = { points = { { 0.01, 10 }, { 0.02, 8 } } } } },
+    { "given beside points", { Mx = { points = { { 0.01, 10 } }, stiffness = 1 } } },
+    { "tension", { Mx = "free", tension = -1 } },
+    { "needs 'tension'", { Mx = { stiffness = 1, strength = 1 }, interaction = "linear" } },
+    { "needs a strength", { Mx = { stiffness = 1 }, tension = 1, interaction = "linear" } },
+    { "'none', 'linear'", { Mx = { stiffness = 1 }, interaction = "square" } },
+  } do
+    checks.refused(row[1], function() hinge.joint(row[2]) end)
+  end
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  local function refused(f, message)
-    local good, failure = pcall(f)
-    expect(not good and support.has(tostring(failure), message), "'%s' and not '%s'", failure, message)
-  end
-  local function member(options)
-    options[1], options[2], options.section, options.material = a, b, square, steel
-    return model:member(options)
-  end
-  refused(function() hinge.joint {} end, "it is rigid and never breaks")
-  refused(function() hinge.joint { Mx = "fre" } end, "must be 'free', 'rigid'")
-  refused(function() hinge.joint { Mx = { strength = 5 } } end, "stiffness")
-  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 }, { 0.02, 30 } } } } end, "less steep")
-  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 }, { 0.02, 8 } } } } end, "'capacity'")
-  refused(function() hinge.joint { Mx = { points = { { 0.01, 10 } }, stiffness = 1 } } end, "given beside points")
-  refused(function() hinge.joint { Mx = "free", tension = -1 } end, "tension")
-  refused(function() hinge.joint { Mx = { stiffness = 1, strength = 1 }, interaction = "linear" } end,
-    "needs 'tension'")
-  refused(function() hinge.joint { Mx = { stiffness = 1 }, tension = 1, interaction = "linear" } end,
-    "needs a strength")
-  refused(function() hinge.joint { Mx = { stiffness = 1 }, interaction = "square" } end, "'none', 'linear'")
-  local free = hinge.joint { Mx = "free" }
-  refused(function() model:joint { a, b, joint = free } end, "the nodes are 1 m apart; a joint has no length")
-  refused(function() model:joint { a, a, joint = free } end, "both nodes are node 1")
   local here, there = model:node { 0, 0, 0 }, model:node { 0, 0, 0 }
-  refused(function() model:joint { a, here, joint = hinge.joint { shear = 1 } } end, "only moments count")
-  refused(function() model:joint { a, here, joint = 3 } end, "must be a joint made by hinge.joint")
-  refused(function() model:joint { a, here, joint = free, axes = { x = { 1, 0, 0 }, y = { 2, 0, 0 } } } end,
-    "not along one line")
+  local function joined(words, options)
+    checks.refused(words, model.joint, model, with({ a, here, joint = free }, options))
+  end
+  joined("the nodes are 1 m apart; a joint has no length", { a, b })
+  joined("both nodes are node 1", { a, a })
+  joined("only moments count", { joint = hinge.joint { shear = 1 } })
+  joined("must be a joint made by hinge.joint", { joint = 3 })
+  joined("not along one line", { axes = { x = { 1, 0, 0 }, y = { 2, 0, 0 } } })
   model:joint { a, here, joint = free }
-  refused(function() model:joint { here, there, joint = free } end, "join node 4 to node 1 as well")
-  refused(function() model:joint { there, here, joint = free } end, "a node is joined to one other node")
+  joined("join node 4 to node 1 as well", { here, there })
+  joined("a node is joined to one other node", { there, here })
   model:fix(a)
-  member {}
-  refused(function() model:static() end, "node 3 at {0, 0, 0} m has no member")
+  model:member { a, b, section = square, material = steel }
+  checks.refused("node 3 at {0, 0, 0} m has no member", model.static, model)
   model = hinge.model()
   a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  refused(function() member { release = { a = "N" } } end, "must be 'Mx', 'My' or 'Mz'")
-  refused(function() member { release = "Mx" } end, "must be { a = ")
-  refused(function() member { release = { a = "Mz", b = "Mz" } } end, "torsion (Mz) is free at both ends")
-  refused(function() member { ends = { a = 3 } } end, "must be a joint made by hinge.joint")
-  refused(function() member { ends = { a = hinge.joint { Mx = "free" } }, release = { a = "Mx" } } end,
-    "given beside a joint")
+  for words, options in pairs {
+    ["must be 'Mx', 'My' or 'Mz'"] = { release = { a = "N" } }, ["must be { a = "] = { release = "Mx" },
+    ["torsion (Mz) is free at both ends"] = { release = { a = "Mz", b = "Mz" } },
+    ["must be a joint made by hinge.joint"] = { ends = { a = 3 } },
+    ["given beside a joint"] = { ends = { a = free }, release = { a = "Mx" } },
+  } do
+    checks.refused(words, model.member, model, with({ a, b, section = square, material = steel }, options))
+  end
   equal(#model:members(), 0, "no member was added")
 end)
 
 -- A cantilever of 3 m, with or without a joint at the wall that is soft about one axis, and a load on its tip.
 local function rooted(joint, load)
-  local model = hinge.model { displacement = "small" }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
-  model:fix(wall)
-  model:member { wall, tip, material = stiff, ends = joint and { a = hinge.joint(joint) },
-    section = hinge.section.box { width = 0.1, depth = 0.2, thickness = 0.01 } }
-  model:load { node = tip, force = load.force, moment = load.moment }
-  return model, tip
+  return scenes.cantilever { model = small, length = 3, force = load.force, moment = load.moment,
+    member = { material = stiff, ends = joint and { a = hinge.joint(joint) },
+      section = hinge.section.box { width = 0.1, depth = 0.2, thickness = 0.01 } } }
 end
 
 case("a rigid axis beside a soft one is softer by what the reference says", function()
