@@ -17,7 +17,8 @@ function scenes.with(...)
 end
 
 --- A cantilever along x. `options`: model = of hinge.model, member = of model:member (section, material, up, ...),
---- length (1), along (the direction, { 1, 0, 0 }), force, moment = on the tip.
+--- length (1), along (the direction, { 1, 0, 0 }), flipped (the member goes from the tip to the support), force,
+--- moment = on the tip.
 --- Returns the model, its tip, the member and the support.
 function scenes.cantilever(options)
   options = options or {}
@@ -26,7 +27,7 @@ function scenes.cantilever(options)
   local tip = model:node { length * along[1], length * along[2], length * along[3] }
   model:fix(wall)
   local member = model:member(scenes.with({ section = scenes.square, material = scenes.elastic }, options.member,
-    { wall, tip }))
+    options.flipped and { tip, wall } or { wall, tip }))
   if options.force or options.moment then
     model:load { node = tip, force = options.force, moment = options.moment }
   end

@@ -5,11 +5,12 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "connectors"
 local case, expect, equal, near, largest_of = checks.case, checks.expect, checks.equal, checks.near, support.largest_of
 
-local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
-local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local steel = scenes.elastic
+local bar = scenes.square
 local pi = math.pi
 
 -- Statics -------------------------------------------------------------------------------------------------------------
@@ -41,7 +42,6 @@ for _, displacement in ipairs { "small", "large" } do
 end
 
 case("a connector of stiffness EA / L acts as a member, in axes of its own", function()
-  -- The same bar as a member and as a connector with EA / L, between two bars, in axes of its own.
   local function tip(as_member)
     local model = hinge.model { displacement = "small" }
     local a, b = model:node { 0, 0, 0 }, model:node { 0.6, 0.8, 0 }
@@ -60,8 +60,7 @@ case("a connector of stiffness EA / L acts as a member, in axes of its own", fun
     end
     model:load { node = d, force = { 2e4, -5e3, 0 } }
     local run = model:static { steps = 1 }:finish()
-    local ux, uy = run:displacement(d)
-    return ux, uy
+    return run:displacement(d)
   end
   local ux, uy = tip(true)
   local vx, vy = tip(false)
@@ -70,7 +69,6 @@ case("a connector of stiffness EA / L acts as a member, in axes of its own", fun
 end)
 
 case("a force law with a kink gives its force and the energy below it", function()
-  -- A curve with a kink: where it stands at a force, and the area under it; one that is given for both signs.
   for _, sign in ipairs { 1, -1 } do
     local model, left, right = sliding_bar()
     local c = model:connector { left, right, stiffness = { x = 0 }, curve = { x = { { 0, 0 }, { 1, 1 } } } }
@@ -88,13 +86,10 @@ end)
 -- Elastic steps that take many iterations are unloaded again, to see whether they come back.
 for _, steps in ipairs { 1, 20 } do
   case(("a force law has the force of its deformation after long steps: %d"):format(steps), function()
-    local model = hinge.model { elements_per_member = 4 }
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = hinge.section.solid { width = 0.02, depth = 0.02 }, material = steel }
+    local model, tip = scenes.cantilever { model = { elements_per_member = 4 }, length = 3, force = { 0, 0, -1500 },
+      member = { section = hinge.section.solid { width = 0.02, depth = 0.02 } } }
     local function law(u) return 1e3 * u + 2e2 * u ^ 3 end
     local c = model:connector { tip, ground = true, law = { z = law } }
-    model:load { node = tip, force = { 0, 0, -1500 } }
     local run = model:static { steps = steps }:finish()
     local u, F = select(3, c:deformation(run)), select(3, c:force(run))
     expect(u < -0.9, "the tip has moved by %g m", u)
@@ -219,9 +214,7 @@ local function spinning(options, declare)
   model:member { c, d, section = bar, material = steel, group = "all" }
   model:velocity("all", { 3, 1, 0 }, { 4, -7, 30 })
   declare(model, b, c)
-  local all = { dt = 2e-5, duration = 0.02 }
-  for name, value in pairs(options) do all[name] = value end
-  return model:dynamic(all)
+  return model:dynamic(scenes.with({ dt = 2e-5, duration = 0.02 }, options))
 end
 local soft = { x = 2e6, y = 1e6, z = 1e6, rx = 2e4, ry = 1e4, rz = 3e4 }
 for _, integrator in ipairs { "newmark", "explicit" } do
@@ -264,7 +257,6 @@ case("checkpoints and steps taken back change no bit of connectors", function()
 end)
 
 case("a force law that fails takes its step back and the run goes on", function()
-  -- A law that fails takes its step back, and the run can go on.
   local fails = false
   local function declare(model, b, c)
     model:connector { b, c, stiffness = soft, law = { y = function(u, v, state)
@@ -286,7 +278,6 @@ case("a force law that fails takes its step back and the run goes on", function(
 end)
 
 case("a connector that carries nothing changes no bit", function()
-  -- Nothing to do: the same bits.
   local function portal(declare)
     local model, left, right = sliding_bar {}
     model:load { node = right, force = { 1e4, 0, 0 } }
@@ -308,27 +299,23 @@ end)
 
 case("wrong connectors are refused", function()
   local model, left, right = sliding_bar()
-  local function refused(options, ...)
-    local ok, message = pcall(model.connector, model, options)
-    expect(not ok, "refused: %s", (...))
-    for _, word in ipairs { ... } do
-      expect(not ok and message:find(word, 1, true), "'%s' is not in: %s", word, tostring(message))
-    end
+  for _, row in ipairs {
+    { {}, "it would do nothing" },
+    { { [2] = left, stiffness = { x = 1 } }, "both nodes are node 1" },
+    { { ground = true, stiffness = { x = 1 } }, "ground", "two nodes are given" },
+    { { stiffness = { x = -1 } }, "stiffness", "-1", "N/m" },
+    { { damping = { rx = 0 / 0 } }, "damping", "rx", "N m s/rad" },
+    { { stiffness = { q = 1 } }, "unknown field 'q'" },
+    { { capacity = { x = 0 }, stiffness = { x = 1 } }, "capacity", "x" },
+    { { curve = { x = { { 0, 0 }, { 0, 1 } } } }, "point 2", "must rise" },
+    { { curve = { x = { { 1, 0 }, { 2, 1 } } } }, "begins with {0, 0}" },
+    { { law = { x = 3 } }, "law", "must be a function" },
+    { { axes = { x = { 1, 0, 0 }, y = { 2, 0, 0 } }, stiffness = { x = 1 } }, "not along one line" },
+  } do
+    checks.refused({ table.unpack(row, 2) }, model.connector, model, scenes.with({ left, right }, row[1]))
   end
-  refused({ left, right }, "it would do nothing")
-  refused({ left, left, stiffness = { x = 1 } }, "both nodes are node 1")
-  refused({ left, right, ground = true, stiffness = { x = 1 } }, "ground", "two nodes are given")
-  refused({ left, right, stiffness = { x = -1 } }, "stiffness", "-1", "N/m")
-  refused({ left, right, damping = { rx = 0 / 0 } }, "damping", "rx", "N m s/rad")
-  refused({ left, right, stiffness = { q = 1 } }, "unknown field 'q'")
-  refused({ left, right, capacity = { x = 0 }, stiffness = { x = 1 } }, "capacity", "x")
-  refused({ left, right, curve = { x = { { 0, 0 }, { 0, 1 } } } }, "point 2", "must rise")
-  refused({ left, right, curve = { x = { { 1, 0 }, { 2, 1 } } } }, "begins with {0, 0}")
-  refused({ left, right, law = { x = 3 } }, "law", "must be a function")
-  refused({ left, right, axes = { x = { 1, 0, 0 }, y = { 2, 0, 0 } }, stiffness = { x = 1 } }, "not along one line")
   model:fix(left)
-  local run = model:static { steps = 1 }
-  expect(run ~= nil, "what was refused is not in the model")
+  expect(model:static { steps = 1 } ~= nil, "what was refused is not in the model")
 end)
 
 case("the explicit step limit of a stiff connector is named", function()

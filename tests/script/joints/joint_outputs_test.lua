@@ -5,12 +5,14 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "joints in all outputs"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local hinge_on, folder = support.scenes(arg[1])
 local elastic = hinge.material { E = 210e9, density = 7850 }
 local square = hinge.section.solid { width = 0.1, depth = 0.1 }
+local small = { displacement = "small" }
 
 -- Rows of events.csv as tables by column.
 local function events(name)
@@ -150,10 +152,7 @@ end)
 
 case("a connector that holds is rated by the largest force over its capacity", function()
   local function rated(force)
-    local model = hinge.model { displacement = "small" }
-    local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-    model:fix(a)
-    model:member { a, b, section = square, material = elastic, group = "beam" }
+    local model, b = scenes.cantilever { model = small, length = 2, member = { section = square, material = elastic } }
     model:connector { b, ground = true, stiffness = { z = 1e8 }, capacity = { z = 2e3 } }
     model:case("push"):load { node = b, force = { 0, 0, force } }
     local up = model:static { steps = 4, loads = { push = 1 } }:finish()
@@ -203,15 +202,11 @@ local girder = hinge.section.named "IPE 360"
 
 -- A cantilever whose joint at the wall carries M, N and V. how: joint, force, moment, along, up, flipped.
 local function loaded(how)
-  local model = hinge.model { displacement = "small" }
-  local d = how.along or { 1, 0, 0 }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 2 * d[1], 2 * d[2], 2 * d[3] }
-  model:fix(wall)
-  local beam = model:member { how.flipped and tip or wall, how.flipped and wall or tip, section = girder,
-    material = how.material or steel, up = how.up or { 0, 0, 1 }, group = "arm",
-    ends = { [how.flipped and "b" or "a"] = how.joint } }
+  local model, tip, beam = scenes.cantilever { model = small, length = 2, along = how.along, flipped = how.flipped,
+    member = { section = girder, material = how.material or steel, up = how.up or { 0, 0, 1 }, group = "arm",
+      ends = { [how.flipped and "b" or "a"] = how.joint } } }
   model:case("push"):load { node = tip, force = how.force, moment = how.moment }
-  return model:static { steps = how.steps or 10, loads = { push = 1 } }, model, beam
+  return model:static { steps = 10, loads = { push = 1 } }, model, beam
 end
 
 local function rows_of(used)
@@ -220,6 +215,12 @@ local function rows_of(used)
     if row.joint then joints[#joints + 1] = row end
   end
   return joints
+end
+
+-- The row of the joint of such a cantilever.
+local function used_joint(how)
+  local run_, model = loaded(how)
+  return rows_of(hinge.results.utilisation(run_:finish(), { model = model, standard = "EN 1993-1-1" }))[1]
 end
 
 case("hinge.results.utilisation has a joint that is weaker than its member, by either standard", function()
@@ -245,8 +246,7 @@ end)
 case("each axis counts by itself, tension is added where it weakens the joint, and forces have their limits", function()
   local function checks_of(joint, how)
     how.joint = hinge.joint(joint)
-    local run_, model = loaded(how)
-    local row = rows_of(hinge.results.utilisation(run_:finish(), { model = model, standard = "EN 1993-1-1" }))[1]
+    local row = used_joint(how)
     local values = {}
     for name, of in pairs(row.checks) do values[name] = of.value end
     return values, row
@@ -282,8 +282,7 @@ case("a joint has the same utilisation at a member in any direction", function()
     ["rotated to its weak axis"] = { along = { 1, 0, 0 }, moment = { 0, 60e3, 0 }, up = { 0, 1, 0 }, axis = "My" } } do
     how.joint = hinge.joint { [how.axis or "Mx"] = { stiffness = 60e6, strength = 150e3 } }
     how.material = elastic -- the weak axis of the section would yield
-    local run_, model = loaded(how)
-    local row = rows_of(hinge.results.utilisation(run_:finish(), { model = model, standard = "EN 1993-1-1" }))[1]
+    local row = used_joint(how)
     near(row.utilisation, 0.4, 1e-6, name)
     equal(row.check, "joint " .. (how.axis or "Mx"), name)
   end

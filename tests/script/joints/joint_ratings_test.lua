@@ -5,24 +5,23 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
+local with = scenes.with
 local checks = support.checks "joints that are rated"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local elastic = hinge.material { E = 210e9, density = 7850 }
 local square = hinge.section.solid { width = 0.1, depth = 0.1 }
+local bar = { section = square, material = elastic }
 local L, k, strength = 2, 1e5, 2e3 -- m, N m/rad, N m
 
 -- A cantilever along a direction with a joint at the wall, whose tip is turned by a load until the joint has yielded.
 -- how: axis ("Mx"), joint (of that axis), elements, flipped (the joint is at the member's end b), along.
 local function pushed(how)
-  local model = hinge.model { displacement = "small" }
-  local d = how.along or { 1, 0, 0 }
-  local function at(x) return { x * d[1], x * d[2], x * d[3] } end
-  local wall, tip = model:node(at(0)), model:node(at(L))
-  model:fix(wall)
   local joint, last = hinge.joint { [how.axis] = how.joint }, how.flipped and "b" or "a"
-  local arm = model:member { how.flipped and tip or wall, how.flipped and wall or tip, section = square,
-    material = elastic, up = how.up or { 0, 0, 1 }, group = "arms", elements = how.elements, ends = { [last] = joint } }
+  local model, tip, arm, wall = scenes.cantilever { model = { displacement = "small" }, length = L, along = how.along,
+    flipped = how.flipped, member = with(bar, { up = how.up or { 0, 0, 1 }, group = "arms", elements = how.elements,
+      ends = { [last] = joint } }) }
   -- a moment at the tip is that of the joint; about x, y and z of a section with z along the member and y = up
   local moment = { Mx = { 0, 1, 0 }, My = { 0, 0, 1 }, Mz = { 1, 0, 0 } }
   local m = how.moment or moment[how.axis]
@@ -90,13 +89,8 @@ end)
 
 case("what a joint has gone through goes on over runs of dynamics", function()
   local function swinging()
-    local model = hinge.model { displacement = "small" }
-    local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = square, material = elastic,
-      ends = { a = hinge.joint { Mx = { stiffness = 1e6, strength = strength } } } }
-    model:load { node = tip, force = { 0, 0, -1.1 * strength / L } }
-    return model
+    return (scenes.cantilever { model = { displacement = "small" }, length = L, force = { 0, 0, -1.1 * strength / L },
+      member = with(bar, { ends = { a = hinge.joint { Mx = { stiffness = 1e6, strength = strength } } } }) })
   end
   local function run_of(model, duration, from)
     return model:dynamic { dt = 1e-4, duration = duration, from = from, record = false }:finish()
@@ -167,13 +161,9 @@ end)
 case("joints that break by tension or shear are rated by the force, and a broken one is beyond its limit", function()
   for _, by in ipairs { "tension", "shear" } do
     for _, part in ipairs { 0.5, 1.5 } do
-      local model = hinge.model()
-      local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-      model:fix(wall)
-      model:member { wall, tip, section = square, material = elastic,
-        ends = { a = hinge.joint { [by] = 1e3, Mx = { stiffness = 1e7 } } } }
       local P = part * 1e3
-      model:load { node = tip, force = by == "tension" and { P, 0, 0 } or { 0, 0, P } }
+      local model = scenes.cantilever { length = L, force = by == "tension" and { P, 0, 0 } or { 0, 0, P },
+        member = with(bar, { ends = { a = hinge.joint { [by] = 1e3, Mx = { stiffness = 1e7 } } } }) }
       local rest = model:static { steps = 4 }:finish()
       local row
       for _, h in ipairs(rest:hinges()) do row = h.axis == by and h or row end
@@ -301,10 +291,8 @@ local function portal(how, scale)
 end
 
 local function loss(how, options)
-  local all = { build = function(o) return (portal(how, o.scale)) end, remove = { 2 }, m = 2, quiet = true,
-    procedures = { "nonlinear dynamic" }, dt = 1e-3, allow_failed = true }
-  for name, value in pairs(options) do all[name] = value end
-  return hinge.robustness(all).rows
+  return hinge.robustness(with({ build = function(o) return (portal(how, o.scale)) end, remove = { 2 }, m = 2,
+    quiet = true, procedures = { "nonlinear dynamic" }, dt = 1e-3, allow_failed = true }, options)).rows
 end
 
 local semi_rigid = hinge.joint { Mx = { stiffness = 60e6, strength = 150e3 } }
