@@ -23,12 +23,6 @@ local concrete_rules = { strength = parts.stress, spread = { "number", at_least 
   joint_factor = { "number", above = 0, at_most = 1, default = 2 / 3 }, grout = parts.with(parts.no_length,
     { default = 0 }), E = parts.with(parts.stress, { optional = true }) }
 
-local function no_less(what, value, limit, of)
-  if not (value >= limit - 1e-9) then
-    check.fail("%s: %s is %s m; must be %s m or more: %s", where, what, check.show(value), check.show(limit), of)
-  end
-end
-
 local function geometry(options)
   local o = check.options(where, options, rules)
   o.column, o.plate = parts.options(where, o, "column", column_rules), parts.options(where, o, "plate", plate_rules)
@@ -38,9 +32,9 @@ local function geometry(options)
   local g = { o = o, column = c, bolt = bolt, mx = o.bolts.outside - 0.8 * root_2 * o.weld,
     overhang = (o.plate.length - c.h) / 2, e = (o.plate.width - o.bolts.gauge) / 2 }
   g.ex = g.overhang - o.bolts.outside
-  no_less("field 'plate': field 'width'", o.plate.width, c.b, "the column's width")
-  no_less("the distance of the bolts from the plate's end", g.ex, 1.2 * bolt.d0, "1.2 hole diameters")
-  no_less("the distance of the bolts from the plate's side", g.e, 1.2 * bolt.d0, "1.2 hole diameters")
+  parts.no_less(where, "field 'plate': field 'width'", o.plate.width, c.b, "the column's width")
+  parts.no_less(where, "the distance of the bolts from the plate's end", g.ex, 1.2 * bolt.d0, "1.2 hole diameters")
+  parts.no_less(where, "the distance of the bolts from the plate's side", g.e, 1.2 * bolt.d0, "1.2 hole diameters")
   if g.mx <= 0 then check.fail("%s: field 'bolts': field 'outside' has the bolts in the weld", where) end
   local eps = parts.epsilon(c.fy)
   if ((c.b - c.tw) / 2 - c.r) / c.tf > 10 * eps then

@@ -23,6 +23,13 @@ function parts.options(where, o, field, rules)
   return check.options(("%s: field '%s'"):format(where, field), o[field], rules)
 end
 
+--- Refuses a distance below its limit, m; `of`: what the limit is.
+function parts.no_less(where, what, value, limit, of)
+  if not (value >= limit - 1e-9) then
+    check.fail("%s: %s is %s m; must be %s m or more: %s", where, what, check.show(value), check.show(limit), of)
+  end
+end
+
 -- Sections ------------------------------------------------------------------------------------------------------------
 
 --- Sizes of the H in o[field], m. r: its root radius, which makes up for the area of the plates; 0: welded.

@@ -21,12 +21,6 @@ web_bolts.rules = {
   gamma_M0 = parts.factor, gamma_M1 = parts.factor, gamma_M2 = parts.factor, gamma_Mu = parts.factor,
 }
 
-function web_bolts.no_less(where, what, value, limit, of)
-  if not (value >= limit - 1e-9) then
-    check.fail("%s: %s is %s m; must be %s m or more: %s", where, what, check.show(value), check.show(limit), of)
-  end
-end
-
 --- The beam's end and its bolts, by options that were checked. `field`: of the plate or cleats, o[field], through which
 --- the bolts go: `depth`, and `edge` from the farthest line of bolts to its free side.
 function web_bolts.geometry(where, o, field, bolt_rules)
@@ -49,7 +43,7 @@ end
 --- Table 3.3, and what fits where.
 function web_bolts.within(g)
   local where, d0 = g.where, g.bolt.d0
-  local function no_less(...) web_bolts.no_less(where, ...) end
+  local function no_less(...) parts.no_less(where, ...) end
   local side = ("field '%s': "):format(g.field)
   for what, value in pairs { [side .. "the distance of a bolt from the upper end"] = g.side.e1,
     [side .. "field 'edge'"] = g.side.e2, ["field 'beam': field 'edge'"] = g.web.e2 } do

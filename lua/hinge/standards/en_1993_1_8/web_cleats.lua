@@ -19,11 +19,11 @@ local function geometry(options)
   o.cleats = parts.options(where, o, "cleats", cleat_rules)
   local g = web_bolts.geometry(where, o, "cleats", bolt_rules)
   local c, d0 = o.cleats, g.bolt.d0
-  web_bolts.no_less(where, "field 'cleats': field 'column_edge'", c.column_edge, 1.2 * d0, "1.2 hole diameters")
+  parts.no_less(where, "field 'cleats': field 'column_edge'", c.column_edge, 1.2 * d0, "1.2 hole diameters")
   -- between the fillets of the two angles, at the column
   g.clear = c.column_gauge - g.beam.tw - 2 * c.thickness
   g.m = g.clear / 2 - 0.8 * c.r
-  web_bolts.no_less(where, "field 'cleats': field 'column_gauge'", c.column_gauge, g.beam.tw
+  parts.no_less(where, "field 'cleats': field 'column_gauge'", c.column_gauge, g.beam.tw
     + 2 * (c.thickness + c.r) + g.bolt.d, "the web, the angles with their fillets, and a bolt")
   g.at_column = { t = c.thickness, fy = c.yield_stress, fu = c.ultimate_stress, depth = c.depth, e1 = g.side.e1,
     e2 = c.column_edge }

@@ -10,6 +10,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../../?.lua
 local hinge = require "hinge"
 local aisc = require "hinge.standards.aisc_360.members"
 local profile = require "hinge.results.profile"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "tables of AISC 360-16"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -34,9 +35,8 @@ local plates = {}
 for name, s in pairs(sections) do plates[name] = assert(profile.of(s)) end
 
 local function strengths(name, fy, lengths)
-  local L = { Lx = 3, Ly = 3, C1 = 1, Cb = 1 }
-  for key, value in pairs(lengths or {}) do L[key] = value end
-  return aisc.strengths(sections[name], plates[name], steel(fy), L)
+  return aisc.strengths(sections[name], plates[name], steel(fy), scenes.with({ Lx = 3, Ly = 3, C1 = 1, Cb = 1 },
+    lengths))
 end
 
 -- Table B4.1 ----------------------------------------------------------------------------------------------------------

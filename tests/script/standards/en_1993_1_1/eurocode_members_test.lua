@@ -6,6 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../../?.lua
 local hinge = require "hinge"
 local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "members by EN 1993-1-1"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -68,8 +69,7 @@ local ones = { x = 1, y = 1, LT = 1 }
 
 -- A member whose slendernesses about x and y are given.
 local function member(name, lx, ly, d, more)
-  local o = { gamma_M0 = 1, gamma_M1 = 1, interaction = "standard" }
-  for key, value in pairs(more or {}) do o[key] = value end
+  local o = scenes.with({ gamma_M0 = 1, gamma_M1 = 1, interaction = "standard" }, more)
   local s, own = sections[name], o.material or steel
   local function length(slenderness, I)
     return slenderness * pi * math.sqrt(own.E * I / (s.area * own.yield_stress))

@@ -1,12 +1,9 @@
 -- What the tests of hinge.results.eurocode share: sections of each kind, and a demand.
 local hinge = require "hinge"
+local scenes = require "scenes"
 local profile = require "hinge.results.profile"
 
-local function demand(of)
-  local d = { compression = 0, tension = 0, Mx = 0, My = 0 }
-  for name, value in pairs(of or {}) do d[name] = value end
-  return d
-end
+local function demand(of) return scenes.with({ compression = 0, tension = 0, Mx = 0, My = 0 }, of) end
 
 -- Sections of the tests: rolled and welded H, hot and cold and welded box, pipe, flat bar, round bar.
 local sections = {

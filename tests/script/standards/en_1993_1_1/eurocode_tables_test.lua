@@ -11,6 +11,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../../?.lua
 local hinge = require "hinge"
 local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "tables of EN 1993-1-1"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -21,11 +22,7 @@ local rounding = 1e-9 -- of values that are computed by the same formula
 
 local function same(value, wanted, what) near(value, wanted, rounding * math.abs(wanted), what) end
 
-local function at(of)
-  local row = { N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0, x = 0 }
-  for name, value in pairs(of) do row[name] = value end
-  return row
-end
+local function at(of) return scenes.with({ N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0, x = 0 }, of) end
 
 local shared = require "standards.en_1993_1_1.eurocode_sections"
 local demand, sections, plates = shared.demand, shared.sections, shared.plates
