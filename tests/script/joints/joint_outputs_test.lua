@@ -6,6 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local scenes = require "scenes"
+local values = require "hinge.library.values"
 local checks = support.checks "joints in all outputs"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
@@ -18,8 +19,7 @@ local small = { displacement = "small" }
 local function events(name)
   local rows, columns = {}, nil
   for line in (support.read(("%s/%s/events.csv"):format(folder, name)) or ""):gmatch "[^\n]+" do
-    local cells = {}
-    for cell in (line .. ","):gmatch "([^,]*)," do cells[#cells + 1] = cell:gsub('^"(.*)"$', "%1") end
+    local cells = values.csv_fields(line)
     if not columns then
       columns = cells
     else
@@ -247,9 +247,9 @@ case("each axis counts by itself, tension is added where it weakens the joint, a
   local function checks_of(joint, how)
     how.joint = hinge.joint(joint)
     local row = used_joint(how)
-    local values = {}
-    for name, of in pairs(row.checks) do values[name] = of.value end
-    return values, row
+    local found = {}
+    for name, of in pairs(row.checks) do found[name] = of.value end
+    return found, row
   end
   local Mx, My = { stiffness = 60e6, strength = 100e3 }, { stiffness = 10e6, strength = 20e3, capacity = 0.01 }
   local all = checks_of({ Mx = Mx, My = My, tension = 200e3, shear = 80e3 }, { moment = { 0, 30e3, 5e3 },

@@ -489,11 +489,8 @@ end
 -- `wanted`, which are such pairs. It is short and stiff, so that its tip does not go back where the moment falls.
 local function moments_under(w, backbone, g, law, wanted)
   local L, stiff = 0.5, hinge.material { E = 5 * E, yield_stress = 345e6 }
-  local model = hinge.model { displacement = "small", interaction = law }
-  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local member = model:member { foot, tip, section = w.section, material = stiff, up = { 0, 0, 1 }, elements = 2,
-    backbone = backbone }
-  model:fix(foot, "all")
+  local model, tip, member = scenes.cantilever { model = { displacement = "small", interaction = law }, length = L,
+    member = { section = w.section, material = stiff, up = { 0, 0, 1 }, elements = 2, backbone = backbone } }
   model:fix(tip, "y,rx,rz")
   model:case("axial"):load { node = tip, force = { -g * w.section.area * 345e6, 0, 0 } }
   model:case("sway"):load { node = tip, force = { 0, 0, -w.Mp / L } }

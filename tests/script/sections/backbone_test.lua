@@ -33,11 +33,8 @@ end
 
 -- A cantilever whose tip is driven: the moment at its foot over Mp, by the plastic rotation of the foot.
 local function driven(elements, backbone, turns, model_options)
-  local model = hinge.model(model_options or { displacement = "small" })
-  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local member = model:member(with(backbone, { foot, tip, up = { 0, 0, 1 }, elements = elements }))
-  model:fix(foot, "all")
-  model:load { node = tip, force = { 0, 0, -Mp / L } }
+  local model, tip, member = scenes.cantilever { model = model_options or { displacement = "small" }, length = L,
+    force = { 0, 0, -Mp / L }, member = with(backbone, { up = { 0, 0, 1 }, elements = elements }) }
   local k = 1 / (L ^ 3 / (3 * E * column.Ix) + L / (steel.G * column.shear_area_y))
   local curve, run = {}, nil
   for _, turn in ipairs(turns) do
@@ -71,16 +68,14 @@ end)
 -- times as long.
 case("a hinge whose strength changes is found beside any compression, in steps of 0.1 ms", function()
   local function pushed(points, dt, interaction, control)
-    local model = hinge.model { interaction = interaction }
     local section = hinge.section.h { depth = 0.3, width = 0.15, web = 0.0068, flange = 0.0109 }
-    local a, b = model:node { 0, 0, 0 }, model:node { 5, 0, 0 }
-    model:fix(a)
-    model:fix(b, "y,rx,rz")
-    model:member { a, b, section = section, up = { 0, 0, 1 }, backbone = hinge.backbone { points = points },
-      material = hinge.material { E = 206e9, density = 60000, yield_stress = 325e6 } }
-    model:load { node = b, force = { -1.19 * 325e6 * section.area, 0, -1e5 } }
+    local model, tip = scenes.cantilever { model = { interaction = interaction }, length = 5,
+      force = { -1.19 * 325e6 * section.area, 0, -1e5 }, member = { section = section, up = { 0, 0, 1 },
+        backbone = hinge.backbone { points = points },
+        material = hinge.material { E = 206e9, density = 60000, yield_stress = 325e6 } } }
+    model:fix(tip, "y,rx,rz")
     local run = model:dynamic { dt = dt, duration = 0.012, record = false, step_control = control }:finish()
-    return run, b:displacement(run)
+    return run, tip:displacement(run)
   end
   for _, points in ipairs { { { 0, 1 }, { 0.006, 1.01 } }, { { 0, 1 }, { 0.006, 1.2 } }, { { 0, 1 }, { 0.006, 0.5 } },
     { { 0, 1.2 }, { 0.003, 1.3 }, { 0.01, 0.4 } } } do
@@ -118,12 +113,9 @@ case("wear takes stiffness in unloading by the plastic work, with two, four and 
   local b = hinge.backbone { yield = 1, cap_rotation = 0.3, wear = 1, stiffness_wear = true }
   for _, try in ipairs { { 2, { displacement = "small" } }, { 4, { displacement = "small" } },
     { 8, { displacement = "small" } }, { 2, {} }, { 4, {} }, { 2, { formulation = "asi" } } } do
-    local model = hinge.model(try[2])
-    local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    model:member { foot, tip, section = column, material = steel, up = { 0, 0, 1 }, elements = try[1], backbone = b }
-    model:fix(foot, "all")
+    local model, tip = scenes.cantilever { model = try[2], length = L, force = { 0, 0, -Mp / L },
+      member = with(b, { up = { 0, 0, 1 }, elements = try[1] }) }
     model:fix(tip, "y,rx,rz")
-    model:load { node = tip, force = { 0, 0, -Mp / L } }
     local new = model:static { steps = 1, control = { node = tip, "uz", to = -1e-3 } }:finish()
     local run, from, turned = nil, 0, 0
     for _, turn in ipairs { 0.06, -0.06, 0.06, -0.06, 0.06 } do
@@ -194,11 +186,8 @@ end)
 -- 10 ns, in which nothing moves. keeps: "foot", whose hinge is worn, or "tip", which never yields.
 local function half_broken(wear, axial, turned, keeps)
   local backbone = numbered(wear and soft)
-  local model = hinge.model {}
-  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local member = model:member { turned and tip or foot, turned and foot or tip, section = column, material = steel,
-    up = { 0, 0, 1 }, elements = 2, backbone = backbone, group = "post" }
-  model:fix(foot, "all")
+  local model, tip, member = scenes.cantilever { length = L, flipped = turned,
+    member = with(backbone, { up = { 0, 0, 1 }, elements = 2, group = "post" }) }
   model:load { node = tip, force = { axial, 0, 0 }, case = model:case "axial" }
   model:load { node = tip, force = { 0, 0, -Mp / L }, case = model:case "side" }
   local run = model:static { steps = 1, loads = { axial = 1 } }:finish()

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local law_scenes = require "sections.law_scenes"
 local checks = support.checks "material law"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
@@ -19,14 +20,11 @@ end
 
 -- A bar that is stretched to one strain after another: the stress at each.
 local function stretched(material, law, strains)
-  local model = hinge.model { displacement = "small" }
-  local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  local bar = model:member { a, b, section = heb(law), material = material, up = { 0, 0, 1 } }
-  model:fix(a, "all")
-  model:load { node = b, force = { 1e6, 0, 0 } }
+  local model, tip, bar = scenes.cantilever { model = { displacement = "small" }, length = L, force = { 1e6, 0, 0 },
+    member = { section = heb(law), material = material, up = { 0, 0, 1 } } }
   local stress, run = {}, nil
   for i, strain in ipairs(strains) do
-    run = model:static { from = run, steps = 3, control = { node = b, "ux", to = strain * L } }:finish()
+    run = model:static { from = run, steps = 3, control = { node = tip, "ux", to = strain * L } }:finish()
     equal(run.verdict, "completed", run.reason)
     stress[i] = bar:forces(run).N / bar.section.area
   end
@@ -65,21 +63,16 @@ case("ratcheting by Armstrong and Frederick is that by hand, with any number of 
     expect(cycle == 1 or by_hand > 1e-4, "it ratchets: %g", by_hand)
   end
   for _, steps in ipairs { 1, 4, 25 } do
-    local model = hinge.model { displacement = "small" }
-    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    local section = heb "exact"
-    model:member { a, b, section = section, up = { 0, 0, 1 },
-      material = steel { modulus = H, saturation = saturation } }
-    model:fix(a, "all")
-    local pull = model:case "pull"
-    pull:load { node = b, force = { section.area, 0, 0 } }
+    local model, tip, bar = scenes.cantilever { model = { displacement = "small" }, length = L, member = {
+      section = heb "exact", up = { 0, 0, 1 }, material = steel { modulus = H, saturation = saturation } } }
+    model:case "pull":load { node = tip, force = { bar.section.area, 0, 0 } }
     local run, before, last
     for _ = 1, 3 do
       before = last
       for _, stress in ipairs { up, down } do
         run = model:static { from = run, steps = steps, loads = { pull = stress } }:finish()
       end
-      last = b:displacement(run) / L
+      last = tip:displacement(run) / L
     end
     near((last - before) / by_hand, 1, 1e-6, steps .. " steps")
   end
@@ -90,13 +83,9 @@ end)
 -- one load in 20 failed.
 case("hardening with rate from rest completes, whatever the load", function()
   for i = 1, 40 do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-    local section = hinge.section.solid { width = 0.1, depth = 0.1 }
-    model:member { a, b, section = section, material = hinge.material { E = 206e9, density = 7850, yield_stress = 325e6,
-      hardening = { tangent = 2e10, kinematic = 0.5 }, rate = { D = 40.4, q = 5 } } }
-    model:fix(a)
-    model:load { node = b, force = { (0.3 + 0.05 * i) * section.area * 325e6, 0, 0 } }
+    local model = scenes.cantilever { length = 2, force = { (0.3 + 0.05 * i) * 0.1 ^ 2 * 325e6, 0, 0 }, member = {
+      section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 206e9, density = 7850,
+        yield_stress = 325e6, hardening = { tangent = 2e10, kinematic = 0.5 }, rate = { D = 40.4, q = 5 } } } }
     local run = model:dynamic { dt = 1e-3, duration = 0.02, record = false }:finish()
     equal(run.verdict, "completed", ("%g N0: %s"):format(0.3 + 0.05 * i, run.reason or ""))
     expect(math.abs(run.energy_error) <= 0.0075, "%g N0: energy error %g", 0.3 + 0.05 * i, run.energy_error)
@@ -115,14 +104,11 @@ case("the plastic zone of a cantilever spreads as in the beam, with more and mor
   local wanted = M * L ^ 2 / (3 * EI) + 0.5 * (M - Mp) / (H * section.Ix) * zone * (L - zone / 3)
   local off = {}
   for i, elements in ipairs { 16, 64 } do
-    local model = hinge.model { displacement = "small" }
-    local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-    model:member { a, b, section = section, material = hinge.material { E = E, G = 1e15, yield_stress = fy,
-      hardening = { modulus = H } }, up = { 0, 0, 1 }, elements = elements }
-    model:fix(a, "all")
-    model:load { node = b, force = { 0, 0, M / L } }
+    local model, tip = scenes.cantilever { model = { displacement = "small" }, length = L, force = { 0, 0, M / L },
+      member = { section = section, up = { 0, 0, 1 }, elements = elements,
+        material = hinge.material { E = E, G = 1e15, yield_stress = fy, hardening = { modulus = H } } } }
     local run = model:static { steps = 4 }:finish()
-    local _, _, uz = b:displacement(run)
+    local _, _, uz = tip:displacement(run)
     off[i] = math.abs(uz / wanted - 1)
   end
   expect(off[1] < 3e-2, "16 elements: %g", off[1])

@@ -218,12 +218,11 @@ end)
 
 -- A clamped bar, whose loads between its nodes are several times what its sections can carry at fixed ends.
 local function struck_bar(elements, load)
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
-  model:fix { a, b }
-  load.member = model:member { a, b, elements = elements, section = hinge.section.round { diameter = 0.03 },
-    material = hinge.material { E = 206e9, density = rho, yield_stress = 355e6 } }
-  model:load(load)
+  local model, far, bar = scenes.cantilever { length = 4, member = { elements = elements,
+    section = hinge.section.round { diameter = 0.03 },
+    material = hinge.material { E = 206e9, density = rho, yield_stress = 355e6 } } }
+  model:fix(far)
+  model:load(scenes.with(load, { member = bar }))
   return model
 end
 local function fails_by_loads(run)

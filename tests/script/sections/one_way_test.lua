@@ -158,11 +158,9 @@ end)
 
 case("slack is no strain for fracture, and no hinge", function()
   for limit, breaks in pairs { [0.01] = false, [1e-4] = true } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:member { a, b, section = wire(1e-4), material = yielding(400e6), carries = "tension",
-      group = "cable" }
-    model:fix({ a, b }, "all")
+    local model, b = scenes.cantilever { member = { section = wire(1e-4), material = yielding(400e6),
+      carries = "tension", group = "cable" } }
+    model:fix(b)
     model:fracture { axial_strain = limit, curvature_x = 1e9, curvature_y = 1e9 }
     -- 10 % shorter, and 1 mm longer: a strain of 0.001
     model:move { node = b, x = { { 0, 0 }, { 0.1, -0.1 }, { 0.2, 0.001 }, { 0.3, -0.1 } } }
@@ -229,12 +227,9 @@ end)
 -- In dynamics as in statics, as long as the rod is still: what falls carries a part of its load by its inertia.
 case("a rod that hangs at rest in dynamics warns as in statics, one that falls does not", function()
   for _, of in ipairs { { still = true }, { still = true, integrator = "explicit" }, { still = false } } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 3 }, model:node { 0, 0, 0 }
-    model:fix(a, "all")
-    model:fix(b, of.still and "all" or "x,y,rx,ry,rz")
-    local rod = model:member { a, b, section = hinge.section.round { diameter = 0.02 }, material = steel,
-      carries = of.still and "tension" or "compression" }
+    local model, foot, rod = scenes.cantilever { along = { 0, 0, -1 }, length = 3, member = { material = steel,
+      section = hinge.section.round { diameter = 0.02 }, carries = of.still and "tension" or "compression" } }
+    model:fix(foot, of.still and "all" or "x,y,rx,ry,rz")
     model:gravity { 0, 0, -9.80665 }
     local from = of.still and model:static { steps = 2 }:finish() or nil
     local run = model:dynamic { from = from, integrator = of.integrator, dt = of.integrator and "auto" or 1e-4,
