@@ -1,5 +1,5 @@
 -- Joints, panel zones and connectors in all that a run leaves: events.csv, hinges.csv, summary.json, utilisation,
--- frames, checkpoints, robustness. run:hinges itself is in joint_ratings_test.lua.
+-- frames, checkpoints. run:hinges itself, and robustness, are in joint_ratings_test.lua.
 --
 -- Run: lua5.4 tests/script/joints/joint_outputs_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -368,47 +368,6 @@ hinge.picture(run, { show = "group", view = "front", width = 400, height = 300 }
   equal(joints, (picture("", curve)), "the same picture twice")
   equal(kept, true, "a frame says that there are joints that can yield")
   equal(select(2, picture("", "stiffness = 1e5")), false, "an elastic joint cannot")
-end)
-
--- hinge.robustness ----------------------------------------------------------------------------------------------------
-
-case("a frame that a connector holds is not said to hold where the connector breaks", function()
-  local g = 9.80665
-  local function build(capacity)
-    return function(options)
-      local model, heads = hinge.model {}, {}
-      for i = 1, 3 do
-        local foot = model:node { 6 * (i - 1), 0, 0 }
-        heads[i] = model:node { 6 * (i - 1), 0, 3.5 }
-        model:fix(foot)
-        model:fix(heads[i], "y,rx,rz")
-        model:member { foot, heads[i], section = hinge.section.named "HEB 240", material = steel, group = "columns",
-          up = { 1, 0, 0 } }
-        if i > 1 then
-          model:member { heads[i - 1], heads[i], section = girder, group = "beams",
-            material = steel:with { density = 10e3 * options.scale(6 * i - 9, 0, 3.5) / g / girder.area } }
-        end
-      end
-      -- a hanger above the column that goes
-      model:connector { heads[2], ground = true, stiffness = { z = 2e7 }, capacity = { z = capacity } }
-      model:gravity { 0, 0, -g }
-      return model
-    end
-  end
-  local function rows(capacity)
-    return hinge.robustness { build = build(capacity), remove = { 2 }, limit = 0.05, m = 2, damping = 0.02,
-      quiet = true, allow_failed = true, omega_n = 1.2 }.rows
-  end
-  for _, row in ipairs(rows(1e9)) do
-    equal(row.verdict, "holds", row.procedure .. " with a strong hanger: " .. row.reason)
-  end
-  -- half of two beams' weight is 60 kN
-  local weak = rows(40e3)
-  equal(weak[1].verdict, "loses joints", weak[1].procedure .. ": " .. weak[1].reason)
-  expect(weak[1].reason:find("connector 1 between the ground and node 4", 1, true), "reason: %s", weak[1].reason)
-  equal(weak[2].verdict, "exceeds the capacity", weak[2].procedure .. ": " .. weak[2].reason)
-  expect(weak[2].reason:find("force along z at which it breaks", 1, true), "reason: %s", weak[2].reason)
-  equal(weak[3].verdict, "exceeds the capacity", weak[3].procedure .. ": " .. weak[3].reason)
 end)
 
 return checks.done()

@@ -295,6 +295,7 @@ local function loss(how, options)
     quiet = true, procedures = { "nonlinear dynamic" }, dt = 1e-3, allow_failed = true }, options)).rows
 end
 
+local all_three = { "nonlinear dynamic", "nonlinear static", "linear static" }
 local semi_rigid = hinge.joint { Mx = { stiffness = 60e6, strength = 150e3 } }
 
 case("a frame does not hold where a joint turns beyond the limit, whatever the joint is", function()
@@ -351,8 +352,7 @@ case("joints that break are no frame that holds, and each row has the warnings o
     model:member { high, heads[2], section = girder, material = steel, up = { 0, 0, 1 },
       ends = { a = hinge.joint { Mx = { stiffness = 50e6, capacity = 5e-4 } } } }
   end
-  local rows = loss({ q = 12e3, extra = extra }, { limit = 1, procedures = { "nonlinear dynamic",
-    "nonlinear static", "linear static" } })
+  local rows = loss({ q = 12e3, extra = extra }, { limit = 1, procedures = all_three })
   equal(rows[1].verdict, "loses joints", rows[1].reason)
   equal(rows[1].joints_broken, 1, "joints that broke")
   expect(support.has(rows[1].reason, "1 joint breaks, the joint at end a of member 7"), "says %s", rows[1].reason)
@@ -361,6 +361,25 @@ case("joints that break are no frame that holds, and each row has the warnings o
   local function says(row) return support.has(table.concat(row.warnings, "\n"), "statics breaks no joint") end
   expect(not says(rows[1]), "a run of statics warns in the row of dynamics: %s", table.concat(rows[1].warnings, "; "))
   expect(says(rows[2]), "the push warns in its own row: %s", table.concat(rows[2].warnings, "; "))
+end)
+
+case("a frame that a connector holds is not said to hold where the connector breaks", function()
+  local function rows(capacity)
+    local function hanger(model, heads) -- above the column that goes
+      model:connector { heads[2], ground = true, stiffness = { z = 2e7 }, capacity = { z = capacity } }
+    end
+    return loss({ q = 10e3, extra = hanger }, { limit = 0.05, damping = 0.02, omega_n = 1.2, procedures = all_three })
+  end
+  for _, row in ipairs(rows(1e9)) do
+    equal(row.verdict, "holds", row.procedure .. " with a strong hanger: " .. row.reason)
+  end
+  local weak = rows(40e3) -- half of two beams' weight is 60 kN
+  for i, wanted in ipairs { { "loses joints", "connector 1 between the ground and node 4" },
+    { "exceeds the capacity", "force along z at which it breaks" }, { "exceeds the capacity", "" } } do
+    local row = weak[i]
+    equal(row.verdict, wanted[1], row.procedure .. ": " .. row.reason)
+    expect(row.reason:find(wanted[2], 1, true), "reason: %s", row.reason)
+  end
 end)
 
 case("linear statics compares a joint's moment with its strength, and an elastic joint by its rotation", function()
