@@ -21,17 +21,18 @@ local function model_of(o)
 end
 
 -- A column along z that bends in the y-z plane (about x), in one member or, with `halves`, in two, whose middle is
--- pushed. `foot`, `head`: what is held.
+-- pushed. `foot`, `head`: what is held; length, section and material, if they are not those above.
 local function column(o)
   local model = model_of(o)
-  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, L }
+  local a, b, member = model:node { 0, 0, 0 }, model:node { 0, 0, o.length or L }, nil
   local middle = o.halves and model:node { 0, 0, L / 2 }
   model:fix(a, o.foot)
   model:fix(b, o.head)
   for _, ends in ipairs(middle and { { a, middle }, { middle, b } } or { { a, b } }) do
-    model:member { ends[1], ends[2], section = section, material = material, up = { 0, 1, 0 } }
+    member = model:member { ends[1], ends[2], section = o.section or section, material = o.material or material,
+      up = { 0, 1, 0 } }
   end
-  return { model = model, bottom = a, loaded = { b }, pushed = middle or b, push = o.push }
+  return { model = model, bottom = a, top = b, loaded = { b }, pushed = middle or b, push = o.push, member = member }
 end
 
 -- A portal in the y-z plane, beam as long as the columns are high, without axial force in the beam.
@@ -103,13 +104,9 @@ for _, row in ipairs {
 end
 -- What two elements do not show between clamped ends is told: beyond Euler's load, and moments of loads along it.
 local function held(o)
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, L }
-  model:fix(a, o.foot or "all")
-  model:fix(b, o.head or "xy,rx,ry,rz")
-  local member = model:member { a, b, section = section, material = material, up = { 0, 1, 0 },
-    elements = o.elements }
-  model:load { node = b, force = { 0, 0, -o.part * 4 * P_E } }
+  local made = column(scenes.with({ foot = "all", head = "xy,rx,ry,rz" }, o))
+  local model, member = made.model, made.member
+  model:load { node = made.top, force = { 0, 0, -o.part * 4 * P_E } }
   if o.q ~= 0 then model:load { member = member, q = { 0, o.q or 1e2, 0 } } end
   return model, member
 end
@@ -150,7 +147,7 @@ case("statics says where two elements between stiff ends are stiffer than the me
 end)
 
 case("fixed-end moments of member loads follow the axial force", function()
-  -- Fixed-end moments follow N: an even load, a load in the middle, a weight, in statics; u = L / 2 sqrt(N / EI).
+  -- an even load, a load in the middle, a weight; u = L / 2 sqrt(N / EI)
   local function cosh(x) return (math.exp(x) + math.exp(-x)) / 2 end
   local function sinh(x) return (math.exp(x) - math.exp(-x)) / 2 end
   local function of_even(u) return 3 * (math.tan(u) - u) / (u ^ 2 * math.tan(u)) end
@@ -201,7 +198,6 @@ case("fixed-end moments of member loads follow the axial force", function()
 end)
 
 case("loads off the middle and loads that grow along a member agree with 32 elements", function()
-  -- A load that is not in the middle, and one that grows along the member, about both axes, against 32 elements.
   for _, load in ipairs { { at = 0.3, force = { 0.5, 1, 0 } }, { q = { a = { 0.1, 0, 0 }, b = { 0, 0.3, 0 } } } } do
     local forces = {}
     for _, elements in ipairs { 2, 4, 32 } do
@@ -222,7 +218,6 @@ case("loads off the middle and loads that grow along a member agree with 32 elem
 end)
 
 case("beyond the range of two elements the error is as large as the warning says", function()
-  -- Beyond that: as much too small as it says.
   for _, part in ipairs { 0.75, 0.85 } do
     local moment, told = {}, {}
     for _, elements in ipairs { 2, 16 } do
@@ -337,20 +332,16 @@ case("the end rotation of a strut beyond Euler's load is that of the elastica", 
   for _, o in ipairs { { 100, 4 }, { 300, 4 }, { 60, 2 }, { 300, 2 } } do
     local slender, number = o[1], o[2]
     local r = L / slender
-    local made = model_of { elements = number }
-    local a, b = made:node { 0, 0, 0 }, made:node { 0, 0, L }
-    made:fix(a, "xyz,rz")
-    made:fix(b, "xy")
     local bar = hinge.section.general { area = A, Ix = A * r ^ 2, Iy = 3 * A * r ^ 2, J = A * r ^ 2, shear_area_x = A,
       shear_area_y = A }
-    made:member { a, b, section = bar, up = { 0, 1, 0 },
+    local made = column { elements = number, foot = "xyz,rz", head = "xy", section = bar,
       material = hinge.material { E = E, G = 50 * E, density = 7800 } }
-    local P = pi ^ 2 * E * A * r ^ 2 / L ^ 2
-    made:load { node = b, force = { 0, 0, -0.9 * P } }
-    made:load { node = a, moment = { 1e-2 * P * r, 0, 0 } }
-    local first = made:static { steps = 9, record = false }:finish()
+    local model, foot, P = made.model, made.bottom, pi ^ 2 * E * A * r ^ 2 / L ^ 2
+    model:load { node = made.top, force = { 0, 0, -0.9 * P } }
+    model:load { node = foot, moment = { 1e-2 * P * r, 0, 0 } }
+    local first = model:static { steps = 9, record = false }:finish()
     for _, degrees in ipairs { 20, 40, 60 } do
-      local run = made:static { from = first, control = { node = a, "rx", to = math.rad(degrees) }, steps = 60,
+      local run = model:static { from = first, control = { node = foot, "rx", to = math.rad(degrees) }, steps = 60,
         record = false }:finish()
       local found = 0.9 * run.factor / elastica(math.rad(degrees))
       local name = ("elastica, %d elements, L/r %g, %g degrees"):format(number, slender, degrees)
@@ -362,17 +353,15 @@ end)
 
 -- An inelastic column: the largest load and what is left of it, four elements against 64.
 local function inelastic(o)
-  local model = hinge.model { p_delta = o.p_delta, elements_per_member = o.elements }
-  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 4 }
-  model:fix(a, "xyz,rz")
-  model:fix(b, "xy")
-  model:member { a, b, section = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.008 },
-    material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }, up = { 0, 1, 0 } }
-  model:load { node = b, force = { 0, 0, -1e6 } }
-  for node, sign in pairs { [a] = 1, [b] = -1 } do
+  local made = column(scenes.with({ foot = "xyz,rz", head = "xy", length = 4,
+    section = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.008 },
+    material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 } }, o))
+  local model, top = made.model, made.top
+  model:load { node = top, force = { 0, 0, -1e6 } }
+  for node, sign in pairs { [made.bottom] = 1, [top] = -1 } do
     model:load { node = node, moment = { sign * 1e6 * 4 / 500, 0, 0 } }
   end
-  local most, run = 0, model:static { control = { node = b, "uz", to = -0.03 }, steps = 120, record = false }
+  local most, run = 0, model:static { control = { node = top, "uz", to = -0.03 }, steps = 120, record = false }
   for _ in run:steps() do most = support.largest_of(most, run.factor) end
   equal(run.verdict, "completed", "inelastic column: " .. tostring(run.reason))
   return most, run.factor
@@ -441,7 +430,7 @@ end)
 case("a member that breaks under large axial force releases no more energy than it stored", function()
   for _, down in ipairs { -0.01, 0.01 } do
     local o = column { foot = "xyz,rz", head = "xyz,rz" }
-    local a, b = o.bottom, o.loaded[1]
+    local a, b = o.bottom, o.top
     o.model:move { node = b, z = function(t) return -down * math.min(1, t / 0.02) end }
     for node, sign in pairs { [a] = 1, [b] = -1 } do o.model:load { node = node, moment = { sign * 2e4, 0, 0 } } end
     o.model:fracture(function(s) return s.time > 0.03 and s.element == 2 end)
@@ -477,7 +466,6 @@ case("ends that turn fast against their elements keep the energy", function()
   end
 end)
 
--- A frame that only tumbles strains nothing.
 case("a frame that only tumbles has no strain", function()
   local model = model_of {}
   local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }
