@@ -2,16 +2,10 @@
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 
-local joint = {
+return check.strict({
   end_plate = require "hinge.standards.en_1993_1_8.end_plate",
   fin_plate = require "hinge.standards.en_1993_1_8.fin_plate",
   web_cleats = require "hinge.standards.en_1993_1_8.web_cleats",
   base_plate = require "hinge.standards.en_1993_1_8.base_plate",
   panel_zone = require "hinge.joints.panel_zone",
-}
-
-return setmetatable(joint, {
-  __call = function(_, ...) return core.joint(...) end,
-  __index = function(t, key) check.unknown("hinge.joint", "field", key, check.keys(t)) end,
-  __name = "hinge.joint",
-})
+}, "hinge.joint", core.joint)

@@ -53,9 +53,11 @@ function check.unknown(where, what, word, names)
     #names > 0 and "there are " .. table.concat(names, ", ") or "there is none")
 end
 
---- Makes reading a field that is not there an error, for tables whose fields are all known.
-function check.strict(map, where)
-  return setmetatable(map, { __index = function(t, key) check.unknown(where, "field", key, check.keys(t)) end })
+--- Makes reading a field that is not there an error, for tables whose fields are all known. With `call` the table is a
+--- function, too.
+function check.strict(map, where, call)
+  return setmetatable(map, { __index = function(t, key) check.unknown(where, "field", key, check.keys(t)) end,
+    __call = call and function(_, ...) return call(...) end, __name = call and where })
 end
 
 --- As check.strict, with fields that are made when they are first read: later.name() gives the value of the field

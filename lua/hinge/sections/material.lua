@@ -15,8 +15,4 @@ function material.names(kind, ...)
   return require "hinge.sections.grades".names(kind)
 end
 
-return setmetatable(material, {
-  __call = function(_, ...) return core.material(...) end,
-  __index = function(t, key) check.unknown("hinge.material", "field", key, check.keys(t)) end,
-  __name = "hinge.material",
-})
+return check.strict(material, "hinge.material", core.material)
