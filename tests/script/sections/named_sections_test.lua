@@ -17,10 +17,10 @@ local case, expect, equal = checks.case, checks.expect, checks.equal
 -- thickness, which is entered as the thickness; some I about v-v are differences of rounded values. UPN: Zx of UPN 350
 -- is out of line with those beside it.
 local limits = {
-  IPE = { area = 0.1, Ix = 0.1, Iy = 0.1, Zx = 0.1, Zy = 0.1, J = 4 },
-  HEA = { area = 0.2, Ix = 0.1, Iy = 0.1, Zx = 0.1, Zy = 0.1, J = 4 },
-  HEB = { area = 0.2, Ix = 0.1, Iy = 0.1, Zx = 0.1, Zy = 0.1, J = 4 },
-  HEM = { area = 0.1, Ix = 0.1, Iy = 0.1, Zx = 0.1, Zy = 0.1, J = 4 },
+  IPE = { area = 0.05, Ix = 0.05, Iy = 0.05, Zx = 0.05, Zy = 0.05, J = 4 },
+  HEA = { area = 0.2, Ix = 0.05, Iy = 0.05, Zx = 0.05, Zy = 0.05, J = 4 },
+  HEB = { area = 0.2, Ix = 0.05, Iy = 0.05, Zx = 0.05, Zy = 0.05, J = 4 },
+  HEM = { area = 0.1, Ix = 0.05, Iy = 0.05, Zx = 0.05, Zy = 0.05, J = 4 },
   UPN = { area = 0.4, Ix = 0.5, Iy = 0.7, Zx = 2.1, Zy = 1.6, J = 2.5 },
   UB = { area = 0.5, Ix = 0.5, Iy = 0.5, Zx = 0.5, Zy = 0.5, J = 0.5 },
   UC = { area = 0.5, Ix = 0.5, Iy = 0.5, Zx = 0.5, Zy = 0.5, J = 0.5 },
@@ -69,29 +69,38 @@ for _, family in ipairs(hinge.section.names()) do
   end
 end
 
+-- Of all parts of an outline, about the origin, which is the centroid.
+local outline = require "sections.polygons"
+local function of_outline(parts)
+  local sum = { area = 0, Ix = 0, Iy = 0, Zx = 0, Zy = 0 }
+  for _, part in ipairs(parts) do
+    local corners, d, own = part.corners, part.diameter
+    if corners then
+      local m = outline.moments(corners)
+      own = { area = m.A, Ix = m.yy, Iy = m.xx, Zx = outline.plastic_modulus(corners, 2),
+        Zy = outline.plastic_modulus(corners, 1) }
+    else
+      local I, Z = math.pi / 64 * d ^ 4, d ^ 3 / 6
+      own = { area = math.pi / 4 * d ^ 2, Ix = I, Iy = I, Zx = Z, Zy = Z }
+    end
+    for name, value in pairs(own) do sum[name] = sum[name] + (part.hole and -1 or 1) * value end
+  end
+  return sum
+end
+
 case("the engine takes every section, and each outline has its area and moduli", function()
-  local outline = require "sections.polygons"
+  -- the three pieces of an arc do not keep its second moment about its own centroid
+  local arcs = { HSS = 1.7e-4, RHS = 1e-4, CFRHS = 1e-4 }
   for _, family in ipairs(hinge.section.names()) do
     for _, name in ipairs(family:find "^BC" and { family .. " 400x16" } or hinge.section.names(family)) do
       local made = named.properties(name)
       local section = hinge.section.named(name, { interaction = "exact" })
       equal(section.area, made.area, name .. ": area")
       equal(section.interaction, "exact", name .. ": interaction")
-      local area, Zx, Zy = 0, 0, 0
-      for _, part in ipairs(made.outline) do
-        local sign = part.hole and -1 or 1
-        if part.corners then
-          area = area + sign * outline.moments(part.corners).A
-          Zx = Zx + sign * outline.plastic_modulus(part.corners, 2)
-          Zy = Zy + sign * outline.plastic_modulus(part.corners, 1)
-        else
-          local d = part.diameter
-          area, Zx, Zy = area + sign * math.pi / 4 * d ^ 2, Zx + sign * d ^ 3 / 6, Zy + sign * d ^ 3 / 6
-        end
-      end
-      local plastic = made.plastic
-      for what, pair in pairs { area = { area, made.area }, Zx = { Zx, plastic.Zx }, Zy = { Zy, plastic.Zy } } do
-        expect(math.abs(pair[1] / pair[2] - 1) < 1e-8, "%s: %s of the outline %.9g, %.9g", name, what, pair[1], pair[2])
+      for field, found in pairs(of_outline(made.outline)) do
+        local within = field == "area" and 1e-12 or field:find "^Z" and 1e-9 or arcs[family] or 5e-5
+        expect(math.abs(found / of(made, field) - 1) <= within, "%s: %s of the outline %.9g, %.9g", name, field, found,
+          of(made, field))
       end
     end
   end

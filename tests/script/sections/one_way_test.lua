@@ -246,8 +246,6 @@ case("a rod that hangs at rest in dynamics warns as in statics, one that falls d
   end
 end)
 
--- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, too short or too
--- long in places: some of its members are slack at first.
 -- Frames with crossed rods in all panels, pushed sideways. Rods that sag under their weight are slack in one iteration
 -- and taut in the next.
 case("crossed rods with their own weight: statics finds the sway of rods without weight", function()
@@ -332,6 +330,8 @@ case("a bay with slack rods has the limit load of one that a small wind has lean
   near(found[1], found[2], 1e-3 * found[2], "limit load") -- the bracket of an instability
 end)
 
+-- y = a cosh(x / a): 1 %, for its bending and its stretching take 0.2 %. It is laid out as a parabola, too short or too
+-- long in places: some of its members are slack at first.
 case("a cable under its own weight hangs as a catenary", function()
   local span, pieces = 8, 20
   local heavy, rope = hinge.material { E = E, density = 9e5 }, hinge.section.round { diameter = 0.012 }

@@ -1,5 +1,5 @@
--- Sections with root fillets and rounded corners, channels and angles: against strips added up, closed forms found
--- another way, and published tables; their outlines against their closed forms; what of a radius is refused.
+-- Sections with root fillets and rounded corners, channels and angles: against strips added up and closed forms found
+-- another way; what of a radius is refused. named_sections_test.lua compares outlines and published tables.
 --
 -- Run: LUA_CPATH="build/?.so" lua5.4 tests/script/sections/rounded_sections_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -74,35 +74,6 @@ case("a box with rounded corners has the properties of its strips", function()
   end
 end)
 
--- Of all parts of an outline.
-local function of_outline(shape)
-  local sum = { A = 0, xx = 0, yy = 0, Zx = 0, Zy = 0 }
-  for _, part in ipairs(shape.outline) do
-    local sign, m = part.hole and -1 or 1, outline.moments(part.corners)
-    for k, v in pairs { A = m.A, xx = m.xx, yy = m.yy, Zx = outline.plastic_modulus(part.corners, 2),
-      Zy = outline.plastic_modulus(part.corners, 1) } do
-      sum[k] = sum[k] + sign * v
-    end
-  end
-  return sum
-end
-case("outlines have the area, the moduli and the second moments of the closed forms", function()
-  for name, of in pairs {
-    ["HEB 300"] = shapes.h { width = 0.3, depth = 0.3, web = 0.011, flange = 0.019, r = 0.027 },
-    ["IPE 300"] = shapes.h { width = 0.15, depth = 0.3, web = 0.0071, flange = 0.0107, r = 0.015 },
-    ["CFRHS 200x100x10"] = shapes.box { width = 0.1, depth = 0.2, thickness = 0.01, r = 0.025 },
-    ["SHS 100x100x5"] = shapes.box { width = 0.1, depth = 0.1, thickness = 0.005, r = 0.0075, r_inner = 0.005 },
-  } do
-    local sum = of_outline(of)
-    close(sum.A, of.area, 1e-12, name .. ": area")
-    close(sum.Zx, of.plastic.Zx, 1e-9, name .. ": Zx")
-    close(sum.Zy, of.plastic.Zy, 1e-9, name .. ": Zy")
-    -- the three pieces of an arc do not keep its second moment about its own centroid
-    close(sum.yy, of.Ix, 5e-5, name .. ": Ix")
-    close(sum.xx, of.Iy, 5e-5, name .. ": Iy")
-  end
-end)
-
 -- The moment beside N, from strips: the part of the area next to the axis carries N.
 local function reduced(half, breadth, n)
   local A, _, Z = strips(half, breadth)
@@ -140,26 +111,6 @@ case("the moment beside an axial force has the fillets", function()
     outline = { { diameter = 0.2 }, { diameter = 0.18, hole = true } } }
   close(pipe:reduced_moments(0.4), hinge.section.pipe { diameter = 0.2, thickness = 0.01 }:reduced_moments(0.4), 1e-9,
     "circles of an outline")
-end)
-
--- Published values: cm^2, cm^4, cm^3. Sources: lua/hinge/sections/profiles.
-case("rolled sections have the published properties", function()
-  for name, row in pairs {
-    -- d, b, web, flange, r: mm; A, Ix, Iy, Zx, Zy, J
-    ["IPE 300"] = { 300, 150, 7.1, 10.7, 15, 53.81, 8356, 603.8, 628.4, 125.2, 20.12 },
-    ["HEB 300"] = { 300, 300, 11, 19, 27, 149.1, 25170, 8563, 1869, 870.1, 185 },
-    ["HEM 300"] = { 340, 310, 21, 39, 27, 303.1, 59200, 19400, 4078, 1913, 1408 },
-  } do
-    local of = shapes.h { depth = row[1] / 1e3, width = row[2] / 1e3, web = row[3] / 1e3, flange = row[4] / 1e3,
-      r = row[5] / 1e3 }
-    close(of.area * 1e4, row[6], 5e-4, name .. ": area")
-    close(of.Ix * 1e8, row[7], 5e-4, name .. ": Ix")
-    close(of.Iy * 1e8, row[8], 5e-4, name .. ": Iy")
-    close(of.plastic.Zx * 1e6, row[9], 5e-4, name .. ": Zx")
-    close(of.plastic.Zy * 1e6, row[10], 5e-4, name .. ": Zy")
-    -- tables have J by one of two formulas, which differ by up to 4 %
-    close(of.J * 1e8, row[11], 0.04, name .. ": J")
-  end
 end)
 
 case("a channel has the properties of its three plates", function()

@@ -179,16 +179,20 @@ local function limit_of(part)
   return section.Zx * f_y * (1 - N ^ 2) * P / EI / (1 / math.cos(u) - 1)
 end
 
+-- The factor of the loads across at the limit, beside the whole of the axial force.
+local function limit(model, steps)
+  local first = model:static { loads = { axial = 1 }, steps = 2 }:finish()
+  local run = model:static { from = first, loads = { axial = 1, lateral = 1 }, steps = steps, to_limit = true }
+  return run:finish().factor
+end
+
 case("a pinned member under an even load fails at the load of the beam-column", function()
   for _, part in ipairs { 0.1, 0.3, 0.6, 0.8 } do
     for _, elements in ipairs { 2, 4 } do
       local want = limit_of(part)
       local model = pressed { part = part, loads = { { q = 1.5 * want } }, material = yielding, elements = elements }
-      local first = model:static { loads = { axial = 1 }, steps = 2 }:finish()
-      local run = model:static { from = first, loads = { axial = 1, lateral = 1 }, steps = 15,
-        to_limit = true }:finish()
       -- the closed form has no shear and a bow that stays small
-      near(1.5 * run.factor, 1, 0.015, ("%g P_E, %d elements: over the closed form"):format(part, elements))
+      near(1.5 * limit(model, 15), 1, 0.015, ("%g P_E, %d elements: over the closed form"):format(part, elements))
     end
   end
 end)
@@ -205,9 +209,7 @@ case("hinges off the middle: the largest moment of the span makes them", functio
           scaled[i] = { at = l.at, couple = l.couple and M * l.couple, force = l.force and M * l.force }
         end
         local model = pressed { part = part, loads = scaled, material = yielding, elements = elements }
-        local first = model:static { loads = { axial = 1 }, steps = 2 }:finish()
-        found[elements] = model:static { from = first, loads = { axial = 1, lateral = 1 }, steps = 30,
-          to_limit = true }:finish().factor
+        found[elements] = limit(model, 30)
       end
       for _, elements in ipairs { 2, 4 } do
         near(found[elements], found[16], 0.02 * found[16],
