@@ -109,6 +109,9 @@ local function keys(...)
   return list
 end
 
+local kinds = { steel = keys(steels["EN 10025"], steels["EN 1993-1-1"], steels.ASTM, steels.JIS),
+  aluminium = keys(aluminium), timber = keys(timber), concrete = keys(concrete), bars = keys(bars) }
+
 local density = { "number", unit = "kg/m^3", at_least = 0, optional = true }
 local thickness = { "number", unit = "m", above = 0, at_most = 1, optional = true }
 local law = { "table", optional = true } -- of hinge.material, which checks what is in it
@@ -130,9 +133,7 @@ function grades.steel(name, options)
   local o = check.options(where, options, { thickness = thickness, density = density,
     hardening = law, rate = law, hot_curve = law, standard = { "string", one_of = standards, optional = true },
     expected = { "boolean", default = false } })
-  local lists = {}
-  for i, standard in ipairs(standards) do lists[i] = steels[standard] end
-  name = find(where, name, o.standard and keys(steels[o.standard]) or keys(table.unpack(lists)))
+  name = find(where, name, o.standard and keys(steels[o.standard]) or kinds.steel)
   local standard = o.standard
   for _, s in ipairs(standards) do standard = standard or steels[s][name] and s end
   local rows = steels[standard]
@@ -142,14 +143,13 @@ function grades.steel(name, options)
       table.concat(keys(steels.ASTM), ", "), name)
   end
   return { E = rows.E, nu = 0.3, density = o.density or 7850, hardening = o.hardening, rate = o.rate,
-    hot_curve = o.hot_curve,
-    yield_stress = 1e6 * fy * (o.expected and rows[name].Ry or 1) }
+    hot_curve = o.hot_curve, yield_stress = 1e6 * fy * (o.expected and rows[name].Ry or 1) }
 end
 
 function grades.aluminium(name, options)
   local where = "hinge.material.aluminium"
   local o = check.options(where, options, { thickness = thickness, density = density })
-  name = find(where, name, keys(aluminium))
+  name = find(where, name, kinds.aluminium)
   local limits, values = {}, {}
   for i, band in ipairs(aluminium[name]) do limits[i], values[i] = band[1], band[2] end
   return { E = 70e9, nu = 0.3, density = o.density or 2700,
@@ -159,21 +159,21 @@ end
 function grades.timber(name, options)
   local where = "hinge.material.timber"
   local o = check.options(where, options, { density = density })
-  local row = timber[find(where, name, keys(timber))]
+  local row = timber[find(where, name, kinds.timber)]
   return { E = 1e6 * row[2], G = 1e6 * row[3], density = o.density or row[4], yield_stress = 1e6 * row[1] }
 end
 
 function grades.concrete(name, options)
   local where = "hinge.material.concrete"
   local o = check.options(where, options, { density = density })
-  local f_ck = concrete[find(where, name, keys(concrete))]
+  local f_ck = concrete[find(where, name, kinds.concrete)]
   return { E = 22e9 * ((f_ck + 8) / 10) ^ 0.3, nu = 0.2, density = o.density or 2500 }
 end
 
 function grades.bars(name, options)
   local where = "hinge.material.bars"
   local o = check.options(where, options, { density = density })
-  local row = bars[find(where, name, keys(bars))]
+  local row = bars[find(where, name, kinds.bars)]
   return { E = 1e6 * row[2], nu = 0.3, density = o.density or 7850, yield_stress = 1e6 * row[1] }
 end
 
@@ -181,9 +181,6 @@ end
 function grades.strength(kind, name)
   return 1e6 * (kind == "concrete" and concrete[name] or bars[name][1])
 end
-
-local kinds = { steel = keys(table.unpack { steels["EN 10025"], steels["EN 1993-1-1"], steels.ASTM, steels.JIS }),
-  aluminium = keys(aluminium), timber = keys(timber), concrete = keys(concrete), bars = keys(bars) }
 
 --- The names of all grades of a kind.
 function grades.names(kind)

@@ -13,8 +13,6 @@ local named = {}
 local files = { "european", "british", "angles", "american", "hollow", "japanese", "american_more", "hd", "chinese" }
 local units = { mm = 1e-3, ["in"] = 0.0254 }
 
--- What hinge.shapes makes of a row's dimensions, m.
-local function rolled(d) return shapes.h(d) end
 -- ASTM A6: `flange` is the mean thickness of the part beside the web
 local function tapered_channel(d, slope)
   d.slope, d.flange_at = slope, (d.width + d.web) / 2
@@ -24,15 +22,15 @@ local function with_corners(d, outer, inner)
   d.r, d.r_inner = outer * d.thickness, inner * d.thickness
   return shapes.box(d)
 end
+-- What is made of a row's dimensions, m.
 local makers = {
-  h = rolled, tapered = function(d) return core.shape("tapered", d, "H with tapered flanges") end,
+  h = shapes.h, angle = shapes.angle, pipe = shapes.pipe,
+  tapered = function(d) return core.shape("tapered", d, "H with tapered flanges") end,
   tapered_channel = function(d) return tapered_channel(d, 1 / 6) end,
   flat_channel = function(d) return tapered_channel(d, 1 / 12) end,
-  angle = function(d) return shapes.angle(d) end,
-  pipe = function(d) return shapes.pipe(d) end,
   w = function(d)
     d.r, d.kdes = d.kdes - d.flange, nil
-    return rolled(d)
+    return shapes.h(d)
   end,
   -- DIN 1026-1: flanges of 8 % slope, measured at half the width; above 300 mm 5 %, at half of what is beside the web
   upn = function(d)
