@@ -3,10 +3,9 @@
 --
 --   local s = solver.new "plane"                  -- x and y; without the word, space
 --   s:node("a", 0, 0); s:node("b", 4, 0); s:fix("a", "x y rz")
---   s:beam { "beam", "a", "b", E = 200e9, A = 0.01, Iz = 1e-4, mass = 78 }
+--   s:beam { "beam", "a", "b", E = 200e9, A = 0.01, Iz = 1e-4 }
 --   s:load("b", { y = -1e3 })
 --   local r = s:solve()                           -- r.u.b.y, r.reaction.a.rz, r.force.beam[6]
---   local omega = s:modes(3)                      -- rad/s, from the lowest
 --
 -- Local axes of a beam: x from i to j, y = vecxz x x, z = x x y; in the plane vecxz is z of space.
 local algebra = dofile(debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "solver_algebra.lua")
@@ -29,7 +28,7 @@ end
 --- A frame without parts; kind: "plane" holds z, rx and ry of all nodes.
 function solver.new(kind)
   return setmetatable({ plane = kind == "plane", nodes = {}, count = 0, names = {}, elements = {}, rows = {}, held = {},
-    loads = {}, point_mass = {} }, Frame)
+    loads = {} }, Frame)
 end
 
 -- Parts ---------------------------------------------------------------------------------------------------------------
@@ -84,11 +83,6 @@ function Frame:load(node, load)
     local i = freedom(self, node, letter)
     self.loads[i] = (self.loads[i] or 0) + value
   end
-end
-
---- The mass of a node { x =, ..., rz = }, in place of what it had.
-function Frame:mass(node, mass)
-  for i, letter in ipairs(letters) do self.point_mass[self.nodes[node].first + i] = mass[letter] or 0 end
 end
 
 -- Beams ---------------------------------------------------------------------------------------------------------------
@@ -153,26 +147,9 @@ end
 
 local gauss = { { 0.5 - math.sqrt(0.15), 5 / 18 }, { 0.5, 8 / 18 }, { 0.5 + math.sqrt(0.15), 5 / 18 } }
 
--- Mass per length: half at each end, or with the shape functions ("consistent", four pieces of three points each).
-local function mass_of(p, L)
-  local m, rho = algebra.zeros(12), p.mass or 0
-  if rho == 0 then return m end
-  if not p.consistent then
-    for _, i in ipairs { 1, 2, 3, 7, 8, 9 } do m[i][i] = rho * L / 2 end
-    return m
-  end
-  for piece = 0, 3 do
-    for _, g in ipairs(gauss) do
-      local N = shapes_at(p, L, (piece + g[1]) / 4)
-      for i = 1, 3 do algebra.add_outer(m, N[i], N[i], rho * L / 4 * g[2]) end
-    end
-  end
-  return m
-end
-
--- Lets one local degree of freedom follow its equation: k and f0 without it, m by the same shape.
+-- Lets one local degree of freedom follow its equation: k and f0 without it.
 local function release(element, i)
-  local k, m, f0 = element.k, element.m, element.f0
+  local k, f0 = element.k, element.f0
   local row, pivot = algebra.copy(k[i]), k[i][i]
   if pivot == 0 then return end
   for a = 1, 12 do
@@ -180,10 +157,6 @@ local function release(element, i)
     for b = 1, 12 do k[a][b] = k[a][b] - row[a] * row[b] / pivot end
   end
   f0[i] = 0
-  local T = algebra.zeros(12)
-  for a = 1, 12 do T[a][a] = a == i and 0 or 1 end
-  for b = 1, 12 do T[i][b] = b == i and 0 or -row[b] / pivot end
-  element.m = algebra.congruent(T, m)
 end
 
 -- Local from global degrees of freedom: the turn of the axes, and the arms of rigid ends (in space).
@@ -204,9 +177,9 @@ local function to_local(axes, arm_i, arm_j)
   return T
 end
 
---- A beam { name, i, j, E =, A =, Iz =, Iy =, G =, J =, Avy =, Avz = (shear areas; without: Euler-Bernoulli), mass =
---- (per length), consistent =, vecxz =, release_i =, release_j = ("ry rz", local axes), arm_i =, arm_j = (from the node
---- to the end of the elastic part) }. A truss has E and A alone.
+--- A beam { name, i, j, E =, A =, Iz =, Iy =, G =, J =, Avy =, Avz = (shear areas; without: Euler-Bernoulli), vecxz =,
+--- release_i =, release_j = ("ry rz", local axes), arm_i =, arm_j = (from the node to the end of the elastic part) }. A
+--- truss has E and A alone.
 function Frame:beam(p)
   local a, b, arm_i, arm_j = self.nodes[p[2]], self.nodes[p[3]], p.arm_i or { 0, 0, 0 }, p.arm_j or { 0, 0, 0 }
   local d = {}
@@ -217,7 +190,7 @@ function Frame:beam(p)
   local element = { name = p[1], beam = p, L = L, axes = { x, y, cross(x, y) }, freedoms = {}, f0 = algebra.vector(12) }
   for i = 1, 6 do element.freedoms[i], element.freedoms[6 + i] = a.first + i, b.first + i end
   element.T = to_local(element.axes, arm_i, arm_j)
-  element.k, element.m = stiffness(p, L), mass_of(p, L)
+  element.k = stiffness(p, L)
   table.insert(self.elements, element)
   self.elements[p[1]] = element
 end
@@ -259,7 +232,7 @@ end
 --- A spring { name, i, j or nil (the ground), x =, ..., rz =, axes = (three directions; without them those of space),
 --- arm_i =, arm_j = (from the node to the spring) }.
 function Frame:spring(p)
-  local element = { name = p[1], freedoms = {}, k = algebra.zeros(12), m = algebra.zeros(12), f0 = algebra.vector(12) }
+  local element = { name = p[1], freedoms = {}, k = algebra.zeros(12), f0 = algebra.vector(12) }
   for i, letter in ipairs(letters) do
     element.freedoms[i] = self.nodes[p[2]].first + i
     element.freedoms[6 + i] = p[3] and self.nodes[p[3]].first + i or false
@@ -283,7 +256,6 @@ local function prepare(self)
         for letter in which:gmatch "%w+" do release(element, part + index[letter]) end
       end
       element.global = algebra.congruent(element.T, element.k)
-      element.m = algebra.congruent(element.T, element.m)
       element.load = algebra.transposed_times(element.T, element.f0)
     end
   end
@@ -324,18 +296,6 @@ function Frame:solve()
     end
   end
   return result
-end
-
---- The lowest natural frequencies, rad/s: degrees of freedom without mass follow the others.
-function Frame:modes(count)
-  local reduced = prepare(self)
-  local K, M = algebra.reduced_matrix(reduced), algebra.reduced_matrix(reduced)
-  for _, element in ipairs(self.elements) do
-    K:add(element.freedoms, element.global)
-    M:add(element.freedoms, element.m)
-  end
-  for i, mass in pairs(self.point_mass) do M:add({ i }, { { mass } }) end
-  return algebra.frequencies(K, M, count)
 end
 
 return solver

@@ -1,4 +1,4 @@
--- Dense algebra of the small solver beside this file: constraints by elimination, Cholesky, eigenvalues by Jacobi.
+-- Dense algebra of the small solver beside this file: constraints by elimination, Cholesky.
 local algebra = {}
 
 function algebra.vector(n)
@@ -135,7 +135,7 @@ end
 
 --- The lower factor of a positive matrix, by rows from their first number that is not zero. A row without any number,
 --- which nothing holds and nothing moves, gets 1.
-function algebra.cholesky(A)
+local function cholesky(A)
   local L = {}
   for i, row in ipairs(A) do
     local first = 1
@@ -187,7 +187,7 @@ function Matrix:solve(F)
     b[i] = b[i] - self.known[i]
     if self.rows[i][i] == 0 and b[i] ~= 0 then error("a load on what nothing holds", 0) end
   end
-  local L = algebra.cholesky(self.rows)
+  local L = cholesky(self.rows)
   local x = backward(L, forward(L, b))
   local u = {}
   for i = 1, self.reduced.n do
@@ -195,72 +195,6 @@ function Matrix:solve(F)
     for _, p in ipairs(of[i]) do u[i] = u[i] + p[2] * x[p[1]] end
   end
   return u
-end
-
--- Eigenvalues ---------------------------------------------------------------------------------------------------------
-
--- Turns rows and columns p and q so that A[p][q] vanishes.
-local function turn(A, p, q)
-  local theta = (A[q][q] - A[p][p]) / (2 * A[p][q])
-  local t = (theta >= 0 and 1 or -1) / (math.abs(theta) + math.sqrt(theta ^ 2 + 1))
-  local c = 1 / math.sqrt(t ^ 2 + 1)
-  local s = t * c
-  for k = 1, #A do A[k][p], A[k][q] = c * A[k][p] - s * A[k][q], s * A[k][p] + c * A[k][q] end
-  local rp, rq = A[p], A[q]
-  for k = 1, #A do rp[k], rq[k] = c * rp[k] - s * rq[k], s * rp[k] + c * rq[k] end
-end
-
---- The eigenvalues of a symmetric matrix by Jacobi's turns, from the largest.
-function algebra.eigenvalues(A)
-  local n, size = #A, 0
-  for i = 1, n do size = size + math.abs(A[i][i]) end
-  for _ = 1, 60 do
-    local off = 0
-    for p = 1, n do
-      for q = p + 1, n do
-        if math.abs(A[p][q]) > 1e-18 * size then
-          off = off + math.abs(A[p][q])
-          turn(A, p, q)
-        end
-      end
-    end
-    if off <= 1e-15 * size then break end
-  end
-  local values = {}
-  for i = 1, n do values[i] = A[i][i] end
-  table.sort(values, function(a, b) return a > b end)
-  return values
-end
-
---- The lowest frequencies of K - omega^2 M. Where M has no numbers the flexibility of the others alone counts, which is
---- static condensation. With the flexibility C = R R^t, 1 / omega^2 are the eigenvalues of R^t M R.
-function algebra.frequencies(K, M, count)
-  local L, massive = algebra.cholesky(K.rows), {}
-  for i, row in ipairs(M.rows) do
-    for _, value in ipairs(row) do
-      if value ~= 0 then
-        massive[#massive + 1] = i
-        break
-      end
-    end
-  end
-  local C, m = {}, {}
-  for a, i in ipairs(massive) do
-    local b = algebra.vector(#K.rows)
-    b[i] = 1
-    local x = backward(L, forward(L, b))
-    C[a], m[a] = {}, {}
-    for c, j in ipairs(massive) do C[a][c], m[a][c] = x[j], M.rows[i][j] end
-  end
-  local R, T = algebra.cholesky(C), algebra.zeros(#C)
-  for i, row in ipairs(R) do
-    for j = 1, i do T[i][j] = row[j] or 0 end
-  end
-  local values, omega = algebra.eigenvalues(algebra.congruent(T, m)), {}
-  for i = 1, math.min(count, #values) do
-    if values[i] > 1e-12 * values[1] then omega[i] = 1 / math.sqrt(values[i]) end
-  end
-  return omega
 end
 
 return algebra
