@@ -1,56 +1,47 @@
--- hinge.import: insertion points, joint offsets and rigid ends of SAP2000 and ETABS, and loads along members, against
--- formulas by hand.
+-- hinge.import: ends of members and joints in files of SAP2000 and ETABS, against formulas by hand. Insertion points,
+-- joint offsets, rigid ends, loads along members; diaphragms, bodies, equal displacements, springs, floors.
 --
 -- Run: lua5.4 tests/script/import/import_offsets_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local files = require "import.files"
 require "hinge"
 local import = require "hinge.import"
 local frame_module = require "hinge.import.frame"
-local checks = support.checks "offsets of import"
-local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+local checks = support.checks "ends and joints of import"
+local case, near, equal, expect, refused = checks.case, checks.near, checks.equal, checks.expect, checks.refused
 
 local write = support.writer()
 
--- A column of 3 m in kN and m, 0.4 by 0.2 m, axis 2 along X. more: further tables; joint: a third joint on its axis.
--- Both ends have a stub without load and weight, so that no joint is left with ends beside it alone.
-local E, G, A, I, As = 2e11, 8e10, 0.08, 1e-3, 0.05 -- I and As for bending in the plane of X and Z
+local E, G, small = 210e9, 210e9 / 2.6, { model = { displacement = "small" } }
 local density, g = 7850, 9.80665
 
+-- A column of 3 m, 0.4 by 0.2 m, axis 2 along X. more: further tables; joint: a third joint on its axis. Both ends have
+-- a stub without load and weight, so that no joint is left with ends beside it alone.
+local A, I, As = 0.08, 1e-3, 0.05 -- I and As for bending in the plane of X and Z
 local function column(more, options)
   options = options or {}
-  return import.s2k { file = write("frame.s2k", ([[
-TABLE:  "PROGRAM CONTROL"
-   ProgramName=SAP2000   Version=24.1.0   CurrUnits="KN, m, C"
+  local joint = options.joint and ("   Joint=3   XorR=0   Y=0   Z=%g\n"):format(options.joint) or ""
+  local frame, notes = import.s2k { file = write("frame.s2k", files.sap { weight = options.weight, section =
+    "Shape=General   t3=0.4   t2=0.2   Area=0.08   TorsConst=1E-3   I33=1E-3   I22=3E-4   AS2=0.05   AS3=0.06",
+    more = [[
 TABLE:  "JOINT COORDINATES"
-   Joint=1   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=0
-   Joint=2   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=3
    Joint=8   XorR=0   Y=5   Z=0
    Joint=9   XorR=0   Y=5   Z=3
-%sTABLE:  "JOINT RESTRAINT ASSIGNMENTS"
-   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+]] .. joint .. [[
 TABLE:  "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES"
-   Material=S   UnitMass=7.85   E1=2E8   G12=8E7
-   Material=light   UnitMass=0   E1=2E8   G12=8E7
-TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
-   SectionName=P   Material=S   Shape=General   t3=0.4   t2=0.2   Area=0.08   TorsConst=1E-3   I33=1E-3   I22=3E-4 _
-        AS2=0.05   AS3=0.06
+   Material=light   UnitMass=0   E1=210000000   U12=0.3
 TABLE:  "CONNECTIVITY - FRAME"
-   Frame=1   JointI=1   JointJ=2
    Frame=8   JointI=1   JointJ=8
    Frame=9   JointI=2   JointJ=9
 TABLE:  "FRAME SECTION ASSIGNMENTS"
-   Frame=1   AnalSect=P   MatProp=Default
-   Frame=8   AnalSect=P   MatProp=light
-   Frame=9   AnalSect=P   MatProp=light
-TABLE:  "LOAD PATTERN DEFINITIONS"
-   LoadPat=W   SelfWtMult=%s
-%sEND TABLE DATA
-]]):format(options.joint and ("   Joint=3   CoordSys=GLOBAL   CoordType=Cartesian   XorR=0   Y=0   Z=%g\n"):format(
-    options.joint) or "", options.weight or "0", more)) }
+   Frame=8   AnalSect=A   MatProp=light
+   Frame=9   AnalSect=A   MatProp=light
+]] .. more }) }
+  return frame, notes
 end
 
-local at_head = 'TABLE:  "JOINT LOADS - FORCE"\n   Joint=2   LoadPat=W   CoordSys=GLOBAL   F1=%g   F2=0   F3=%g\n'
+local at_head = 'TABLE:  "JOINT LOADS - FORCE"\n   Joint=2   LoadPat=DEAD   CoordSys=GLOBAL   F1=%g   F2=0   F3=%g\n'
 local function rigid(i, j, factor, kind)
   return ('TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n   Frame=1   Type=%s   LengthI=%g   LengthJ=%g   '
     .. 'RigidFactor=%g\n'):format(kind or "User", i, j, factor)
@@ -58,15 +49,14 @@ end
 local function point(fields) return 'TABLE:  "FRAME INSERTION POINT ASSIGNMENTS"\n   Frame=1   ' .. fields .. "\n" end
 
 local function spread(fields)
-  return 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   ' .. fields
+  return 'TABLE:  "FRAME LOADS - DISTRIBUTED"\n   Frame=1   LoadPat=DEAD   CoordSys=GLOBAL   Type=Force   ' .. fields
     .. "\n"
 end
 
 -- Displacements of the head and reactions of the foot.
 local function solved(frame, options)
-  local model, nodes = import.build(frame, { model = { displacement = "small" },
-    self_weight = options and options.self_weight })
-  local run = model:static { steps = 1, loads = { W = 1 } }:finish()
+  local model, nodes = import.build(frame, { model = small.model, self_weight = options and options.self_weight })
+  local run = model:static { steps = 1, loads = { DEAD = 1 } }:finish()
   local ux, _, uz = nodes["2"]:displacement(run)
   local fx, fy, fz, mx, my, mz = nodes["1"]:reaction(run)
   return ux, uz, { fx, fy, fz, mx, my, mz }
@@ -180,9 +170,8 @@ case("joint offsets in space and along the member's axes", function()
 end)
 
 case("a point that is none is refused with its line", function()
-  local good, problem = pcall(column, point "CardinalPt=12" .. at_head:format(0, 0))
-  expect(not good and problem:find("frame.s2k:27: CardinalPt is '12'; must be a number from 1 to 11", 1, true), "%s",
-    problem)
+  refused(("frame.s2k:%d: CardinalPt is '12'; must be a number from 1 to 11"):format(files.sap_head + 13), column,
+    point "CardinalPt=12" .. at_head:format(0, 0))
 end)
 
 -- Loads ---------------------------------------------------------------------------------------------------------------
@@ -242,16 +231,18 @@ case("a distance in units of the file, and loads beside the member", function()
   near(load.from, 1 / 3, 1e-12, "from")
   near(load.to, 2 / 3, 1e-12, "to")
   equal(load.q[1], 3e3, "q")
-  local good, problem = pcall(column, spread "Dir=X   RelDistA=0   RelDistB=1.5   FOverLA=3   FOverLB=3")
-  expect(not good and problem:find("RelDistB is 1.5; the load is beside the member", 1, true), "%s", problem)
+  refused("RelDistB is 1.5; the load is beside the member", column,
+    spread "Dir=X   RelDistA=0   RelDistB=1.5   FOverLA=3   FOverLB=3")
 end)
 
 case("forces and moments at a point of a member", function()
   for _, joint in ipairs { false, 1.5 } do
     for _, at in ipairs { 0, 0.1, 0.5, 0.7, 0.95, 1 } do
-      local fields = ('TABLE:  "FRAME LOADS - POINT"\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Force   Dir=X   '
-        .. 'DistType=RelDist   RelDist=%g   Force=8\n   Frame=1   LoadPat=W   CoordSys=GLOBAL   Type=Moment   Dir=Y   '
-        .. 'DistType=RelDist   RelDist=%g   Moment=5\n'):format(at, at)
+      local fields = ([[
+TABLE:  "FRAME LOADS - POINT"
+   Frame=1   LoadPat=DEAD   CoordSys=GLOBAL   Type=Force   Dir=X   DistType=RelDist   RelDist=%g   Force=8
+   Frame=1   LoadPat=DEAD   CoordSys=GLOBAL   Type=Moment   Dir=Y   DistType=RelDist   RelDist=%g   Moment=5
+]]):format(at, at)
       local frame, notes = column(rigid(0.5, 0.3, 1) .. fields, { joint = joint })
       equal(#notes, 0, tostring(notes))
       local F, M = together(frame)
@@ -259,6 +250,141 @@ case("forces and moments at a point of a member", function()
       near(M, 8e3 * 3 * at + 5e3, 1e-6, ("moment at %g"):format(at))
     end
   end
+end)
+
+-- Constraints, springs, floors ----------------------------------------------------------------------------------------
+
+-- Two posts of 3 m with their heads at joints 2 and 4; joint 5 has no member.
+local function posts(more)
+  local section = "Shape=General   Area=0.01   TorsConst=1E-06 _\n   I33=1E-04   I22=2E-05   AS2=0.004   AS3=0.005"
+  return import.s2k { file = write("frame.s2k", files.sap { section = section, more = files.push(10) .. [[
+TABLE:  "JOINT COORDINATES"
+   Joint=3   XorR=5   Y=0   Z=0
+   Joint=4   XorR=5   Y=0   Z=3
+   Joint=5   XorR=5   Y=4   Z=3
+TABLE:  "JOINT RESTRAINT ASSIGNMENTS"
+   Joint=3   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R2=Yes   R3=Yes
+TABLE:  "FRAME SECTION PROPERTIES 01 - GENERAL"
+   SectionName=list   Material=S   Shape="Auto Select"
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=2   JointI=3   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=2   AnalSect=A
+]] .. (more or "") }) }
+end
+
+local alone = 10e3 * (27 / (3 * E * 1e-4) + 3 / (G * 0.004)) -- the sway of one post by itself, m
+
+-- Displacements of joints along X.
+local function moved(frame, ...)
+  local model, nodes = import.build(frame, small)
+  local run = model:static { steps = 1, loads = { DEAD = 1 } }:finish()
+  local list = {}
+  for i, name in ipairs { ... } do list[i] = (nodes[name]:displacement(run)) end
+  return table.unpack(list)
+end
+
+case("diaphragms and bodies tie the heads of two posts, equal displacements are held with one of them", function()
+  near(moved(posts(), "2"), alone, 1e-9, "one post")
+  local constraint = 'TABLE:  "CONSTRAINT DEFINITIONS - %s"\n   Name=C1   CoordSys=GLOBAL   %s\n'
+    .. 'TABLE:  "JOINT CONSTRAINT ASSIGNMENTS"\n   Joint=2   Constraint=C1   Type=X\n   Joint=4   Constraint=C1\n'
+    .. "   Joint=5   Constraint=C1\n"
+  for _, axis in ipairs { "Axis=Z   MultiLevel=No", "Axis=Auto", "Axis=Z   MultiLevel=Yes" } do
+    local frame, notes = posts(constraint:format("DIAPHRAGM", axis))
+    equal(#notes, 1, tostring(notes)) -- joint 5, which has no member
+    local a, b = moved(frame, "2", "4")
+    near(a, alone / 2, 1e-9, "the head with the load: " .. axis)
+    near(b, a, 1e-12, "the other head")
+  end
+  -- with a rigid end at joint 2, and with a beam whose end is released there, the diaphragm ties it as without
+  local _, told = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. 'TABLE:  "FRAME OFFSET ALONG LENGTH ASSIGNMENTS"\n'
+    .. "   Frame=1   Type=User   LengthI=0   LengthJ=0.2   RigidFactor=1\n")
+  expect(tostring(told):find("1 joints at which all members end beside the joint", 1, true), "%s", tostring(told))
+  local pinned = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. [[
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=3   JointI=2   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=3   AnalSect=A
+TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"
+   Frame=3   M3I=Yes
+]])
+  local c, d = moved(pinned, "2", "4")
+  near(c, alone / 2, 2e-3, "the head with the load, with a beam") -- whose far end is not released
+  near(d, c, 1e-12, "the other head, with a beam")
+  -- a support holds the diaphragm in its plane; a plane frame, whose joints are all held out of it, keeps its diaphragm
+  local held, words = posts(constraint:format("DIAPHRAGM", "Axis=Z") .. "   Joint=3   Constraint=C1\n")
+  equal(#held.diaphragms, 0, "no diaphragm")
+  near(moved(held, "2"), 0, 1e-12, "all are held")
+  expect(tostring(words):find("a support holds the diaphragm in its plane", 1, true), "%s", tostring(words))
+  local plane = posts(constraint:format("DIAPHRAGM", "Axis=Z")
+    .. 'TABLE:  "ACTIVE DEGREES OF FREEDOM"\n   UX=Yes   UY=No   UZ=Yes   RX=No   RY=Yes   RZ=No\n')
+  equal(#plane.diaphragms, 1, "a plane frame")
+  local body = posts(constraint:format("BODY", "UX=Yes   UY=Yes   UZ=Yes   RX=Yes   RY=Yes   RZ=Yes"))
+  equal(body.links[1].from .. " " .. body.links[1].to .. " " .. body.links[1].dofs, "2 4 all", "a body")
+  local equals = posts(constraint:format("EQUAL", "UX=Yes   UY=No   UZ=No   RX=No   RY=No   RZ=No")
+    .. "   Joint=3   Constraint=C1\n")
+  near(moved(equals, "2"), 0, 1e-12, "held with joint 3")
+  equal(equals.nodes[2].fix, "x", "fix")
+  local _, notes = posts(constraint:format("EQUAL", "UX=Yes"))
+  expect(notes[2].reason:find "no support holds", "%s", tostring(notes))
+end)
+
+case("where all ends at a joint are released one of them holds its rotation", function()
+  local tables = [[
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=3   JointI=2   JointJ=4
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=3   AnalSect=A
+TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"
+   Frame=1   TJ=Yes   M2J=Yes   M3J=Yes
+   Frame=2   TJ=Yes   M2J=Yes   M3J=Yes
+   Frame=3   M2I=Yes   M3I=Yes   M2J=Yes   M3J=Yes
+]]
+  local frame, notes = posts(tables)
+  expect(tostring(notes):find("at 2 joints all ends are released", 1, true), "%s", tostring(notes))
+  -- two cantilevers side by side, but for the bar's axial strain
+  local bar = E * 0.01 / 5
+  local post = 10e3 / alone
+  near(moved(frame, "2"), 10e3 * (post + bar) / (post * (post + 2 * bar)), 1e-7, "sway")
+end)
+
+case("springs to the ground, by their own stiffness", function()
+  local spring = 'TABLE:  "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"\n   Joint=2   U1=500   U2=0   R1=0\n'
+  local frame, notes = posts(spring)
+  equal(#notes, 1, tostring(notes))
+  near(moved(frame, "2"), 10e3 / (10e3 / alone + 500e3), 1e-9, "post and spring side by side")
+  -- a foot on a spring against rotation: 10 kN times 3 m over 2000 kN m/rad, times 3 m more
+  local turning = posts('TABLE:  "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"\n   Joint=1   R2=2000\n'
+    .. 'TABLE:  "JOINT RESTRAINT ASSIGNMENTS"\n   Joint=1   U1=Yes   U2=Yes   U3=Yes   R1=Yes   R3=Yes\n')
+  near(moved(turning, "2"), alone + 10e3 * 9 / 2000e3, 1e-9, "a foot that turns")
+end)
+
+case("an end with partial fixity has its spring", function()
+  local frame, notes = posts('TABLE:  "FRAME RELEASE ASSIGNMENTS 1 - GENERAL"\n   Frame=1   M3I=Yes   PartialFix=Yes\n'
+    .. 'TABLE:  "FRAME RELEASE ASSIGNMENTS 2 - PARTIAL FIXITY"\n   Frame=1   M3I=2000\n')
+  equal(#notes, 1, tostring(notes)) -- joint 5
+  equal(frame.members[1].ends.a.Mx.stiffness, 2e6, "N m/rad")
+  equal(frame.members[1].release, nil, "release")
+  near(moved(frame, "2"), alone + 10e3 * 9 / 2000e3, 1e-8, "sway")
+end)
+
+case("areas are one note with their size, loads and weight; a section without a member is none", function()
+  local _, notes = posts [[
+TABLE:  "CONNECTIVITY - AREA"
+   Area=1   NumJoints=3   Joint1=2   Joint2=4   Joint3=5
+   Area=2   NumJoints=4   Joint1=1   Joint2=3   Joint3=4   Joint4=2
+TABLE:  "AREA SECTION PROPERTIES"
+   Section=slab   Material=S   AreaType=Shell   Type=Membrane   Thickness=0.1   Color=Green
+TABLE:  "AREA SECTION ASSIGNMENTS"
+   Area=1   Section=slab   MatProp=Default
+TABLE:  "AREA LOADS - UNIFORM TO FRAME"
+   Area=1   LoadPat=DEAD   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=2   DistType="Two way"
+   Area=1   LoadPat=LIVE   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=3   DistType="Two way"
+   Area=2   LoadPat=DEAD   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=1   DistType="Two way"
+]]
+  equal(#notes, 2, tostring(notes))
+  equal(notes[2].reason, "2 areas of 25 m^2 in all (floors and walls) are not read; with them go the loads DEAD 35 kN, "
+    .. "LIVE 30 kN, their own weight 76.98 kN", "the note")
 end)
 
 -- ETABS ---------------------------------------------------------------------------------------------------------------

@@ -1,18 +1,28 @@
 -- hinge.import.tcl: whole frames of OpenSees as text against what is written by hand, in the plane and in space, in Tcl
--- and in Python: every node, material, section, member, load and mass with its numbers in SI.
+-- and in Python: every node, material, section, member, load and mass with its numbers in SI. What is not read is in
+-- the notes with its line; broken scripts are refused with the line.
 --
 -- Run: lua5.4 tests/script/import/import_opensees_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local files = require "import.files"
 local frame_text = require "import.frame_text"
 require "hinge"
 local import = require "hinge.import"
 local checks = support.checks "frames of OpenSees"
-local case, near, equal = checks.case, checks.near, checks.equal
+local case, near, equal, expect, refused = checks.case, checks.near, checks.equal, checks.expect, checks.refused
 local dump = frame_text.of
 local function same_lines(found, wanted, what) frame_text.same(equal, found, wanted, what) end
 
 local write = support.writer()
+
+local function tcl(text, units)
+  return import.tcl { file = write("frame.tcl", text), units = units or { length = "m", force = "N" } }
+end
+
+local function python(text)
+  return import.tcl { file = write("frame.py", text), units = { length = "m", force = "N" }, run_python = true }
+end
 
 local plane_tcl = [[
 model BasicBuilder -ndm 2
@@ -85,7 +95,7 @@ case("OpenSees: a plane frame in m and kN, row by row, in Tcl and in Python", fu
   for name, text in pairs { ["plane.tcl"] = plane_tcl, ["plane.py"] = plane_python } do
     local frame, notes = import.tcl { file = write(name, text), units = { length = "m", force = "kN" },
       run_python = true }
-      same_lines(dump(frame), plane_as_text, name)
+    same_lines(dump(frame), plane_as_text, name)
     equal(#notes, 0, tostring(notes))
     local assumed = {}
     for i, entry in ipairs(notes.assumed) do assumed[i] = ("%d %s"):format(entry.line, entry.reason:match "^[^;:]*") end
@@ -146,6 +156,173 @@ case("OpenSees: a frame in space in mm and N, row by row", function()
   equal(#notes, 0, tostring(notes))
   local heavy = import.tcl { file = write("space.tcl", space_tcl), units = { length = "mm", force = "N", mass = 5 } }
   near(heavy.masses[1].mass, 15, 1e-12, "a unit of mass that is given")
+end)
+
+case("elements: sections by tag, integration points, shear by alphaY and alphaZ, masses", function()
+  local frame, notes = tcl([[
+model basic -ndm 3 -ndf 6
+node 1 0 0 0
+node 2 0 0 3 -mass 5 5 5 1 2 3
+node 3 4 0 3 -mass 7 7 0 0 0 0
+fixZ 0 1 1 1 1 1 1
+geomTransf Corotational 1 0 1 0
+section Elastic 1 200 2 0.3 0.4 80 0.5 0.8 0.7
+element forceBeamColumn 1 1 2 5 1 1 -mass 4
+element dispBeamColumn 2 2 3 1 Legendre 1 3
+element elasticBeamColumn 3 2 3 1 1
+element nonlinearBeamColumn 4 2 3 1 "Lobatto 1 5"
+element elasticBeamColumn 5 2 3 2 200 80 0.5 0.4 0.3 1
+timeSeries Linear 1 -factor 3
+pattern Plain 1 1 -fact 2 { load 3 1 2 3 4 5 6 }
+pattern Plain 2 Constant { load 3 1 0 0 0 0 0; eleLoad -range 2 3 -type -beamUniform 1 2 3 }
+]], { length = "mm", force = "kN" })
+  equal(#notes, 0, tostring(notes))
+  local of = {}
+  for _, s in ipairs(frame.sections) do of[s.name] = s end
+  local m = frame.members
+  -- y of hinge is z of OpenSees: Ix = Iy, Iy = Iz; 1 mm^2 is 1e-6 m^2
+  local s = of[m[1].section]
+  equal(("%.6g %.6g %.6g %.6g %.6g %.6g"):format(s.area, s.Ix, s.Iy, s.J, s.shear_area_x, s.shear_area_y),
+    "2e-06 4e-13 3e-13 5e-13 1.6e-06 1.4e-06", "with shear strain")
+  equal(of[m[2].section].shear_area_x, 1000 * 2e-6, "dispBeamColumn has none")
+  for _, i in ipairs { 3, 5 } do equal(m[i].section, m[2].section, "without shear strain: element " .. i) end
+  equal(m[4].section, m[1].section, "nonlinearBeamColumn is forceBeamColumn")
+  near(frame.materials[1].E, 200e9, 1, "kN/mm^2")
+  near(frame.materials[1].density, 4e6 / 1e-3 / 2e-6, 1e3, "-mass in kN s^2/mm per mm, over the area")
+  equal(frame.nodes[1].fix, "all", "fixZ")
+  near(frame.masses[1].mass, 5e6, 1e-6, "a mass, kg")
+  near(frame.masses[1].inertia[3], 3, 1e-9, "its inertia, kg m^2")
+  expect(files.at_line(notes.assumed, 4), "a mass along two axes is named: %s", tostring(notes))
+  equal(frame.cases[1].loads[1].force[2], 12e3, "both factors, N")
+  equal(frame.cases[1].loads[1].moment[3], 36, "a moment, N m")
+  equal(#frame.cases[2].loads, 3, "loads of the second pattern")
+  local q = frame.cases[2].loads[2]
+  equal(("%s %g %g %g"):format(q.axes, q.q[1], q.q[2], q.q[3]), "local 1e+06 2e+06 3e+06", "Wy, Wz, Wx are x, y, z")
+end)
+
+-- Notes and errors ----------------------------------------------------------------------------------------------------
+
+local tcl_head = "model basic -ndm 3 -ndf 6\ngeomTransf Linear 1 1 0 0\n"
+local python_head = "from openseespy.opensees import *\nimport math\nmodel('basic', '-ndm', 3, '-ndf', 6)\n"
+  .. "geomTransf('Linear', 1, 1, 0, 0)\n"
+
+case("what OpenSees has and is not read is noted with its line, in Tcl and in Python", function()
+  local frame, notes = tcl(tcl_head .. [[
+node 1 0 0 0 -disp 1
+node 2 0 0 1
+node 3 0 0 2 -mass 1 2 0 0 0 0
+mass 1 0 0 0 1 1 1
+element elasticBeamColumn 1 1 2 1 1 1 1 1 1 1 -damp 1
+element shell 2 1 2 1 1
+uniaxialMaterial Viscous 1 300 200
+section Fiber 1 {
+  patch rect 1 1 1 0 0 1 1
+}
+element forceBeamColumn 3 1 2 5 1 1
+equalDOF 1 2 1
+timeSeries MPAcc 1 -dt 0.1
+pattern UniformExcitation 1 1
+load 2 1 0 0 0 0 0
+pattern Plain 2 1 {
+  sp 1 1 0.1
+  eleLoad -ele 1 -type -beamThermal 1 2 0.5
+  eleLoad -ele 1 -type -surfaceLoad 1
+  eleLoad -ele 2 -type -beamUniform 1 2
+}
+proc f {x} {
+  node 7 $x 0 0
+}
+f 7
+set a [nodeDisp 2 1]
+node 9 [expr {$a + 1}] 0 0
+foo 1
+puts "node 2 0 0 5; mass 2 1 1 1 1 1 1"
+fix 9 1 1 1 1 1 1
+element forceBeamColumn 4 1 2 1 HingeRadau 1 0.1
+geomTransf Linear 2 1 0 0 -shift 1
+rigidDiaphragm 3 1
+]])
+  files.notes_are(expect, "tcl", notes, 2, { [1] = "-disp", [3] = "masses along the axes differ",
+    [4] = "inertia without a mass", [5] = "-damp", [6] = "element shell", [7] = "uniaxialMaterial Viscous",
+      [9] = "uniaxialMaterial 1 was not read, see line 9",
+    [11] = "section 1 was not read, see line 11", [12] = "hinge ties", [13] = "MPAcc", [14] = "by its acceleration",
+    [15] = "pattern was not read, see line 16",
+    [16] = "timeSeries 1 was not read", [17] = "command sp", [18] = "-beamUniform",
+    [19] = "-beamPoint", [20] = "element 2 was not read, see line 8",
+    [27] = "hangs on a result of the analysis", [28] = "command foo ",
+    [30] = "node 9 is not there; a line",
+    [32] = "-shift", [33] = "needs two nodes" })
+  equal(#frame.members, 1, "members")
+  local _, of_python = python(python_head .. [[
+import matplotlib.pyplot as plt
+node(1, 0, 0, 0)
+node(2, 0, 0, 1)
+def f(x):
+    node(7, x, 0, 0)
+a = nodeDisp(1, 1) + 1
+node(3, a, 0, 0)
+import pylib
+node(9, pylib.height, 0, 0)
+for x in pylib.nodes: node(10, x, 0, 0)
+x = [1, 2][0:1]
+f(x)
+class C: pass
+print(f"{a}")
+element('shell', 2, 1, 2, 1, 1)
+for i in range(3):
+    equalDOF(1, 2, 1)
+]] .. "element('elasticBeamColumn', 1, 1, 2, 1, 1, 1, 1, 1, 1, 1)\n")
+  files.notes_are(expect, "python", of_python, 4, { [7] = "hangs on a result of the analysis",
+    [8] = "the module pylib is not there", [9] = "hangs on a result", [15] = "element shell", [17] = "hinge ties" })
+  equal(files.at_line(of_python, 21).count, 3, "how often a line in a loop was run")
+  equal(#of_python.skipped, 1, "what is computed is one entry: " .. tostring(of_python))
+end)
+
+case("broken scripts of OpenSees are refused with the line", function()
+  local element = "element elasticBeamColumn 1 1 2 1 1 1 1 1 1 1"
+  for _, row in ipairs {
+    { "node 1 0 0", "3: node 1 has 2 coordinates; must be 3" }, { "node 1 0 0 x",
+      "3: coordinate 3 is 'x'; must be a number" },
+    { "node 1 0 0 0\nnode 1 0 0 0", "4: node 1 is there twice" }, { "fix 5 1 1 1 1 1 1", "3: node 5 is not there" },
+    { "node 1 0 0 0\nfix 1 1 1 1 2 1 1", "4: flag 4 is 2; must be 0 or 1" },
+    { "\nnode 1 0 0 0\nnode 2 0 0 0\n" .. element, "6: element 1 has no length" },
+    { "node 1 0 0 0\nnode 2 0 0 1\nelement elasticBeamColumn 1 1 2 1 1 1",
+      "5: element elasticBeamColumn has 6 arguments" },
+    { "node 1 0 0 0\nnode 2 1 0 0\n" .. element, "5: vecxz of element 1 is along the element" },
+    { "node 1 0 0 0\nnode 2 0 0 1\nelement elasticBeamColumn 1 1 2 -1 1 1 1 1 1 1", "5: A is -1; must be above 0" },
+    { "node 1 0 0 0\nnode 2 0 0 1\nelement elasticBeamColumn 1 1 3 1 1 1 1 1 1 1", "5: node 3 is not there" },
+    { "node 1 0 0 0\nnode 2 0 0 1\nelement elasticBeamColumn 1 1 2 5 8", "5: geomTransf 8 is not there" },
+    { "load 1 1 0 0 0 0 0", "3: the load stands outside of a pattern" },
+    { "node 1.5 0 0 0", "3: the tag is '1.5'; must be a whole number" },
+    { "for {set i 0} {$i < 3} {incr i} {\n node $i 0 0 0\n", "3: missing close-brace" },
+    { "set a \"x\n\n", "3: missing \"" }, { "set a [expr 1\n", "3: missing close-bracket" },
+    { "set a {1}2", "3: extra characters after close-brace" }, { "model basic -ndm 2 -ndf 1",
+      "3: -ndm 2 -ndf 1 is no frame" },
+    { "elment truss 1 1 2 1 1", "3: invalid command name \"elment\" (did you mean 'element'?)" },
+    { "node 1 0 0 $h", "3: can't read \"h\": no such variable" },
+  } do
+    refused(row[2], function() tcl(tcl_head .. row[1]) end)
+  end
+  for text, words in pairs { ["node 1 0 0 0"] = "1: the command stands before: model",
+    [tcl_head] = "has no node that was read",
+    ["proc frame {} { node 1 0 0 }"] = "it calls no command of OpenSees: if its functions do, give the file that calls "
+      .. "them",
+    ["model Tcl2dTruss"] = "1: the number of dimensions is missing: model basic -ndm 2, or -ndm 3" } do
+    refused(words, function() tcl(text) end)
+  end
+  for _, row in ipairs {
+    { "x = (1,\n  2\n", "5: SyntaxError: '(' was never closed" }, { "x = 1)", "5: SyntaxError: unmatched ')'" },
+    { "x = 'a\n", "5: SyntaxError: unterminated string literal" },
+    { "x = 1\n  y = 2", "6: IndentationError: unexpected indent" },
+    { "if 1:\n    x = 1\n  y = 2", "7: IndentationError: unindent does not match" }, { "x = 1 ? 2",
+      "5: SyntaxError: invalid syntax" },
+    { "\nnode(1, 0, 0)", "6: node 1 has 2 coordinates" }, { "for i in [1]:\n  fix(9, *[1] * 6)",
+      "6: node 9 is not there" },
+  } do
+    refused(row[2], function() python(python_head .. row[1]) end)
+  end
+  refused("field 'units' is missing; the file does not say its units", import.tcl, { file = "frame.tcl" })
+  refused("units.force is 'newton'; must be one of N, kN", function() tcl("", { length = "m", force = "newton" }) end)
 end)
 
 checks.done()
