@@ -10,8 +10,7 @@ local where = "hinge.import.build"
 -- A section of the frame as an object.
 local function section_of(s)
   if s.named then return core.section(named.properties(s.named)) end
-  local given = {}
-  for key, value in pairs(s) do given[key] = value end
+  local given = check.copy(s)
   given.name, given.kind = nil, s.kind or s.name
   return core.section(given)
 end

@@ -152,8 +152,6 @@ local function at_line(row, f, ...)
   fail(row.place, "%s", (tostring(result):gsub("^.-hinge%.", "hinge.")))
 end
 
-local letters = { "x", "y", "z", "rx", "ry", "rz" }
-
 -- What a support fixes: the column `fix` as in model:fix, or 1 in columns of the directions.
 local function fix_of(row)
   local fix = row:text "fix"
@@ -166,12 +164,12 @@ local function fix_of(row)
     return fix
   end
   local set = {}
-  for _, letter in ipairs(letters) do
+  for _, letter in ipairs(frame_module.letters) do
     local flag = row:number(letter) or 0
     if flag ~= 0 and flag ~= 1 then fail(row.place, "column '%s' is %g; must be 0 or 1", letter, flag) end
-    if flag == 1 then set[#set + 1] = letter end
+    set[letter] = flag == 1
   end
-  return #set == 6 and "all" or #set > 0 and table.concat(set, ",") or nil
+  return frame_module.fix_of(set)
 end
 
 function Reader:read_nodes()

@@ -27,6 +27,37 @@ local frame_module = {}
 
 local upright = 1e-3 -- part of a member's length: one that is less beside the vertical counts as upright
 
+--- The directions in which a node may be held.
+frame_module.letters = { "x", "y", "z", "rx", "ry", "rz" }
+
+--- What a node is held in, as a row has it, of a set of letters; nil: nothing.
+function frame_module.fix_of(set)
+  local fixed = {}
+  for _, letter in ipairs(frame_module.letters) do
+    if set[letter] then fixed[#fixed + 1] = letter end
+  end
+  return #fixed == 6 and "all" or #fixed > 0 and table.concat(fixed, ",") or nil
+end
+
+--- Rows of a list by their names.
+function frame_module.by_name(list)
+  local found = {}
+  for _, row in ipairs(list) do found[row.name] = row end
+  return found
+end
+
+--- The ends of members at each node, { { member, "a" or "b" }, ... }, by its name.
+function frame_module.ends_at(members)
+  local ends = {}
+  for _, m in ipairs(members) do
+    for _, at in ipairs { "a", "b" } do
+      ends[m[at]] = ends[m[at]] or {}
+      table.insert(ends[m[at]], { m, at })
+    end
+  end
+  return ends
+end
+
 --- The two ends of a member, { x =, y =, z = }: its nodes, or where its offsets lead from them. node: all, by name.
 function frame_module.ends(member, node)
   local ends = {}
@@ -39,12 +70,7 @@ end
 
 -- Checks --------------------------------------------------------------------------------------------------------------
 
-local text = { "string" }
-local function optional(kind, more)
-  local rule = { kind, optional = true }
-  for key, value in pairs(more or {}) do rule[key] = value end
-  return rule
-end
+local text, optional = { "string" }, ties.optional
 local metres = { "number", unit = "m" }
 local function vector(unit) return optional("numbers", { count = 3, unit = unit }) end
 local rules = {
@@ -76,8 +102,7 @@ local load_rules = { node = optional "string", member = optional "string", force
 local function take_group(where, row)
   local group = row.group
   if type(group) ~= "table" then return row, nil end
-  local copy = {}
-  for key, value in pairs(row) do copy[key] = value end
+  local copy = check.copy(row)
   copy.group = nil
   for i, name in ipairs(group) do check.value(where, ("group[%d]"):format(i), name, text) end
   return copy, table.move(group, 1, #group, 1, {})
@@ -175,10 +200,9 @@ end
 
 -- A node that no member joins cannot be a part of a run.
 local function check_lonely(where, parts)
-  local joined = {}
-  for _, m in ipairs(parts.members) do joined[m.a], joined[m.b] = true, true end
+  local ends = frame_module.ends_at(parts.members)
   for _, node in ipairs(parts.nodes) do
-    if not joined[node.name] then
+    if not ends[node.name] then
       check.fail("%s: node '%s' belongs to no member; join it, or leave it out", where, node.name)
     end
   end
@@ -250,17 +274,15 @@ end
 
 --- What a frame consists of: counts, the length of all members (m), and masses (kg).
 function frame_module.summary(frame)
-  local node, section, material = {}, {}, {}
-  for _, n in ipairs(frame.nodes) do node[n.name] = n end
-  for _, s in ipairs(frame.sections) do section[s.name] = frame_module.properties(s).area end
-  for _, m in ipairs(frame.materials) do material[m.name] = m.density or 0 end
+  local node, material, area = frame_module.by_name(frame.nodes), frame_module.by_name(frame.materials), {}
+  for _, s in ipairs(frame.sections) do area[s.name] = frame_module.properties(s).area end
   local s = { nodes = #frame.nodes, members = #frame.members, sections = #frame.sections,
     materials = #frame.materials, cases = #frame.cases, loads = 0, masses = #frame.masses, length = 0,
     mass_of_members = 0, mass_of_nodes = 0 }
   for _, m in ipairs(frame.members) do
     local _, length = frame_module.direction(frame_module.ends(m, node))
     s.length = s.length + length
-    s.mass_of_members = s.mass_of_members + length * section[m.section] * material[m.material]
+    s.mass_of_members = s.mass_of_members + length * area[m.section] * (material[m.material].density or 0)
   end
   for _, case in ipairs(frame.cases) do
     s.loads = s.loads + #case.loads + ((case.self_weight or 0) ~= 0 and 1 or 0)
@@ -269,33 +291,30 @@ function frame_module.summary(frame)
   return s
 end
 
--- Takes the rows of a list for which keep(row) is true.
-local function filter(list, keep)
-  local kept = {}
-  for _, row in ipairs(list) do
-    if keep(row) then kept[#kept + 1] = row end
+--- Takes out the nodes that no member joins, with their masses and loads. tell(what, row, name) is called for each row
+--- that goes: "node", "mass" or "load", and its node.
+function frame_module.drop_lonely(frame, tell)
+  local ends = frame_module.ends_at(frame.members)
+  local function keep(list, what)
+    local kept = {}
+    for _, row in ipairs(list) do
+      local name = what == "node" and row.name or row.node
+      if name == nil or ends[name] then kept[#kept + 1] = row else tell(what, row, name) end
+    end
+    return kept
   end
-  return kept
+  frame.nodes, frame.masses = keep(frame.nodes, "node"), keep(frame.masses, "mass")
+  for _, case in ipairs(frame.cases) do case.loads = keep(case.loads, "load") end
 end
 
 --- Takes out the nodes that no member joins, with their loads and masses; notes say so. Then the summary.
 -- places: where the file has a node, a load or a mass, by its table: { file =, line =, text = }.
 function frame_module.finish(frame, list, places)
-  local joined = {}
-  for _, m in ipairs(frame.members) do joined[m.a], joined[m.b] = true, true end
-  local function keep(what)
-    return function(row)
-      local name = what == "node" and row.name or row.node
-      if name == nil or joined[name] then return true end
-      local place = places[row]
-      notes.once(list, place, place.text, what == "node" and "no member that was read ends at this node"
-        or ("no member that was read ends at its node %s"):format(name), "no member: " .. what)
-      return false
-    end
-  end
-  frame.nodes = filter(frame.nodes, keep "node")
-  frame.masses = filter(frame.masses, keep "mass")
-  for _, case in ipairs(frame.cases) do case.loads = filter(case.loads, keep "load") end
+  frame_module.drop_lonely(frame, function(what, row, name)
+    local place = places[row]
+    notes.once(list, place, place.text, what == "node" and "no member that was read ends at this node"
+      or ("no member that was read ends at its node %s"):format(name), "no member: " .. what)
+  end)
   list.summary = frame_module.summary(frame)
   list.summary.file = frame.source
   notes.sort(list)

@@ -100,11 +100,11 @@ end
 -- a weak spring keeps the node from turning about that bar.
 local function hold_bars(self)
   local rigid, first = {}, {}
-  for _, m in ipairs(self.frame.members) do
-    for _, at in ipairs { "a", "b" } do
-      local name = m[at]
+  for name, list in pairs(frame_module.ends_at(self.frame.members)) do
+    for _, one in ipairs(list) do
+      local m, at = one[1], one[2]
       if self.bars[m] then
-        first[name] = first[name] or { m, at }
+        first[name] = first[name] or one
       elseif not (m.ends and m.ends[at]) then
         rigid[name] = true
       end
@@ -123,15 +123,12 @@ end
 
 -- Weak springs against the spin of nodes at which bars alone end: 1e-9 of a bar's stiffness times its length.
 local function add_spins(self)
-  local function by_name(list, name)
-    for _, r in ipairs(list) do
-      if r.name == name then return r end
-    end
-  end
+  if #self.spins == 0 then return end
+  local material, section = frame_module.by_name(self.frame.materials), frame_module.by_name(self.frame.sections)
   for _, spin in ipairs(self.spins) do
     local m = spin.member
     local _, length = frame_module.direction(self.node[m.a], self.node[m.b])
-    local k = 1e-9 * by_name(self.frame.materials, m.material).E * by_name(self.frame.sections, m.section).area * length
+    local k = 1e-9 * material[m.material].E * section[m.section].area * length
     table.insert(self.frame.connectors, { a = spin.node, x = { 1, 0, 0 }, y = { 0, 1, 0 },
       stiffness = { rx = k, ry = k, rz = k } })
   end
@@ -160,41 +157,22 @@ local function add_masses(self)
   for _, row in ipairs(self.more_masses) do table.insert(self.frame.masses, row) end
 end
 
--- Takes out the nodes at which no member ends, with their loads and masses. Those of springs and ties have done what
--- they are for; of the others one note says how many there are.
-local function drop_lonely(self, joined)
-  local function lonely(name, row, reason)
-    if joined[name] then return false end
+-- Nodes of springs and ties at which no member ends have done what they are for; of the others one note says how many
+-- there are. Where elements are not read, these have a note already.
+local function drop_lonely(self)
+  local reasons = { node = not self.elements_lost and "no member that was read ends at this node" or nil,
+    mass = "no member that was read ends at the node of this mass",
+    load = "no member that was read ends at the node of this load" }
+  frame_module.drop_lonely(self.frame, function(what, row, name)
     local place = self.places[row]
-    if place and not self.used[name] and reason then notes.once(self.notes, place, place.text, reason) end
-    return true
-  end
-  local function keep(list, name_of, reason)
-    local kept = {}
-    for _, row in ipairs(list) do
-      if not name_of(row) or not lonely(name_of(row), row, reason) then kept[#kept + 1] = row end
-    end
-    return kept
-  end
-  local function of_row(row) return row.node end
-  local function of_node(row) return row.name end
-  -- those of elements that are not read have a note already
-  self.frame.nodes = keep(self.frame.nodes, of_node, not self.elements_lost
-    and "no member that was read ends at this node" or nil)
-  self.frame.masses = keep(self.frame.masses, of_row, "no member that was read ends at the node of this mass")
-  for _, case in ipairs(self.frame.cases) do
-    case.loads = keep(case.loads, of_row, "no member that was read ends at the node of this load")
-  end
+    if place and not self.used[name] and reasons[what] then notes.once(self.notes, place, place.text, reasons[what]) end
+  end)
 end
 
--- What hinge takes of supports: letters, or all.
+-- What hinge takes of supports.
 local function write_supports(self)
   for _, node in ipairs(self.frame.nodes) do
-    local letters = {}
-    for _, letter in ipairs { "x", "y", "z", "rx", "ry", "rz" } do
-      if node.fixed[letter] then letters[#letters + 1] = letter end
-    end
-    node.fix = #letters == 6 and "all" or #letters > 0 and table.concat(letters, ",") or nil
+    node.fix = frame_module.fix_of(node.fixed)
     node.fixed, node.freedoms = nil, nil
   end
 end
@@ -232,8 +210,7 @@ function Reader:finish()
   end
   self.used = {} -- nodes without a member that a spring or a tie has read
   ends.finish(self)
-  local joined = {}
-  for _, m in ipairs(self.frame.members) do joined[m.a], joined[m.b] = true, true end
+  local joined = frame_module.ends_at(self.frame.members)
   springs.finish(self, joined)
   constraints.finish(self, joined)
   self.spins = {}
@@ -245,7 +222,7 @@ function Reader:finish()
       ("the mass that fits the units of force and length is %.6g kg"):format(self.fitting_mass))
   end
   add_masses(self)
-  drop_lonely(self, joined)
+  drop_lonely(self)
   add_motions(self)
   drop_empty_cases(self)
   write_supports(self)
@@ -258,14 +235,12 @@ local opensees = {}
 --- time is s; wanted: the number of the model in the file, nil: the one at its end.
 function opensees.new(where, file, given, wanted)
   local size, fitting = units.sizes(where, given)
-  local self = setmetatable({ where = where, beside = beside, length = size.length, force = size.force,
+  local self = setmetatable({ where = where, length = size.length, force = size.force,
     mass = size.mass, time = size.time, stress = size.force / size.length ^ 2, wanted = wanted, models = 0,
     incomplete = 0, fresh = fresh(file) }, Reader)
   self.fitting_mass = fitting
   self:begin()
   return self
 end
-
-opensees.units = units.of_text
 
 return opensees

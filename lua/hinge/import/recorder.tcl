@@ -341,21 +341,17 @@ proc nothing args {}
 proc skip_any args { skip }
 proc ended args { finish . }
 proc block_ended {} { put e }
-interp eval $s {
-  proc pattern args {
-    if {[::hinge_block pattern $args]} {
-      uplevel 1 [lindex $args end]
-      ::hinge_end
+foreach name {pattern section} {
+  interp eval $s [string map [list NAME $name] {
+    proc NAME args {
+      if {[::hinge_block NAME $args]} {
+        uplevel 1 [lindex $args end]
+        ::hinge_end
+      }
     }
-  }
-  proc pset {name value} { uplevel 1 [list set $name $value] }
-  proc section args {
-    if {[::hinge_block section $args]} {
-      uplevel 1 [lindex $args end]
-      ::hinge_end
-    }
-  }
+  }]
 }
+interp eval $s { proc pset {name value} { uplevel 1 [list set $name $value] } }
 interp eval $s [list set argv0 [file tail $main]]
 interp eval $s {set argv {}; set argc 0; set tcl_interactive 0}
 interp recursionlimit $s 500

@@ -11,12 +11,13 @@
 -- frame.model       options of hinge.model that the file asks for
 local ties = {}
 
-local function optional(kind, more)
+--- The rule of a value that may be left out.
+function ties.optional(kind, more)
   local rule = { kind, optional = true }
   for key, value in pairs(more or {}) do rule[key] = value end
   return rule
 end
-local text, axis = { "string" }, { "numbers", count = 3 }
+local optional, text, axis = ties.optional, { "string" }, { "numbers", count = 3 }
 local moment = { "table", also = { "free", "rigid" }, optional = true }
 
 ties.rules = {

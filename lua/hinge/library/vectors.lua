@@ -22,6 +22,16 @@ end
 --- The place of a node where the model has it.
 function vectors.of_node(node) return { node.x, node.y, node.z } end
 
+--- The area of a polygon in space, from its corners.
+function vectors.area(corners)
+  local sum, o = { 0, 0, 0 }, corners[1]
+  for i = 2, #corners - 1 do
+    local a, b = vectors.minus(corners[i], o), vectors.minus(corners[i + 1], o)
+    sum = vectors.plus(sum, 1, vectors.cross(a, b))
+  end
+  return vectors.length(sum) / 2
+end
+
 function vectors.length(a) return math.sqrt(vectors.dot(a, a)) end
 
 --- The vector of length 1 in the same direction, and the length.

@@ -1,6 +1,7 @@
 -- Areas of ETABS as rows of SAP2000's tables: floors and walls on each storey with their area, thickness and loads, of
 -- which sap2000/areas.lua makes a note. Points of a floor that is a rigid diaphragm are tied.
 local check = require "hinge.library.check"
+local vectors = require "hinge.library.vectors"
 
 local Areas = {}
 Areas.__index = Areas
@@ -59,9 +60,9 @@ function Areas:tie(line, storey, points, diaphragm)
 end
 
 function Areas:read_properties()
-  for section, word in pairs { ["SLAB PROPERTIES"] = "SHELLPROP", ["WALL PROPERTIES"] = "SHELLPROP",
-    ["DECK PROPERTIES"] = "SHELLPROP", ["WALL/SLAB/DECK PROPERTIES"] = "SHELLPROP" } do
-    for _, line in ipairs(self.reader:lines(section, word)) do
+  for _, kind in ipairs { "SLAB", "WALL", "DECK", "WALL/SLAB/DECK" } do
+    local section = kind .. " PROPERTIES"
+    for _, line in ipairs(self.reader:lines(section, "SHELLPROP")) do
       local given = self.reader.pairs_after(line, 3)
       local thickness = given.SLABTHICKNESS or given.WALLTHICKNESS or given.TM or given.T
       if thickness and not self.thick[line.words[2]] and tonumber(thickness) then
@@ -73,19 +74,6 @@ function Areas:read_properties()
   end
 end
 
--- Twice the area of a polygon in space is the length of the sum of its triangles' products.
-local function size_of(points)
-  local sum, o = { 0, 0, 0 }, points[1]
-  for i = 2, #points - 1 do
-    for k = 1, 3 do
-      local a, b = k % 3 + 1, (k + 1) % 3 + 1
-      sum[k] = sum[k] + (points[i][a] - o[a]) * (points[i + 1][b] - o[b])
-        - (points[i][b] - o[b]) * (points[i + 1][a] - o[a])
-    end
-  end
-  return math.sqrt(sum[1] ^ 2 + sum[2] ^ 2 + sum[3] ^ 2) / 2
-end
-
 function Areas:read_assigns()
   local reader = self.reader
   for _, line in ipairs(reader:lines("AREA ASSIGNS", "AREAASSIGN")) do
@@ -94,7 +82,7 @@ function Areas:read_assigns()
     local open = (given.SECTION or ""):upper() == "NONE" or (given.OPENING or "NO"):upper() == "YES"
     if points and not open and not self.assigned[key] then
       self.assigned[key] = true
-      reader:row("CONNECTIVITY - AREA", "AREA ASSIGNS", line, { Area = key, AreaArea = tostring(size_of(points)) })
+      reader:row("CONNECTIVITY - AREA", "AREA ASSIGNS", line, { Area = key, AreaArea = tostring(vectors.area(points)) })
       reader:row("AREA SECTION ASSIGNMENTS", "AREA ASSIGNS", line, { Area = key, Section = given.SECTION })
     end
     local diaphragm = given.DIAPH or given.DIAPHRAGM

@@ -1,13 +1,16 @@
 -- Commands of OpenSees that tie nodes together: equalDOF, rigidLink, rigidDiaphragm. They are kept as they come, and
 -- made rigid links, diaphragms and supports of hinge once all members are known.
 local arguments = require "hinge.import.opensees.arguments"
+local check = require "hinge.library.check"
+local frame_module = require "hinge.import.frame"
+local vectors = require "hinge.library.vectors"
 
 local number, tag, find, assume = arguments.number, arguments.tag, arguments.find, arguments.assume
 local commands = {}
 
 local function tie(self, kind, from, to, more)
-  local row = { kind = kind, from = from, to = to, place = self.place }
-  for key, value in pairs(more or {}) do row[key] = value end
+  local row = check.copy(more or {})
+  row.kind, row.from, row.to, row.place = kind, from, to, self.place
   table.insert(self.ties, row)
 end
 
@@ -47,7 +50,7 @@ end
 -- Rigid links, diaphragms, supports
 -- ---------------------------------------------------------------------------------------
 
-local every = { "x", "y", "z", "rx", "ry", "rz" }
+local every = { x = true, y = true, z = true, rx = true, ry = true, rz = true }
 local out_of_plane = { y = true, rx = true, rz = true }
 
 local function has_all(set, letters)
@@ -83,9 +86,8 @@ local function move_to(self, from, to)
   for _, case in ipairs(self.frame.cases) do
     for _, l in ipairs(case.loads) do
       if l.node == from.name then
-        local F, M = l.force or { 0, 0, 0 }, l.moment or { 0, 0, 0 }
-        l.node, l.moment = to.name, { M[1] + arm[2] * F[3] - arm[3] * F[2], M[2] + arm[3] * F[1] - arm[1] * F[3],
-          M[3] + arm[1] * F[2] - arm[2] * F[1] }
+        local moved = vectors.cross(arm, l.force or { 0, 0, 0 })
+        l.node, l.moment = to.name, vectors.plus(l.moment or { 0, 0, 0 }, 1, moved)
       end
     end
   end
@@ -98,7 +100,7 @@ local function move_to(self, from, to)
 end
 
 local function add_link(self, from, to, dofs)
-  if not free_follower(to, from, dofs == "all" and every or { "x", "y", "z" }) then
+  if not free_follower(to, from, dofs == "all" and frame_module.letters or { "x", "y", "z" }) then
     return self:not_read(("node %s is held where it would follow node %s"):format(to.name, from.name))
   end
   table.insert(self.frame.links, { from = from.name, to = to.name, dofs = dofs })
@@ -146,7 +148,7 @@ end
 
 function read.beam(self, row, joined)
   local r, c = self.node[row.from], self.node[row.to]
-  if has_all(r.fixed, { x = true, y = true, z = true, rx = true, ry = true, rz = true }) then
+  if has_all(r.fixed, every) then
     self.used[r.name] = true
     return hold(c, r.fixed)
   end
@@ -249,5 +251,5 @@ local function finish(self, joined)
   end
 end
 
-return { commands = commands, finish = finish, same_place = same_place, hold = hold, has_all = has_all,
+return { commands = commands, finish = finish, same_place = same_place, hold = hold, every = every,
   move_to = move_to }

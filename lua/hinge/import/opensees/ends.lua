@@ -18,18 +18,6 @@ local function count_uses(self)
   return uses
 end
 
--- The ends of members at each node: { { member, "a" or "b" }, ... }.
-local function ends_at(self)
-  local ends = {}
-  for _, m in ipairs(self.frame.members) do
-    for _, at in ipairs { "a", "b" } do
-      ends[m[at]] = ends[m[at]] or {}
-      table.insert(ends[m[at]], { m, at })
-    end
-  end
-  return ends
-end
-
 local function rotation_alone(parts)
   return parts.rz and next(parts, next(parts)) == nil
 end
@@ -51,13 +39,8 @@ local next_to_nothing = 1e-9 -- of a member's bending stiffness: such a spring i
 -- The joint of a spring at the end of a member.
 local function joint_of(self, row, m)
   local axis = springs.joint_axis(self, row.parts.rz)
-  local EI = 0
-  for _, s in ipairs(self.frame.sections) do
-    if s.name == m.section then EI = s.Ix end
-  end
-  for _, of in ipairs(self.frame.materials) do
-    if of.name == m.material then EI = EI * of.E end
-  end
+  local EI = frame_module.by_name(self.frame.sections)[m.section].Ix
+    * frame_module.by_name(self.frame.materials)[m.material].E
   local _, length = frame_module.direction(self.node[m.a], self.node[m.b])
   if axis.stiffness and not axis.strength and axis.stiffness < next_to_nothing * EI / length then
     return { Mx = "free", My = "rigid", Mz = "rigid" }
@@ -104,7 +87,7 @@ end
 --- members end.
 local function finish(self)
   if self.ndm ~= 2 then return end
-  local ends, gone, kept = ends_at(self), {}, {}
+  local ends, gone, kept = frame_module.ends_at(self.frame.members), {}, {}
   for _, one in ipairs(held_at_joint(find_ends(self, count_uses(self), ends), ends)) do
     local m, at = one.at[1], one.at[2]
     self.place, gone[one.row], one.tie.used = one.row.place, true, true

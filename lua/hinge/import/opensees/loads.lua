@@ -1,5 +1,6 @@
 -- Commands of OpenSees that make time series, load patterns, loads, ground motion and damping.
 local arguments = require "hinge.import.opensees.arguments"
+local check = require "hinge.library.check"
 local series = require "hinge.import.opensees.series"
 local vectors = require "hinge.library.vectors"
 
@@ -179,8 +180,8 @@ function commands.eleLoad(self, args)
     local member = find(self, "element", name)
     if not self.transformation_of[member] then give_up("element %s takes no load along it", name) end
     if load then
-      local copy = { member = member.name }
-      for key, value in pairs(load) do copy[key] = value end
+      local copy = check.copy(load)
+      copy.member = member.name
       table.insert(case.loads, copy)
     end
   end

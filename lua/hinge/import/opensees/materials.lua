@@ -1,6 +1,7 @@
 -- uniaxialMaterial of OpenSees: its first stiffness, its yield stress, how it hardens, and for joints its backbone.
 -- Numbers are in the units of the script.
 local arguments = require "hinge.import.opensees.arguments"
+local check = require "hinge.library.check"
 
 local tag, give_up = arguments.tag, arguments.give_up
 
@@ -10,7 +11,7 @@ local makers = {}
 
 function makers.Elastic(v)
   if v[3] and v[3] ~= v[1] then give_up "an elastic material with another stiffness in compression is not read" end
-  return { E = v[1], eta = v[2] }
+  return { E = v[1] }
 end
 
 function makers.ElasticPP(v)
@@ -59,15 +60,13 @@ function makers.Hysteretic(v)
       give_up "a backbone that differs in compression is not read"
     end
   end
-  return { E = points[1][2] / points[1][1], fy = points[1][2], b = 0, points = rising(points), falls = true,
+  return { E = points[1][2] / points[1][1], fy = points[1][2], b = 0, points = rising(points),
     said = "Hysteretic keeps its backbone up to the greatest force, without pinching and damage" }
 end
 
--- The numbers of an Ibarra-Medina-Krawinkler spring: K, strength, hardening, plastic rotations.
-local function imk(K, My, cap, capped_at, post_cap, residual, ultimate, lambda)
-  return { E = K, fy = My, b = 0, points = { { My / K, My }, { My / K + capped_at, cap } },
-    imk = { K = K, My = My, cap_rotation = capped_at, cap_strength = cap / My, post_cap_rotation = post_cap,
-      residual = residual, ultimate_rotation = ultimate, lambda = lambda } }
+-- An Ibarra-Medina-Krawinkler spring: its stiffness, strength, greatest moment, and plastic rotation there.
+local function imk(K, My, cap, capped_at)
+  return { E = K, fy = My, b = 0, points = { { My / K, My }, { My / K + capped_at, cap } }, imk = true }
 end
 
 -- Both signs must be alike: a joint of hinge has one backbone.
@@ -82,7 +81,7 @@ function makers.Bilin(v)
   if #v < 21 then give_up "Bilin has too few numbers" end
   alike(v[4], v[5])
   alike(v[14], v[15])
-  return imk(v[1], v[4], v[4] + v[2] * v[1] * v[14], v[14], v[16], v[18], v[20], v[6])
+  return imk(v[1], v[4], v[4] + v[2] * v[1] * v[14], v[14])
 end
 makers.ModIMKPeakOriented = makers.Bilin
 
@@ -91,7 +90,7 @@ function makers.IMKBilin(v)
   if #v < 14 then give_up "IMKBilin has too few numbers" end
   alike(v[5], v[11])
   alike(v[2], v[8])
-  return imk(v[1], v[5], v[5] * v[6], v[2], v[3], v[7], v[4], v[14])
+  return imk(v[1], v[5], v[5] * v[6], v[2])
 end
 makers.IMKPeakOriented = makers.IMKBilin
 
@@ -99,12 +98,12 @@ makers.IMKPeakOriented = makers.IMKBilin
 local function concrete(v)
   local fc, e0 = math.abs(v[1]), math.abs(v[2])
   if fc == 0 or e0 == 0 then give_up "the strength or its strain is 0" end
-  return { E = 2 * fc / e0, fc = fc, peak = e0, concrete = true }
+  return { E = 2 * fc / e0, concrete = true }
 end
 makers.Concrete01, makers.Concrete02 = concrete, concrete
 
 -- Concrete04 tag fc ec ecu Ec
-function makers.Concrete04(v) return { E = v[4], fc = math.abs(v[1]), peak = math.abs(v[2]), concrete = true } end
+function makers.Concrete04(v) return { E = v[4], concrete = true } end
 
 -- Reinforcing steel: ReinforcingSteel tag fy fu Es Esh esh eult
 function makers.ReinforcingSteel(v)
@@ -134,10 +133,7 @@ function commands.uniaxialMaterial(self, args)
   if kind == "Parallel" then
     made = parallel(self, args)
   elseif wraps[kind] then
-    made = {}
-    for key, value in pairs(arguments.find(self, "uniaxialMaterial", tag(self, args[3], "the material"))) do
-      made[key] = value
-    end
+    made = check.copy(arguments.find(self, "uniaxialMaterial", tag(self, args[3], "the material")))
     made.said = wraps[kind] .. " is left out: nothing breaks by it"
   elseif makers[kind] then
     local v = arguments.numbers(self, args, 3, arguments.positional(args), "number")

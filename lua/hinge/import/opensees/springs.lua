@@ -2,12 +2,13 @@
 -- they yield.
 local arguments = require "hinge.import.opensees.arguments"
 local constraints = require "hinge.import.opensees.constraints"
+local frame_module = require "hinge.import.frame"
 local materials = require "hinge.import.opensees.materials"
 
 local number, tag, give_up, assume = arguments.number, arguments.tag, arguments.give_up, arguments.assume
 local elements = {}
 
-local letters = { "x", "y", "z", "rx", "ry", "rz" }
+local letters = frame_module.letters
 local plane_letters = { "x", "y", "rz", nil, nil, "rz" } -- 3 is the rotation in twoNodeLink, 6 in zeroLength
 
 -- A direction of the file in the axes of hinge.
@@ -159,24 +160,10 @@ local function add_joint(self, row, a, b)
   table.insert(self.frame.joints, joint)
 end
 
--- The only member that ends at a node, and its end; nil where there are several.
-local function only_member(self, name)
-  local found, at
-  for _, m in ipairs(self.frame.members) do
-    for _, e in ipairs { "a", "b" } do
-      if m[e] == name then
-        if found then return nil end
-        found, at = m, e
-      end
-    end
-  end
-  return found, at
-end
-
 -- A spring that yields between a member and a support: a joint at the end of the member.
 local function add_foot(self, row, node)
-  local m, at = only_member(self, node.name)
-  if not m or self.ndm == 3 then
+  local ends = frame_module.ends_at(self.frame.members)[node.name] or {}
+  if #ends ~= 1 or self.ndm == 3 then
     return self:not_read "a spring to the ground that yields is read in a plane frame, at a node of one member"
   end
   if row.parts.x and row.parts.x.fy or row.parts.y and row.parts.y.fy then
@@ -185,9 +172,10 @@ local function add_foot(self, row, node)
   if not (node.fixed.x or row.parts.x) or not (node.fixed.z or row.parts.y) then
     return self:not_read "a spring to the ground that yields is read where the displacements are held"
   end
+  local m, at = ends[1][1], ends[1][2]
   m.ends = m.ends or {}
   m.ends[at] = { Mx = joint_axis(self, row.parts.rz) }
-  constraints.hold(node, { x = true, y = true, z = true, rx = true, ry = true, rz = true })
+  constraints.hold(node, constraints.every)
 end
 
 local function add_connector(self, row, a, b)

@@ -1,21 +1,8 @@
 -- Floors and walls of SAP2000 and ETABS, which are not read: one note with their number, area, and loads by pattern.
 local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
-
--- The area of a polygon in space of points { x, y, z }, by its triangles.
-local function area_of(points)
-  local sum = { 0, 0, 0 }
-  local o = points[1]
-  for i = 2, #points - 1 do
-    local u = { points[i][1] - o[1], points[i][2] - o[2], points[i][3] - o[3] }
-    local v = { points[i + 1][1] - o[1], points[i + 1][2] - o[2], points[i + 1][3] - o[3] }
-    for k = 1, 3 do
-      local a, b = k % 3 + 1, (k + 1) % 3 + 1
-      sum[k] = sum[k] + u[a] * v[b] - u[b] * v[a]
-    end
-  end
-  return math.sqrt(sum[1] ^ 2 + sum[2] ^ 2 + sum[3] ^ 2) / 2
-end
+local units = require "hinge.library.units"
+local vectors = require "hinge.library.vectors"
 
 -- The areas by name, m^2, in the order of the file.
 local function areas_of(reader)
@@ -25,14 +12,14 @@ local function areas_of(reader)
     for i = 1, 64 do
       local joint = row:text("Joint" .. i)
       local node = joint and reader.node[joint]
-      if node then points[#points + 1] = { node.x, node.y, node.z } end
+      if node then points[#points + 1] = vectors.of_node(node) end
     end
     for _, key in ipairs { "NumJoints", "Perimeter", "AreaArea", "GUID", "CentroidX", "CentroidY", "CentroidZ" } do
       row:text(key)
     end
     local name = row:text "Area" or "?"
     local given = row:text "AreaArea" and row:number "AreaArea" * reader.length ^ 2
-    local size = #points >= 3 and area_of(points) or given or 0
+    local size = #points >= 3 and vectors.area(points) or given or 0
     if not by_name[name] then list[#list + 1] = { name = name, size = size, row = row } end
     by_name[name] = (by_name[name] or 0) + size -- an area of many joints goes on in further rows
   end
@@ -44,10 +31,8 @@ local function weight_of(reader, by_name)
   local per_area, sum = {}, 0
   for _, row in ipairs(reader:rows "AREA SECTION PROPERTIES") do
     local material = reader.material[row:text "Material" or ""]
-    local g = 9.80665
-    local unit_weight = material and (material.unit_weight or (material.density or 0) * g) or 0
-    per_area[row:need "Section"] = unit_weight * row:number("Thickness", 0) * reader.length
-      * row:number("WMod", 1)
+    local weight = material and (material.unit_weight or (material.density or 0) * units.gravity) or 0
+    per_area[row:need "Section"] = weight * row:number("Thickness", 0) * reader.length * row:number("WMod", 1)
   end
   for _, row in ipairs(reader:rows "AREA SECTION ASSIGNMENTS") do
     sum = sum + (per_area[row:text "Section" or ""] or 0) * (by_name[row:text "Area" or ""] or 0)

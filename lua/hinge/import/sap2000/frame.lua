@@ -65,14 +65,17 @@ function Reader:read_units()
   for _, key in ipairs { "Version", "ProgLevel" } do row:text(key) end
 end
 
-local directions = { "x", "y", "z", "rx", "ry", "rz" }
+local directions = frame_module.letters
+
+--- The key of a direction, UX to RZ.
+function Reader.key_of(letter) return (#letter == 1 and "U" .. letter or letter):upper() end
 
 -- What is left out of the analysis, as in a plane frame, is fixed at every joint.
 function Reader:read_freedoms()
   local row = self:rows "ACTIVE DEGREES OF FREEDOM"[1]
   self.inactive = {}
   for _, letter in ipairs(row and directions or {}) do
-    local key = (#letter == 1 and "U" .. letter or letter):upper()
+    local key = Reader.key_of(letter)
     if row:text(key) and not row:yes(key) then self.inactive[letter] = true end
   end
   if next(self.inactive) then
@@ -118,31 +121,18 @@ function Reader:joint(row, key)
 end
 
 -- What is not active, for a node that is none of the file's.
-function Reader:inactive_fix()
-  local letters = {}
-  for _, letter in ipairs(directions) do
-    if self.inactive[letter] then letters[#letters + 1] = letter end
-  end
-  return #letters > 0 and table.concat(letters, ",") or nil
-end
+function Reader:inactive_fix() return frame_module.fix_of(self.inactive) end
 
 function Reader:read_restraints()
   local fixed = {}
   for _, row in ipairs(self:rows "JOINT RESTRAINT ASSIGNMENTS") do
     local set = {}
     for i, letter in ipairs(directions) do
-      set[letter] = row:yes(i <= 3 and "U" .. i or "R" .. i - 3)
+      set[letter] = row:yes(i <= 3 and "U" .. i or "R" .. i - 3) or self.inactive[letter]
     end
     fixed[self:joint(row, "Joint").name] = set
   end
-  for _, node in ipairs(self.frame.nodes) do
-    local letters = {}
-    for _, letter in ipairs(directions) do
-      local set = fixed[node.name]
-      if set and set[letter] or self.inactive[letter] then letters[#letters + 1] = letter end
-    end
-    if #letters > 0 then node.fix = #letters == 6 and "all" or table.concat(letters, ",") end
-  end
+  for _, node in ipairs(self.frame.nodes) do node.fix = frame_module.fix_of(fixed[node.name] or self.inactive) end
 end
 
 function Reader:read_materials()
@@ -335,7 +325,7 @@ function sap_frame.read(where, file, tables, others, program, sections)
   self:read_joint_loads()
   sap_loads(self)
   sap_offsets.settle(self)
-  sap_ties.read(self, frame_module.direction)
+  sap_ties.read(self)
   sap_areas(self)
   self:note_the_rest(others)
   return frame_module.finish(self.frame, self.notes, self.places)

@@ -1,5 +1,6 @@
 -- Members from tables of SAP2000: their sections, angles, releases and groups, and their division at joints on them.
 -- These are methods of the reader in frame.lua.
+local check = require "hinge.library.check"
 local divided = require "hinge.import.divided"
 local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
@@ -181,8 +182,7 @@ end
 function Members:parts_of(member, names, section_at)
   local parts, from, release = {}, member.a, member.release or {}
   for i = 1, #names + 1 do
-    local part = {}
-    for key, value in pairs(member) do part[key] = value end
+    local part = check.copy(member)
     part.name, part.a, part.b = ("%s/%d"):format(member.name, i), from, names[i] or member.b
     local own = { a = i == 1 and release.a or nil, b = i > #names and release.b or nil }
     if section_at then

@@ -11,8 +11,8 @@ local frame_module = require "hinge.import.frame"
 local vectors = require "hinge.library.vectors"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
+local units = require "hinge.library.units"
 
-local gravity = 9.80665 -- m/s^2
 local steep = 0.7 -- cosine to the vertical: members above it are columns, members below its complement beams
 
 local plus, dot, cross = vectors.plus, vectors.dot, vectors.cross
@@ -186,7 +186,7 @@ end
 function Offsets:weigh(row, part, ends)
   local reader = self.reader
   local material, area = reader.material[part.material], self.area[part.section]
-  local per_metre = (material.unit_weight or material.density * gravity) * area
+  local per_metre = (material.unit_weight or material.density * units.gravity) * area
   local d = frame_module.direction(reader.node[part.a], reader.node[part.b])
   for i, at in ipairs { "a", "b" } do
     local weight, mass = per_metre * ends[i], material.density * area * ends[i]
@@ -257,12 +257,12 @@ end
 
 -- The ends at each joint: { part =, at =, by = (offset; nil: at the joint), released = }.
 local function ends_at(reader)
-  local ends = {}
-  for _, part in ipairs(reader.frame.members) do
-    for _, at in ipairs { "a", "b" } do
-      ends[part[at]] = ends[part[at]] or {}
-      table.insert(ends[part[at]], { part = part, at = at, by = part.offset and part.offset[at],
-        released = part.release and part.release[at] ~= nil })
+  local ends = frame_module.ends_at(reader.frame.members)
+  for _, list in pairs(ends) do
+    for i, one in ipairs(list) do
+      local part, at = one[1], one[2]
+      list[i] = { part = part, at = at, by = part.offset and part.offset[at],
+        released = part.release and part.release[at] ~= nil }
     end
   end
   return ends

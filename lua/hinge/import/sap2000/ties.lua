@@ -1,9 +1,10 @@
 -- Constraints, springs and masses of joints in tables of SAP2000: diaphragms and bodies, equal displacements where a
 -- support holds them, springs to the ground, ends with partial fixity, added masses.
+local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
 
 local same_level = 1e-3 -- m, between joints of one level
-local directions = { "x", "y", "z", "rx", "ry", "rz" }
+local directions = frame_module.letters
 
 local Ties = {}
 Ties.__index = Ties
@@ -108,8 +109,7 @@ function Ties:read_bodies(of)
   for _, row in ipairs(reader:rows "CONSTRAINT DEFINITIONS - BODY") do
     local nodes, whole = of[row:need "Name"] or {}, true
     for _, letter in ipairs(directions) do
-      local key = (#letter == 1 and "U" .. letter or letter):upper()
-      whole = whole and (row:text(key) or "Yes"):lower() == "yes"
+      whole = whole and (row:text(reader.key_of(letter)) or "Yes"):lower() == "yes"
     end
     if not whole then
       reader:not_read(row, "a body constraint of some of the six directions is not read")
@@ -127,8 +127,7 @@ function Ties:read_equals(of)
   for _, row in ipairs(reader:rows "CONSTRAINT DEFINITIONS - EQUAL") do
     local nodes, left = of[row:need "Name"] or {}, false
     for _, letter in ipairs(directions) do
-      local key = (#letter == 1 and "U" .. letter or letter):upper()
-      if row:yes(key) and #nodes > 1 then
+      if row:yes(reader.key_of(letter)) and #nodes > 1 then
         local held = false
         for _, node in ipairs(nodes) do held = held or holds(node, letter) end
         for _, node in ipairs(held and nodes or {}) do hold(node, letter) end
@@ -148,20 +147,14 @@ end
 
 -- Where all ends at a joint are released nothing holds its rotation: one of them does, which has no moment there.
 function Ties:hold_released_joints()
-  local reader, ends, count, first = self.reader, {}, 0, nil
-  for _, m in ipairs(reader.frame.members) do
-    for _, at in ipairs { "a", "b" } do
-      local there = ends[m[at]] or { all = true, list = {} }
-      ends[m[at]] = there
-      there.all = there.all and m.release ~= nil and m.release[at] ~= nil
-      table.insert(there.list, { m, at })
-    end
-  end
+  local reader, count, first = self.reader, 0, nil
+  local ends = frame_module.ends_at(reader.frame.members)
   for _, node in ipairs(reader.frame.nodes) do
-    local there = ends[node.name]
-    local turns = not (holds(node, "rx") and holds(node, "ry") and holds(node, "rz"))
-    if there and there.all and turns then
-      local m, at = there.list[1][1], there.list[1][2]
+    local list = ends[node.name]
+    local free = list and not (holds(node, "rx") and holds(node, "ry") and holds(node, "rz"))
+    for _, one in ipairs(list or {}) do free = free and one[1].release and one[1].release[one[2]] end
+    if free then
+      local m, at = list[1][1], list[1][2]
       m.release[at] = nil
       if not next(m.release) then m.release = nil end
       count, first = count + 1, first or node
@@ -250,7 +243,7 @@ function Ties:read_masses()
   for _, row in ipairs(reader:rows "FRAME ADDED MASS ASSIGNMENTS") do
     local member, per_length = reader:frame_of(row), row:number("MassPerLen", 0) * reader.mass / reader.length
     for _, part in ipairs(member and reader.parts[member.name] or {}) do
-      local _, length = self.direction(reader.node[part.a], reader.node[part.b])
+      local _, length = frame_module.direction(reader.node[part.a], reader.node[part.b])
       self:add_mass(row, part.a, per_length * length / 2)
       self:add_mass(row, part.b, per_length * length / 2)
     end
@@ -277,10 +270,9 @@ local function read_ends(reader)
   self:hold_released_joints()
 end
 
---- Reads the rest; direction: that of frame.lua.
-local function read(reader, direction)
-  local self = setmetatable({ reader = reader, direction = direction, joined = {}, turned = {} }, Ties)
-  for _, m in ipairs(reader.frame.members) do self.joined[m.a], self.joined[m.b] = true, true end
+--- Reads the rest.
+local function read(reader)
+  local self = setmetatable({ reader = reader, joined = frame_module.ends_at(reader.frame.members), turned = {} }, Ties)
   for _, row in ipairs(reader:rows "JOINT LOCAL AXES ASSIGNMENTS 1 - TYPICAL") do
     local turned = row:number("AngleA", 0) ~= 0 or row:number("AngleB", 0) ~= 0 or row:number("AngleC", 0) ~= 0
     self.turned[reader:joint(row, "Joint").name] = turned or nil
