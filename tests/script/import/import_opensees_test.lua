@@ -117,16 +117,21 @@ fix 1 1 1 1 0 1 0
 fixX 4 0 1 0 1 0 1 -tol 0.01
 geomTransf PDelta 1 0 1 0
 geomTransf PDelta 2 0 0.6 0.8
-section Elastic 1 200 2 0.3 0.4 80 0.5
+section Elastic 1 200 2 0.3 0.4 80 0.5 0.8 0.7
 element elasticBeamColumn 1 1 2 2 200 80 0.5 0.4 0.3 1
 element dispBeamColumn 2 2 3 1 Legendre 1 3 -mass 7
 element ElasticTimoshenkoBeam 3 1 3 200 80 2 0.5 0.4 0.3 1.5 1.2 1
 beamIntegration Lobatto 4 1 5
 element forceBeamColumn 4 3 2 2 4
+element nonlinearBeamColumn 5 3 1 1 "Lobatto 1 5"
+element elasticBeamColumn 6 3 1 1 1
+timeSeries Linear 1 -factor 3
+pattern Plain 3 1 -fact 2 { load 3 1 0 0 0 0 0 }
 pattern Plain 1 Constant { load 2 1 2 3 4 5 6 }
 pattern Plain 2 Linear { eleLoad -range 1 2 -type -beamUniform 1 2 3
 eleLoad -ele 3 -type -beamUniform 4 5 }
 mass 2 3 3 3 1 2 4
+mass 3 7 7 0 0 0 0
 ]]
 -- mm and N: 1 N s2/mm is 1 t, 1 N/mm2 is 1 MPa. Ix is I_y of OpenSees, Iy is I_z; y is towards vecxz
 local space_as_text = [[
@@ -137,10 +142,15 @@ material element 1 E=2e+08 G=8e+07 density=0
 material section 1 E=2e+08 G=8e+07 density=3.5e+12
 section element 1 area=2e-06 Ix=4e-13 Iy=3e-13 J=5e-13 shear_area_x=0.002 shear_area_y=0.002
 section element 3 area=2e-06 Ix=4e-13 Iy=3e-13 J=5e-13 shear_area_x=1.5e-06 shear_area_y=1.2e-06
+section section 1 area=2e-06 Ix=4e-13 Iy=3e-13 J=5e-13 shear_area_x=1.6e-06 shear_area_y=1.4e-06
 member 1 a=1 b=2 section=element 1 material=element 1 up={0 1 0}
 member 2 a=2 b=3 section=element 1 material=section 1 up={0 1 0}
 member 3 a=1 b=3 section=element 3 material=element 1 up={0 1 0}
-member 4 a=3 b=2 section=element 1 material=element 1 up={0 0.6 0.8}
+member 4 a=3 b=2 section=section 1 material=element 1 up={0 0.6 0.8}
+member 5 a=3 b=1 section=section 1 material=element 1 up={0 1 0}
+member 6 a=3 b=1 section=element 1 material=element 1 up={0 1 0}
+case pattern 3
+  load node=3 force={6 0 0}
 case pattern 1
   load node=2 force={1 2 3} moment={0.004 0.005 0.006}
 case pattern 2
@@ -148,56 +158,16 @@ case pattern 2
   load member=2 q={1000 2000 3000} axes=local
   load member=3 q={4000 5000 0} axes=local
 mass 2 mass=3000 inertia={0.001 0.002 0.004}
+mass 3 mass=7000
 ]]
 
 case("OpenSees: a frame in space in mm and N, row by row", function()
   local frame, notes = import.tcl { file = write("space.tcl", space_tcl), units = { length = "mm", force = "N" } }
   same_lines(dump(frame), space_as_text, "Tcl")
   equal(#notes, 0, tostring(notes))
+  expect(files.at_line(notes.assumed, 23), "a mass along two axes is named: %s", tostring(notes))
   local heavy = import.tcl { file = write("space.tcl", space_tcl), units = { length = "mm", force = "N", mass = 5 } }
   near(heavy.masses[1].mass, 15, 1e-12, "a unit of mass that is given")
-end)
-
-case("elements: sections by tag, integration points, shear by alphaY and alphaZ, masses", function()
-  local frame, notes = tcl([[
-model basic -ndm 3 -ndf 6
-node 1 0 0 0
-node 2 0 0 3 -mass 5 5 5 1 2 3
-node 3 4 0 3 -mass 7 7 0 0 0 0
-fixZ 0 1 1 1 1 1 1
-geomTransf Corotational 1 0 1 0
-section Elastic 1 200 2 0.3 0.4 80 0.5 0.8 0.7
-element forceBeamColumn 1 1 2 5 1 1 -mass 4
-element dispBeamColumn 2 2 3 1 Legendre 1 3
-element elasticBeamColumn 3 2 3 1 1
-element nonlinearBeamColumn 4 2 3 1 "Lobatto 1 5"
-element elasticBeamColumn 5 2 3 2 200 80 0.5 0.4 0.3 1
-timeSeries Linear 1 -factor 3
-pattern Plain 1 1 -fact 2 { load 3 1 2 3 4 5 6 }
-pattern Plain 2 Constant { load 3 1 0 0 0 0 0; eleLoad -range 2 3 -type -beamUniform 1 2 3 }
-]], { length = "mm", force = "kN" })
-  equal(#notes, 0, tostring(notes))
-  local of = {}
-  for _, s in ipairs(frame.sections) do of[s.name] = s end
-  local m = frame.members
-  -- y of hinge is z of OpenSees: Ix = Iy, Iy = Iz; 1 mm^2 is 1e-6 m^2
-  local s = of[m[1].section]
-  equal(("%.6g %.6g %.6g %.6g %.6g %.6g"):format(s.area, s.Ix, s.Iy, s.J, s.shear_area_x, s.shear_area_y),
-    "2e-06 4e-13 3e-13 5e-13 1.6e-06 1.4e-06", "with shear strain")
-  equal(of[m[2].section].shear_area_x, 1000 * 2e-6, "dispBeamColumn has none")
-  for _, i in ipairs { 3, 5 } do equal(m[i].section, m[2].section, "without shear strain: element " .. i) end
-  equal(m[4].section, m[1].section, "nonlinearBeamColumn is forceBeamColumn")
-  near(frame.materials[1].E, 200e9, 1, "kN/mm^2")
-  near(frame.materials[1].density, 4e6 / 1e-3 / 2e-6, 1e3, "-mass in kN s^2/mm per mm, over the area")
-  equal(frame.nodes[1].fix, "all", "fixZ")
-  near(frame.masses[1].mass, 5e6, 1e-6, "a mass, kg")
-  near(frame.masses[1].inertia[3], 3, 1e-9, "its inertia, kg m^2")
-  expect(files.at_line(notes.assumed, 4), "a mass along two axes is named: %s", tostring(notes))
-  equal(frame.cases[1].loads[1].force[2], 12e3, "both factors, N")
-  equal(frame.cases[1].loads[1].moment[3], 36, "a moment, N m")
-  equal(#frame.cases[2].loads, 3, "loads of the second pattern")
-  local q = frame.cases[2].loads[2]
-  equal(("%s %g %g %g"):format(q.axes, q.q[1], q.q[2], q.q[3]), "local 1e+06 2e+06 3e+06", "Wy, Wz, Wx are x, y, z")
 end)
 
 -- Notes and errors ----------------------------------------------------------------------------------------------------

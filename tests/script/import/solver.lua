@@ -5,7 +5,7 @@
 --   s:node("a", 0, 0); s:node("b", 4, 0); s:fix("a", "x y rz")
 --   s:beam { "beam", "a", "b", E = 200e9, A = 0.01, Iz = 1e-4 }
 --   s:load("b", { y = -1e3 })
---   local r = s:solve()                           -- r.u.b.y, r.reaction.a.rz, r.force.beam[6]
+--   local r = s:solve()                           -- r.u.b.y, r.reaction.a.rz
 --
 -- Local axes of a beam: x from i to j, y = vecxz x x, z = x x y; in the plane vecxz is z of space.
 local algebra = dofile(debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "solver_algebra.lua")
@@ -46,19 +46,19 @@ local function freedom(self, node, letter)
   return assert(self.nodes[node], "no such node").first + assert(index[letter], "no such letter")
 end
 
---- Holds degrees of freedom, at zero or at a value.
-function Frame:fix(node, which, value)
+--- Holds degrees of freedom.
+function Frame:fix(node, which)
   for letter in which:gmatch "%w+" do
     local i = freedom(self, node, letter)
     self.held[i] = true
-    table.insert(self.rows, { [i] = 1, value = value or 0 })
+    table.insert(self.rows, { [i] = 1 })
   end
 end
 
 --- Degrees of freedom of b that are those of a.
 function Frame:equal(a, b, which)
   for letter in which:gmatch "%w+" do
-    table.insert(self.rows, { [freedom(self, a, letter)] = -1, [freedom(self, b, letter)] = 1, value = 0 })
+    table.insert(self.rows, { [freedom(self, a, letter)] = -1, [freedom(self, b, letter)] = 1 })
   end
 end
 
@@ -69,7 +69,7 @@ function Frame:rigid(a, b, which)
   -- u_b = u_a + rotation x d
   local turn = { { [5] = d[3], [6] = -d[2] }, { [6] = d[1], [4] = -d[3] }, { [4] = d[2], [5] = -d[1] }, {}, {}, {} }
   for letter in which:gmatch "%w+" do
-    local row = { [freedom(self, b, letter)] = 1, [freedom(self, a, letter)] = -1, value = 0 }
+    local row = { [freedom(self, b, letter)] = 1, [freedom(self, a, letter)] = -1 }
     for k, factor in pairs(turn[index[letter]]) do
       if factor ~= 0 then row[self.nodes[a].first + k] = -factor end
     end
@@ -92,15 +92,11 @@ end
 local planes = { { v = 2, r = 6, sign = 1, I = "Iz", shear = "Avy" },
   { v = 3, r = 5, sign = -1, I = "Iy", shear = "Avz" } }
 
--- Shape functions of a beam with shear, phi = 12 E I / (G A_v L^2): displacement or rotation at x = s L by the
--- displacement and rotation of both ends. They solve the equations without a load, so a load on them gives the exact
--- forces of a clamped beam.
-local function shapes(s, L, phi, rotation)
+-- Shape functions of a beam with shear, phi = 12 E I / (G A_v L^2): displacement at x = s L by the displacement and
+-- rotation of both ends. They solve the equations without a load, so a load on them gives the exact forces of a clamped
+-- beam.
+local function shapes(s, L, phi)
   local mu = 1 / (1 + phi)
-  if rotation then
-    return { 6 * mu / L * (s ^ 2 - s), mu * (1 - 4 * s + 3 * s ^ 2 + phi * (1 - s)), 6 * mu / L * (s - s ^ 2),
-      mu * (3 * s ^ 2 - 2 * s + phi * s) }
-  end
   return { mu * (1 - 3 * s ^ 2 + 2 * s ^ 3 + phi * (1 - s)), L * mu * (s - 2 * s ^ 2 + s ^ 3 + phi / 2 * (s - s ^ 2)),
     mu * (3 * s ^ 2 - 2 * s ^ 3 + phi * s), L * mu * (s ^ 3 - s ^ 2 + phi / 2 * (s ^ 2 - s)) }
 end
@@ -110,17 +106,14 @@ local function phi_of(p, plane, L)
   return shear and 12 * p.E * (p[plane.I] or 0) / (p.G * shear * L ^ 2) or 0
 end
 
--- The part of the shape functions along the six local axes at s: rows of 12.
+-- The part of the shape functions along x, y and z at s: rows of 12.
 local function shapes_at(p, L, s)
   local N = {}
-  for i = 1, 6 do N[i] = algebra.vector(12) end
-  for _, i in ipairs { 1, 4 } do N[i][i], N[i][6 + i] = 1 - s, s end
+  for i = 1, 3 do N[i] = algebra.vector(12) end
+  N[1][1], N[1][7] = 1 - s, s
   for _, plane in ipairs(planes) do
-    for rotation, row in pairs { [false] = plane.v, [true] = plane.r } do
-      local n, outer = shapes(s, L, phi_of(p, plane, L), rotation), rotation and plane.sign or 1
-      N[row][plane.v], N[row][plane.r], N[row][6 + plane.v], N[row][6 + plane.r] = outer * n[1],
-        outer * plane.sign * n[2], outer * n[3], outer * plane.sign * n[4]
-    end
+    local n, row = shapes(s, L, phi_of(p, plane, L)), N[plane.v]
+    row[plane.v], row[plane.r], row[6 + plane.v], row[6 + plane.r] = n[1], plane.sign * n[2], n[3], plane.sign * n[4]
   end
   return N
 end
@@ -195,35 +188,19 @@ function Frame:beam(p)
   self.elements[p[1]] = element
 end
 
--- Adds what a load along the local axes at s does to the forces of the clamped beam.
-local function add_fixed(element, s, load)
-  local N = shapes_at(element.beam, element.L, s)
-  for i = 1, 6 do
-    for k = 1, 12 do element.f0[k] = element.f0[k] - N[i][k] * (load[i] or 0) end
-  end
-end
-
-local function turned(element, v)
-  local result = {}
-  for i = 1, 3 do result[i] = element.axes[i][1] * v[1] + element.axes[i][2] * v[2] + element.axes[i][3] * v[3] end
-  return result
-end
-
---- A load on a beam: { q = { per length }, to_q = (at its end; default q), from =, to = (0 to 1) } or { force =,
---- moment =, at = (0 to 1) }. axes = "global": along the axes of space, else local ones.
+--- A load on a beam along its axes: { q = { per length } } or { force =, at = (0 to 1) }.
 function Frame:beam_load(name, load)
   local element = self.elements[name]
   assert(not element.released, "loads are given before the first solution")
-  local function on(v) return load.axes == "global" and turned(element, v) or v end
-  if not load.q then
-    local f, m = on(load.force or { 0, 0, 0 }), on(load.moment or { 0, 0, 0 })
-    return add_fixed(element, load.at, { f[1], f[2], f[3], m[1], m[2], m[3] })
+  local function add(s, force)
+    for i, row in ipairs(shapes_at(element.beam, element.L, s)) do
+      for k = 1, 12 do element.f0[k] = element.f0[k] - row[k] * force[i] end
+    end
   end
-  local from, to, q, r = load.from or 0, load.to or 1, on(load.q), on(load.to_q or load.q)
+  if load.force then return add(load.at, load.force) end
   for _, g in ipairs(gauss) do
-    local part = {}
-    for i = 1, 3 do part[i] = (q[i] + g[1] * (r[i] - q[i])) * g[2] * (to - from) * element.L end
-    add_fixed(element, from + g[1] * (to - from), part)
+    local w = g[2] * element.L
+    add(g[1], { w * load.q[1], w * load.q[2], w * load.q[3] })
   end
 end
 
@@ -262,8 +239,7 @@ local function prepare(self)
   return algebra.eliminate(self.rows, 6 * self.count)
 end
 
---- Displacements by node (u), forces of supports (reaction) and forces on the ends of beams along their local axes
---- (force: six at i, six at j).
+--- Displacements by node (u) and forces of supports (reaction).
 function Frame:solve()
   local reduced = prepare(self)
   local n = 6 * self.count
@@ -276,8 +252,7 @@ function Frame:solve()
     end
   end
   local u = K:solve(F)
-  local result = { u = {}, reaction = {}, force = {} }
-  local R = algebra.vector(n)
+  local result, R = { u = {}, reaction = {} }, algebra.vector(n)
   for i = 1, n do R[i] = -F[i] end
   for _, element in ipairs(self.elements) do
     local of = {}
@@ -285,8 +260,6 @@ function Frame:solve()
     for i, at in ipairs(element.freedoms) do
       if at then R[at] = R[at] + algebra.dot(element.global[i], of) end
     end
-    result.force[element.name] = algebra.times(element.k, algebra.times(element.T, of))
-    for i, f in ipairs(element.f0) do result.force[element.name][i] = result.force[element.name][i] + f end
   end
   for _, name in ipairs(self.names) do
     result.u[name], result.reaction[name] = {}, {}

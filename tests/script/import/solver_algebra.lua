@@ -57,8 +57,8 @@ end
 
 -- Constraints ---------------------------------------------------------------------------------------------------------
 
---- Solves equations between n degrees of freedom, sum of row[i] u[i] = row.value, for some of them by the others.
--- Rows that agree with others are no matter. Returns { of = what each is: list of { free number, factor }, value = }.
+--- Solves equations between n degrees of freedom, sum of row[i] u[i] = 0, for some of them by the others. Rows that
+--- agree with others are no matter. Returns { of = what each is: list of { free number, factor }, count =, n = }.
 function algebra.eliminate(rows, n)
   local pivots = {} -- row by the degree of freedom that it gives
   local function subtract(row, other, factor)
@@ -68,12 +68,12 @@ function algebra.eliminate(rows, n)
     local row = {}
     for i, value in pairs(given) do row[i] = value end
     for i, value in pairs(given) do
-      if i ~= "value" and pivots[i] then subtract(row, pivots[i], value) end
+      if pivots[i] then subtract(row, pivots[i], value) end
     end
     local at
     for i, value in pairs(row) do
-      if i ~= "value" and (not at or math.abs(value) > math.abs(row[at]) or math.abs(value) == math.abs(row[at])
-        and i < at) then at = i end
+      local size, largest = math.abs(value), at and math.abs(row[at]) or -1
+      if size > largest or size == largest and i < at then at = i end
     end
     if at and math.abs(row[at]) > 1e-9 then
       local pivot = row[at]
@@ -85,8 +85,6 @@ function algebra.eliminate(rows, n)
         if row[i] and math.abs(row[i]) < 1e-14 then row[i] = nil end
       end
       pivots[at] = row
-    elseif math.abs(row.value) > 1e-9 then
-      error "supports and constraints contradict each other"
     end
   end
   local free, count = {}, 0
@@ -96,12 +94,11 @@ function algebra.eliminate(rows, n)
       free[i] = count
     end
   end
-  local reduced = { of = {}, value = {}, count = count, n = n }
+  local reduced = { of = {}, count = count, n = n }
   for i = 1, n do
-    reduced.of[i], reduced.value[i] = {}, pivots[i] and pivots[i].value or 0
-    if free[i] then reduced.of[i] = { { free[i], 1 } } end
+    reduced.of[i] = free[i] and { { free[i], 1 } } or {}
     for k, value in pairs(pivots[i] or {}) do
-      if k ~= "value" and k ~= i and value ~= 0 then table.insert(reduced.of[i], { free[k], -value }) end
+      if k ~= i and value ~= 0 then table.insert(reduced.of[i], { free[k], -value }) end
     end
   end
   return reduced
@@ -113,20 +110,18 @@ local Matrix = {}
 Matrix.__index = Matrix
 
 function algebra.reduced_matrix(reduced)
-  return setmetatable({ reduced = reduced, rows = algebra.zeros(reduced.count), known = algebra.vector(reduced.count) },
-    Matrix)
+  return setmetatable({ reduced = reduced, rows = algebra.zeros(reduced.count) }, Matrix)
 end
 
 --- Adds a matrix over some of all degrees of freedom; false among them is the ground.
 function Matrix:add(freedoms, k)
-  local of, value = self.reduced.of, self.reduced.value
+  local of = self.reduced.of
   for i, a in ipairs(freedoms) do
     for j, b in ipairs(freedoms) do
       if a and b and k[i][j] ~= 0 then
         for _, p in ipairs(of[a]) do
           local row = self.rows[p[1]]
           for _, q in ipairs(of[b]) do row[q[1]] = row[q[1]] + p[2] * k[i][j] * q[2] end
-          self.known[p[1]] = self.known[p[1]] + p[2] * k[i][j] * value[b]
         end
       end
     end
@@ -184,14 +179,13 @@ function Matrix:solve(F)
     for _, p in ipairs(of[i]) do b[p[1]] = b[p[1]] + p[2] * F[i] end
   end
   for i = 1, #b do
-    b[i] = b[i] - self.known[i]
     if self.rows[i][i] == 0 and b[i] ~= 0 then error("a load on what nothing holds", 0) end
   end
   local L = cholesky(self.rows)
   local x = backward(L, forward(L, b))
   local u = {}
   for i = 1, self.reduced.n do
-    u[i] = self.reduced.value[i]
+    u[i] = 0
     for _, p in ipairs(of[i]) do u[i] = u[i] + p[2] * x[p[1]] end
   end
   return u
