@@ -16,6 +16,8 @@ local units = require "hinge.library.units"
 
 local where = "hinge.import.e2k"
 
+local function fail(line, ...) notes.fail(where, line.place, ...) end
+
 -- The reader ----------------------------------------------------------------------------------------------------------
 
 local Reader = { pairs_after = lines.pairs_after }
@@ -68,11 +70,12 @@ local metres = { m = 1, cm = 1e-2, mm = 1e-3, ["in"] = units.inch, ft = units.ft
 
 function Reader:read_units()
   local line = self:lines("CONTROLS", "UNITS")[1]
-  if not line then check.fail("%s: %s has no line UNITS in $ CONTROLS, so that its units are not known", where,
-    self.file) end
+  if not line then
+    check.fail("%s: %s has no line UNITS in $ CONTROLS, so that its units are not known", where, self.file)
+  end
   local force, length = forces[(line.words[2] or ""):upper()], lengths[(line.words[3] or ""):upper()]
   if not (force and length) then
-    notes.fail(where, line.place, "UNITS are '%s' and '%s'; must be a force (%s) and a length (%s)",
+    fail(line, "UNITS are '%s' and '%s'; must be a force (%s) and a length (%s)",
       line.words[2] or "", line.words[3] or "", table.concat(check.keys(forces), ", "),
       table.concat(check.keys(lengths), ", "))
   end
@@ -86,8 +89,8 @@ function Reader:read_storeys()
   self.storey, self.storeys = {}, {}
   for _, line in ipairs(self:lines(section, "STORY")) do
     local name, given = line.words[2], lines.pairs_after(line, 3)
-    if not name then notes.fail(where, line.place, "STORY has no name") end
-    if self.storey[name] then notes.fail(where, line.place, "storey %s is there twice", name) end
+    if not name then fail(line, "STORY has no name") end
+    if self.storey[name] then fail(line, "storey %s is there twice", name) end
     self:note_keys(line, given, lines.set "HEIGHT ELEV", {
       "MASTERSTORY", "SIMILARTO", "SPLICE", "COLOR", "CUMULATIVE" })
     local storey = { name = name, index = #self.storeys + 1, line = line,
@@ -99,10 +102,10 @@ function Reader:read_storeys()
   if not base or not (base.z or base.height) then
     check.fail("%s: %s has no storeys in $ %s", where, self.file, section)
   end
-  if not base.z then notes.fail(where, base.line.place, "the last STORY is the base; it needs ELEV") end
+  if not base.z then fail(base.line, "the last STORY is the base; it needs ELEV") end
   for i = #self.storeys - 1, 1, -1 do
     local storey = self.storeys[i]
-    if not storey.height then notes.fail(where, storey.line.place, "storey %s has no HEIGHT", storey.name) end
+    if not storey.height then fail(storey.line, "storey %s has no HEIGHT", storey.name) end
     storey.z = self.storeys[i + 1].z + storey.height
   end
 end
@@ -111,8 +114,8 @@ function Reader:read_points()
   self.point = {}
   for _, line in ipairs(self:lines("POINT COORDINATES", "POINT")) do
     local name = line.words[2]
-    if not name then notes.fail(where, line.place, "POINT has no name") end
-    if self.point[name] then notes.fail(where, line.place, "point %s is there twice", name) end
+    if not name then fail(line, "POINT has no name") end
+    if self.point[name] then fail(line, "point %s is there twice", name) end
     local below = line.words[5] and lines.number_of(line, line.words[5], "the third number of the point") or 0
     self.point[name] = { x = lines.number_of(line, line.words[3], "x"), y = lines.number_of(line, line.words[4], "y"),
       below = below, line = line }
@@ -121,16 +124,13 @@ function Reader:read_points()
 end
 
 function Reader:storey_of(line, name)
-  if not self.storey[name or ""] then
-    notes.fail(where, line.place, "storey '%s' is not in $ STORIES", tostring(name))
-  end
-  return self.storey[name]
+  return self.storey[name or ""] or fail(line, "storey '%s' is not in $ STORIES", tostring(name))
 end
 
 --- The joint of a point on a storey, which is made when it is first used.
 function Reader:joint(line, point, storey)
   local p = self.point[point]
-  if not p then notes.fail(where, line.place, "point '%s' is not in $ POINT COORDINATES", tostring(point)) end
+  if not p then fail(line, "point '%s' is not in $ POINT COORDINATES", tostring(point)) end
   local name = point .. "@" .. storey.name
   if not self.joints[name] then
     self.joints[name] = true
@@ -147,7 +147,7 @@ function Reader:gathered(section, word)
   local list, by_name = {}, {}
   for _, line in ipairs(self:lines(section, word)) do
     local name = line.words[2]
-    if not name then notes.fail(where, line.place, "%s has no name", word) end
+    if not name then fail(line, "%s has no name", word) end
     local found = by_name[name]
     if not found then
       found = { name = name, line = line, given = {} }
@@ -194,9 +194,8 @@ function Reader:read_sections()
     local plain = shape:gsub("^Steel ", ""):gsub("^Concrete ", "")
     local known = shapes[plain:upper()]
     local row = { SectionName = s.name, Material = given.MATERIAL, Shape = known or shape, t3 = given.D, t2 = given.B,
-      dis = given.DIS,
-      tf = given.TF, tw = given.TW or given.T, Area = given.AREA, AS2 = given.AS2, AS3 = given.AS3, I33 = given.I33,
-      I22 = given.I22, TorsConst = given.TORSION, Z33 = given.Z33, Z22 = given.Z22 }
+      dis = given.DIS, tf = given.TF, tw = given.TW or given.T, Area = given.AREA, AS2 = given.AS2, AS3 = given.AS3,
+      I33 = given.I33, I22 = given.I22, TorsConst = given.TORSION, Z33 = given.Z33, Z22 = given.Z22 }
     if known == "Pipe" then row.tw = given.TW or given.T or given.TF end
     if not known and not given.AREA then
       row.Catalogue = shape:find "^Steel " and s.name or shape
@@ -218,8 +217,8 @@ function Reader:read_connectivities()
   self.line = {}
   for _, line in ipairs(self:lines("LINE CONNECTIVITIES", "LINE")) do
     local name, kind, a, b = line.words[2], line.words[3], line.words[4], line.words[5]
-    if not b then notes.fail(where, line.place, "LINE must have a name, COLUMN, BEAM or BRACE, and two points") end
-    if self.line[name] then notes.fail(where, line.place, "line %s is there twice", name) end
+    if not b then fail(line, "LINE must have a name, COLUMN, BEAM or BRACE, and two points") end
+    if self.line[name] then fail(line, "line %s is there twice", name) end
     local down = line.words[6] and lines.number_of(line, line.words[6], "the storeys between its ends") or 0
     self.line[name] = { kind = kind:upper(), a = a, b = b, down = down, line = line }
   end
@@ -237,8 +236,7 @@ local function released(line, text)
   for name in text:gmatch "%S+" do
     local force, at = name:upper():match "^(%w-)([IJ])$"
     if not releases[force or ""] then
-      notes.fail(where, line.place, "RELEASE '%s' is not known; must be PINNED, or P, V2, V3, T, M2 or M3 with I or J",
-        name)
+      fail(line, "RELEASE '%s' is not known; must be PINNED, or P, V2, V3, T, M2 or M3 with I or J", name)
     end
     fields[force .. at] = "Yes"
   end
@@ -270,17 +268,15 @@ end
 
 function Reader:read_line(line, name, storey, given)
   local l = self.line[name]
-  if not l then notes.fail(where, line.place, "line '%s' is not in $ LINE CONNECTIVITIES", name) end
+  if not l then fail(line, "line '%s' is not in $ LINE CONNECTIVITIES", name) end
   local below = self.storeys[storey.index + l.down]
   if not below or l.down ~= math.floor(l.down) or l.down < 0 then
-    notes.fail(where, line.place, "line %s on storey %s begins %s below it; there %s %d", name, storey.name,
+    fail(line, "line %s on storey %s begins %s below it; there %s %d", name, storey.name,
       check.count(l.down, "storey"), #self.storeys - storey.index == 1 and "is" or "are", #self.storeys - storey.index)
   end
   local section = "LINE ASSIGNS"
   local frame = name .. "@" .. storey.name
-  if self.frames[frame] then
-    notes.fail(where, line.place, "line %s is assigned twice to storey %s", name, storey.name)
-  end
+  if self.frames[frame] then fail(line, "line %s is assigned twice to storey %s", name, storey.name) end
   self.frames[frame] = true
   self:row("CONNECTIVITY - FRAME", section, line, { Frame = frame, JointI = self:joint(line, l.a, below),
     JointJ = self:joint(line, l.b, storey) })
@@ -363,9 +359,7 @@ function Reader:read_point_assigns()
       local fields = { Joint = self:joint(line, line.words[2], storey) }
       for name in given.RESTRAINT:gmatch "%S+" do
         local kind, axis = name:upper():match "^([UR])([XYZ])$"
-        if not kind then
-          notes.fail(where, line.place, "RESTRAINT '%s' is not known; must be UX, UY, UZ, RX, RY or RZ", name)
-        end
+        if not kind then fail(line, "RESTRAINT '%s' is not known; must be UX, UY, UZ, RX, RY or RZ", name) end
         fields[kind .. (("XYZ"):find(axis, 1, true))] = "Yes"
       end
       self:row("JOINT RESTRAINT ASSIGNMENTS", "POINT ASSIGNS", line, fields)

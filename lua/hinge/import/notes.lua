@@ -105,8 +105,6 @@ function notes.fail(where, place, format, ...)
   check.fail("%s: %s:%d: %s", where, place.file, place.line, what)
 end
 
-notes.most_text = 10000000 -- characters of one value in a script
-notes.most_items = 1000000 -- of one list in a script
 notes.most_seconds = 60 -- s of the processor
 notes.most_memory = 1000 -- MB
 local most_file = 500 -- MB

@@ -1,6 +1,5 @@
 -- Arguments of a command of OpenSees: numbers, tags, options, and what they refer to. Each function takes the reader,
 -- which knows the command that runs now and its place in the file.
-local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 
 local arguments = {}
@@ -102,13 +101,6 @@ end
 function arguments.dimensions(self)
   if not self.ndm then self:fail("the command stands before: model BasicBuilder -ndm ... -ndf ...") end
   return self.ndm
-end
-
---- Fails where there are fewer arguments before the options than a command needs.
-function arguments.at_least(self, args, count, what)
-  local n = arguments.positional(args)
-  if n < count then self:fail("%s has %s; must be %d or more", what, check.count(n, "argument"), count) end
-  return n
 end
 
 -- What the degrees of freedom of the file are here, and how they turn.

@@ -164,15 +164,19 @@ end
 
 local function transformation(self, text) return find(self, "geomTransf", tag(self, text, "the transformation")) end
 
+-- Fails unless as many arguments stand before the options of an element as it needs. also: what else may stand there.
+local function must_have(self, kind, n, count, also)
+  if n ~= count then
+    self:fail("element %s has %s before its options; must be %s%d", kind, check.count(n, "argument"), also or "", count)
+  end
+end
+
 -- Elastic elements ----------------------------------------------------------------------------------------------------
 
 -- tag i j A E Iz transf; in space tag i j A E G J Iy Iz transf; tag i j section transf
 function elements.elasticBeamColumn(self, args)
   local n, plane = positional(args), self.ndm == 2
-  if n ~= 5 and n ~= (plane and 7 or 10) then
-    self:fail("element elasticBeamColumn has %s before its options; must be 5 (with a section) or %d",
-      check.count(n, "argument"), plane and 7 or 10)
-  end
+  if n ~= 5 then must_have(self, "elasticBeamColumn", n, plane and 7 or 10, "5 (with a section) or ") end
   local t = transformation(self, args[n])
   local p
   if n == 5 then
@@ -188,10 +192,7 @@ end
 -- tag i j E G A Iz Avy transf; in space tag i j E G A J Iy Iz Avy Avz transf
 function elements.ElasticTimoshenkoBeam(self, args)
   local n, plane = positional(args), self.ndm == 2
-  if n ~= (plane and 9 or 12) then
-    self:fail("element ElasticTimoshenkoBeam has %s before its options; must be %d", check.count(n, "argument"),
-      plane and 9 or 12)
-  end
+  must_have(self, "ElasticTimoshenkoBeam", n, plane and 9 or 12)
   local t = transformation(self, args[n])
   local v = numbers(self, args, 4, n - 1, "number")
   add_member(self, args, plane and { E = v[1], G = v[2], A = v[3], Iz = v[4], Avy = v[5], Avz = v[5] }
@@ -270,10 +271,7 @@ elements.dispBeamColumn = with_points(false)
 -- tag i j sectionI lpI sectionJ lpJ E A Iz transf; in space ... E A Iz Iy G J transf
 function elements.beamWithHinges(self, args)
   local n, plane = positional(args), self.ndm == 2
-  if n ~= (plane and 11 or 14) then
-    self:fail("element beamWithHinges has %s before its options; must be %d", check.count(n, "argument"),
-      plane and 11 or 14)
-  end
+  must_have(self, "beamWithHinges", n, plane and 11 or 14)
   local v = numbers(self, args, 8, n - 1, "number")
   local p = { E = v[1], A = v[2], Iz = v[3], Iy = v[4], G = v[5], J = v[6] }
   add_member(self, args, with_hinges(self, args[4], args[6], p), transformation(self, args[n]))
@@ -290,14 +288,13 @@ local function truss(kind)
     local p
     if n == 4 then
       p = sections.of_bar(self, args[4])
-    elseif n == 5 then
+    else
+      must_have(self, kind, n, 5)
       local m = materials.of(self, args[5])
       if m.concrete then give_up "a bar of concrete is not read" end
-      p = { A = number(self, args[4], "A"), E = m.E, N0 = m.fy, fy = m.fy, b = m.b, kinematic = m.kinematic }
-    else
-      self:fail("element %s has %s before its options; must be 5", kind, check.count(n, "argument"))
+      local A = number(self, args[4], "A")
+      p = { A = A, E = m.E, N0 = m.fy and m.fy * A, fy = m.fy, b = m.b, kinematic = m.kinematic }
     end
-    if p.N0 and n == 5 then p.N0 = p.N0 * p.A end
     local _, length = frame_module.direction(a, b)
     -- a second moment with which the bar yields or reaches a strain of 0.1 long before it buckles
     local I = p.A * (length / self.length) ^ 2 / 100
