@@ -7,6 +7,7 @@ local support = require "support"
 local files = require "import.files"
 local hinge = require "hinge"
 local import = require "hinge.import"
+local frame_module = require "hinge.import.frame"
 local checks = support.checks "files of ETABS"
 local case, near, equal, expect, refused = checks.case, checks.near, checks.equal, checks.expect, checks.refused
 
@@ -277,6 +278,52 @@ case("ETABS: channels, tees and pairs of angles by their dimensions", function()
     for i, field in ipairs { "area", "Ix", "Iy" } do
       near(s[field], wanted[i], 2e-3 * wanted[i], shape .. ": " .. field)
     end
+  end
+end)
+
+-- The storey with a beam 0.5 by 0.2 and these keys of its lines.
+local function portal(beam, columns)
+  local kinds = { C1 = '"C" ' .. columns, C2 = '"C" ANG 90 ' .. columns, B1 = '"B" ' .. beam }
+  return e2k((storey:gsub('("(%w+)"  "Top"  SECTION )[^\n]*', function(head, name) return head .. kinds[name] end)
+    :gsub("%$ POINT COORDINATES", '  FRAMESECTION  "B"  MATERIAL "S"  SHAPE "Concrete Rectangular"  D 0.5 B 0.2\n%0')))
+end
+
+-- How far the ends of all members are from the points of the file.
+local function offsets(frame)
+  local list, node = {}, {}
+  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  local function shown(place, name)
+    local x, z = name:find "^2" and 6 or 0, name:find "Top" and 3 or 0
+    local parts = {}
+    for k, v in ipairs { place.x - x, place.y, place.z - z } do
+      parts[k] = ("%.4g"):format(math.abs(v) < 1e-12 and 0 or v)
+    end
+    local text = table.concat(parts, " ")
+    return text == "0 0 0" and "-" or text
+  end
+  for i, m in ipairs(frame.members) do
+    local a, b = frame_module.ends(m, node)
+    list[i] = ("%s; %s"):format(shown(a, m.a), shown(b, m.b))
+  end
+  return table.concat(list, " | ")
+end
+
+case("ETABS: insertion points and rigid zones of lines, in their lengths or automatic", function()
+  for _, row in ipairs {
+    { "", "", "-; - | -; - | -; -" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "", "-; - | -; - | 0 0 -0.25; 0 0 -0.25" },
+    { 'CARDINALPT 8 TRANSSTIFF "YES" RIGIDZONE 1', "", "-; - | -; - | 0.2 0 -0.25; -0.15 0 -0.25" },
+    { "CARDINALPT 8", "", "-; - | -; - | -; -" },
+    { "RIGIDZONE 0.5", "RIGIDZONE 0.5", "-; 0 0 -0.125 | -; 0 0 -0.125 | 0.1 0 0; -0.075 0 0" },
+    { 'CARDINALPT 8 TRANSFORMSTIFF "Yes"', "RIGIDZONE 0.5",
+      "-; 0 0 -0.25 | -; 0 0 -0.25 | 0 0 -0.25; 0 0 -0.25" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0 RIGIDZONE 0.5", "", "-; - | -; - | 0.15 0 0; -" },
+    { "LENGTHOFFI 0.3 LENGTHOFFJ 0.4", "", "-; - | -; - | -; -" },
+    { 'TRANSFORMSTIFF "Yes" OFFSETXI 0.05 OFFSETYJ -0.2', "", "-; - | -; - | 0.05 0 0; 0 -0.2 0" },
+  } do
+    local frame, notes = portal(row[1], row[2])
+    equal(#notes, 0, tostring(notes))
+    equal(offsets(frame), row[3], row[1] .. ", columns " .. row[2])
   end
 end)
 

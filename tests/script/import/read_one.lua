@@ -4,6 +4,7 @@
 -- Run: lua5.4 read_one.lua FILE [run_python], with the module on LUA_CPATH. The line: whole, partly, empty or refused;
 -- members; nodes; notes; then each kind of reason as COUNT "|" TEXT, all between tabs.
 require "hinge"
+local export = require "hinge.import.export"
 local import = require "hinge.import"
 
 local path, run_python = arg[1], arg[2] == "run_python"
@@ -19,13 +20,8 @@ local function kind_of(reason)
 end
 
 local function read()
-  local ending = path:lower():match "%.([^.]*)$"
-  if ending == "tcl" then return import.tcl { file = path, units = { length = "m", force = "N" } } end
-  if ending == "py" then
-    return import.tcl { file = path, units = { length = "m", force = "N" }, run_python = run_python or nil }
-  end
-  if ending == "s2k" or ending == "$2k" then return import.s2k { file = path } end
-  return import.e2k { file = path }
+  local of_opensees = path:lower():find "%.tcl$" or path:lower():find "%.py$"
+  return export.read(path, { units = of_opensees and "m,N" or nil, run_python = run_python })
 end
 
 local function finish(status, members, nodes, count, kinds)
