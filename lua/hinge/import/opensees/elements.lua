@@ -122,16 +122,13 @@ local function check_properties(self, p)
 end
 
 -- The direction of the section's y axis of an element between two ends.
-local function up_of(self, name, a, b, vecxz)
+local function up_of(self, name, ends, vecxz)
+  local a, b = frame_module.ends(ends, self.node)
   if a.x == b.x and a.y == b.y and a.z == b.z then self:fail("element %s has no length", name) end
   local z = frame_module.direction(a, b)
   if self.ndm == 2 then return { -z[3], 0, z[1] } end
   if not frame_module.axes(z, vecxz) then self:fail("vecxz of element %s is along the element", name) end
   return vecxz
-end
-
-local function moved(node, by)
-  return by and { x = node.x + by[1], y = node.y + by[2], z = node.z + by[3] } or node
 end
 
 -- Adds a member with the properties p in the units and axes of the file: E, G, A, Iz, in space Iy and J; Avy, Avz:
@@ -142,12 +139,12 @@ local function add_member(self, args, p, transformation)
   local m = arguments.number_of(self, args, "-mass", "-rho")
   local per_length = m and m * self.mass / self.length or 0
   check_properties(self, p)
-  local offset = transformation.offset
-  local up = up_of(self, name, moved(a, offset and offset.a), moved(b, offset and offset.b), transformation.up)
   local of = p.name or "element " .. name
-  local member = { name = name, a = a.name, b = b.name, section = shared(self, "sections", section_row(self, p), of),
-    material = shared(self, "materials", material_row(self, p, per_length), of), up = up,
-    release = releases(self, args), offset = offset }
+  local member = { name = name, a = a.name, b = b.name, offset = transformation.offset }
+  member.up = up_of(self, name, member, transformation.up)
+  member.section = shared(self, "sections", section_row(self, p), of)
+  member.material = shared(self, "materials", material_row(self, p, per_length), of)
+  member.release = releases(self, args)
   self.element[name] = member
   table.insert(self.frame.members, member)
   self.transformation_of[member] = transformation

@@ -40,6 +40,9 @@ function Reader:not_read(row, reason, kind)
   notes.once(self.notes, row.place, row.line, reason, kind)
 end
 
+--- A note, once for each kind, on what is taken where the file says otherwise or not at all.
+function Reader:assume(row, reason, kind) notes.once(self.notes.assumed, row.place, row.line, reason, kind) end
+
 local forces = { n = 1, kn = 1e3, kgf = units.gravity, tonf = 1e3 * units.gravity, lb = units.lbf, kip = units.kip }
 local lengths = { m = 1, cm = 1e-2, mm = 1e-3, micron = 1e-6, ["in"] = units.inch, ft = units.ft }
 

@@ -20,7 +20,7 @@ local function direction_of(row)
   return global[dir], nil
 end
 
-local times = vectors.times
+local times, plus = vectors.times, vectors.plus
 
 local Loads = {}
 Loads.__index = Loads
@@ -41,13 +41,10 @@ end
 local function in_space(p, to, axes)
   if axes == "local" then
     local x, y = frame_module.axes(p.d, p.part.up)
-    local v = { 0, 0, 0 }
-    for i = 1, 3 do v[i] = to[1] * x[i] + to[2] * y[i] + to[3] * p.d[i] end
-    return v
+    return plus(plus(times(to[1], x), to[2], y), to[3], p.d)
   end
   if axes ~= "projected" then return to end
-  local along = to[1] * p.d[1] + to[2] * p.d[2] + to[3] * p.d[3]
-  return times(math.sqrt(math.max(0, 1 - along ^ 2)), to)
+  return times(math.sqrt(math.max(0, 1 - vectors.dot(to, p.d) ^ 2)), to)
 end
 
 function Loads:add(case, row, load)
@@ -57,13 +54,9 @@ end
 
 -- A force and a moment at the distance s from a member's first joint, on the rigid end of a part.
 function Loads:add_at_joint(case, row, p, at, s, force, moment)
-  local offset = p.part.offset and p.part.offset[at] or { 0, 0, 0 }
-  local tip = at == "a" and p.first or p.last
-  local arm = {}
-  for i = 1, 3 do arm[i] = offset[i] + (s - tip) * p.d[i] end
-  local turn = force and vectors.cross(arm, force) or { 0, 0, 0 }
-  for i = 1, 3 do turn[i] = turn[i] + (moment and moment[i] or 0) end
-  self:add(case, row, { node = p.part[at], force = force, moment = turn })
+  local offset, tip = p.part.offset and p.part.offset[at] or { 0, 0, 0 }, at == "a" and p.first or p.last
+  local turn = vectors.cross(plus(offset, s - tip, p.d), force or { 0, 0, 0 })
+  self:add(case, row, { node = p.part[at], force = force, moment = plus(turn, 1, moment or { 0, 0, 0 }) })
 end
 
 -- What a load that is linear between s1 and s2 is together between two places, and where its resultant acts.

@@ -103,8 +103,8 @@ function Offsets:beside(member)
   for _, key in ipairs { "Mirror2", "Mirror3", "CoordSys" } do row:text(key) end
   if is_zero(i) and is_zero(j) then return nil end
   if transform:lower() ~= "yes" then
-    notes.once(self.reader.notes.assumed, row.place, row.line, "its insertion point does not enter the analysis, for "
-      .. "the file says that the stiffness is not transformed: the member goes from joint to joint", "not transformed")
+    self.reader:assume(row, "its insertion point does not enter the analysis, for the file says that the stiffness is "
+      .. "not transformed: the member goes from joint to joint", "not transformed")
     return nil
   end
   return { i, j }
@@ -144,8 +144,8 @@ function Offsets:rigid(member)
   if (row:text "Type" or "User"):lower():find "^auto" then
     if not is_column(d) and not is_beam(d) then return nil end
     i, j = self:face(a, member, d, is_column(d)), self:face(b, member, { -d[1], -d[2], -d[3] }, is_column(d))
-    notes.once(reader.notes.assumed, row.place, row.line, "automatic rigid ends: from a joint to the face of the "
-      .. "columns there (of a beam), of the beams there (of a column), times the rigid factor", "automatic")
+    reader:assume(row, "automatic rigid ends: from a joint to the face of the columns there (of a beam), of the beams "
+      .. "there (of a column), times the rigid factor", "automatic")
   end
   if i == 0 and j == 0 then return nil end
   return { factor * i, factor * j, row = row, full = (row:text "SelfWeight" or "Full"):lower() == "full" }

@@ -67,8 +67,8 @@ local function of_its_name(reader, row)
     local value = row:text(key) and row:number(key) * reader.length ^ (key == "Area" and 2 or 4)
     if value and not (math.abs(value / known[field] - 1) <= largest_difference) then return nil end
   end
-  notes.once(reader.notes.assumed, row.place, row.line, ("the section has no dimensions: its outline and plastic "
-    .. "moduli are those of %s in hinge.section.named"):format(known.kind), "named outline")
+  reader:assume(row, ("the section has no dimensions: its outline and plastic moduli are those of %s in "
+    .. "hinge.section.named"):format(known.kind), "named outline")
   return known
 end
 
@@ -82,8 +82,8 @@ local function shape_of(reader, row)
   if lost then
     local known = of_its_name(reader, row)
     if known then return known end
-    notes.once(reader.notes.assumed, row.place, row.line, ("the section of shape %s has no %s: it has the properties "
-      .. "of the file, no outline, and no plastic moduli but those of the file"):format(shape, lost), "no dimensions")
+    reader:assume(row, ("the section of shape %s has no %s: it has the properties of the file, no outline, and no "
+      .. "plastic moduli but those of the file"):format(shape, lost), "no dimensions")
   end
   if lost or not maker then return { size = size } end
   local good, made = pcall(maker, d)
@@ -103,8 +103,7 @@ end
 local function shear_area(reader, row, key, modifier, of_shape, area)
   local value = property(reader, row, key, modifier, 2, of_shape)
   if value ~= 0 then return value end
-  notes.once(reader.notes.assumed, row.place, row.line,
-    ("%s is 0, which is no shear strain: its shear area is %d times the area"):format(key, rigid))
+  reader:assume(row, ("%s is 0, which is no shear strain: its shear area is %d times the area"):format(key, rigid))
   return rigid * area
 end
 
@@ -120,8 +119,8 @@ local function by_name(reader, row, name)
   local text = row:text "Catalogue" or name
   local good, known = pcall(named.properties, text)
   if good then
-    notes.once(reader.notes.assumed, row.place, row.line, ("the section has no properties: it is %s of "
-      .. "hinge.section.named"):format(known.kind), "no properties")
+    reader:assume(row, ("the section has no properties: it is %s of hinge.section.named"):format(known.kind),
+      "no properties")
     return { name = name, named = known.kind }
   end
   local nearest = tostring(known):match "the nearest are (.-);"
@@ -137,7 +136,7 @@ return function(reader, row, name)
   if other then
     reader.used_sections[reader.other_sections[name] and name or row:text "Catalogue"] = true
     for key in pairs(row.fields) do row:text(key) end
-    notes.once(reader.notes.assumed, row.place, row.line, ("it is %s, as the option sections says"):format(other))
+    reader:assume(row, ("it is %s, as the option sections says"):format(other))
     return { name = name, named = other }
   end
   if row:text "Named" then return { name = name, named = row:text "Named" } end

@@ -89,8 +89,7 @@ function Ties:read_diaphragms(of)
     for _, part in ipairs(parts) do
       local held, free = self:held_in_plane(part, axis)
       if held then
-        notes.once(reader.notes.assumed, row.place, row.line, "a support holds the diaphragm in its plane, and so "
-          .. "all its joints", "held diaphragm")
+        reader:assume(row, "a support holds the diaphragm in its plane, and so all its joints", "held diaphragm")
       elseif #part > 1 then
         if #free < #part then
           reader:not_read(row, "joints of the diaphragm that a support holds in a part of its plane are left out of it")
@@ -137,8 +136,7 @@ function Ties:read_equals(of)
     if left then
       reader:not_read(row, "equal displacements of joints that no support holds are not read")
     elseif #nodes > 1 then
-      notes.once(reader.notes.assumed, row.place, row.line, "what is equal to a displacement that a support holds is "
-        .. "held, too", "equal")
+      reader:assume(row, "what is equal to a displacement that a support holds is held, too", "equal")
     end
   end
 end
@@ -236,7 +234,7 @@ function Ties:read_masses()
     row:text "CoordSys"
     local largest = math.max(v[1], v[2], v[3])
     if math.min(v[1], v[2], v[3]) < largest then
-      notes.once(reader.notes.assumed, row.place, row.line, "a mass that acts along some axes acts along all", "axes")
+      reader:assume(row, "a mass that acts along some axes acts along all", "axes")
     end
     self:add_mass(row, node.name, largest)
   end
@@ -247,7 +245,7 @@ function Ties:read_masses()
       self:add_mass(row, part.a, per_length * length / 2)
       self:add_mass(row, part.b, per_length * length / 2)
     end
-    notes.once(reader.notes.assumed, row.place, row.line, "the mass along a frame is put on its joints", "along")
+    reader:assume(row, "the mass along a frame is put on its joints", "along")
   end
   local rows = reader:rows "MASS SOURCE"
   local first = rows[1]
