@@ -55,8 +55,6 @@ function commands.model(m, args)
   m.freedoms = letters[m.dim][math.tointeger(after(args, "-ndf")[1])] or unknown "such degrees of freedom"
 end
 
-function commands.wipe(m) m:clear() end
-
 -- Adds something that is done to the frame when it is built.
 local function later(m, f) table.insert(m.steps, f) end
 
@@ -301,11 +299,6 @@ end
 
 -- Everything ----------------------------------------------------------------------------------------------------------
 
-function Model:clear()
-  for _, name in ipairs { "at", "of_node", "steps", "material", "section", "transf", "integration", "series",
-    "patterns" } do self[name] = {} end
-end
-
 --- The frame for the solver, with the loads of one pattern.
 function Model:frame(pattern)
   local s = solver.new(self.dim == 2 and "plane" or "space")
@@ -316,10 +309,10 @@ end
 
 local by_commands = {}
 
---- The model that stands at the end of a list of commands.
+--- The model of a list of commands.
 function by_commands.read(list)
-  local m = setmetatable({}, Model)
-  m:clear()
+  local m = setmetatable({ at = {}, of_node = {}, steps = {}, material = {}, section = {}, transf = {},
+    integration = {}, series = {}, patterns = {} }, Model)
   for _, c in ipairs(list) do (commands[c[1]] or unknown("command %s", c[1]))(m, { table.unpack(c, 2) }) end
   return m
 end

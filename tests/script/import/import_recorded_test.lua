@@ -16,6 +16,8 @@ local units = { length = "m", force = "N" }
 local head = "model basic -ndm 2 -ndf 3\nnode 1 0 0\n"
 local tail = "fix 1 1 1 1\ngeomTransf Linear 1\nelement elasticBeamColumn 1 1 2 0.01 2e11 1e-4 1\n"
 
+local whole = head .. "node 2 0 3\n" .. tail
+
 local function tcl(text) return import.tcl { file = write("frame.tcl", text), units = units } end
 
 -- The height of node 2, which the script gives.
@@ -50,12 +52,12 @@ case("Tcl: a variable has the value that tclsh gives it, whatever set it", funct
 end)
 
 case("Tcl: text in quotes is text: no command in it runs", function()
-  local frame, notes = tcl(head .. "node 2 0 3\n" .. tail .. "mass 2 100 100 0\nset log stdout\n"
+  local frame, notes = tcl(whole .. "mass 2 100 100 0\nset log stdout\n"
     .. 'puts $log "masses of the roof; mass 2 500 500 0 in kg"\nputs $log "supports; fix 2 1 1 1 as before"\n')
   near(notes.summary.mass_of_nodes, 100, 0, "mass, kg")
   equal(frame.nodes[2].fix, "y,rx,rz", "the node is free in the plane")
   -- a variable that is not there ends the script; nothing but prints follows
-  frame, notes = tcl(head .. "node 2 0 3\n" .. tail .. "mass 2 100 100 0\n"
+  frame, notes = tcl(whole .. "mass 2 100 100 0\n"
     .. 'puts $log "masses of the roof; mass 2 500 500 0 in kg"\nputs $log "fix 2 1 1 1"\n')
   near(notes.summary.mass_of_nodes, 100, 0, "mass, kg")
   equal(#notes .. " " .. notes[1].line .. " " .. notes[1].text, '1 8 can\'t read "log": no such variable', "the note")
@@ -92,7 +94,7 @@ proc loads {} {
 end)
 
 case("Tcl: results can be computed with; where a number of the model hangs on one, it is not read", function()
-  local frame, notes = tcl(head .. "node 2 0 3\n" .. tail .. [[
+  local frame, notes = tcl(whole .. [[
 set ok [analyze 10]
 if {$ok != 0} { puts failed } else { loadConst -time 0.0 }
 set omega [expr {sqrt([lindex [eigen 3] 0])}]
@@ -112,7 +114,7 @@ rayleigh [expr {0.02*$omega}] 0 0 0
   equal(#notes, 1, tostring(notes))
   near(frame.nodes[3].z, 5, 0, "a coordinate is no result")
   equal(#notes.skipped, 1, "what is computed is one entry: " .. tostring(notes))
-  frame, notes = tcl(head .. "node 2 0 3\n" .. tail .. "set u [nodeDisp 2 1]\nnode 3 0 [expr {4 + $u}]\n"
+  frame, notes = tcl(whole .. "set u [nodeDisp 2 1]\nnode 3 0 [expr {4 + $u}]\n"
     .. "pattern Plain 1 Linear { load 2 [expr {1e3 * [eigen 1]}] 0 0; load 2 5 0 0 }\n"
     .. "pattern Plain 2 Linear -fact [expr {1 / $u}]\nload 2 7 0 0\n")
   equal(#notes, 4, tostring(notes))
@@ -121,19 +123,18 @@ rayleigh [expr {0.02*$omega}] 0 0 0
 end)
 
 case("Tcl: a branch that hangs on a result is named, and nothing behind it is read", function()
-  local frame, notes = tcl(head .. "node 2 0 3\n" .. tail .. "analyze 1\n"
-    .. "if {[nodeDisp 2 1] > 0.002} { node 3 0 4 }\nnode 4 0 5\n")
+  local frame, notes = tcl(whole .. "analyze 1\nif {[nodeDisp 2 1] > 0.002} { node 3 0 4 }\nnode 4 0 5\n")
   equal(#notes, 1, tostring(notes))
   expect(notes[1].line == 8 and notes[1].reason:find("whether this runs hangs on a result", 1, true), "%s",
     tostring(notes))
   equal(#frame.nodes, 2, "nodes")
   for _, loop in ipairs { "while {[nodeDisp 2 1] < 5} { analyze 1; remove loadPattern 1 }",
     "for {set i 0} {$i < 1e4*[nodeDisp 2 1]} {incr i} { node [expr {10 + $i}] 0 $i }" } do
-    _, notes = tcl(head .. "node 2 0 3\n" .. tail .. "analyze 1\n" .. loop .. "\n")
+    _, notes = tcl(whole .. "analyze 1\n" .. loop .. "\n")
     expect(tostring(notes):find("frame.tcl:8: [^\n]*whether this runs"), "%s", tostring(notes))
   end
   for _, number in ipairs { "[expr {3 + rand()}]", "[clock microseconds]" } do -- chance and time are not known either
-    _, notes = tcl(head .. "node 2 0 3\n" .. tail .. "node 3 0 " .. number .. "\n")
+    _, notes = tcl(whole .. "node 3 0 " .. number .. "\n")
     expect(#notes == 1 and notes[1].line == 7, "%s: %s", number, tostring(notes))
   end
 end)
@@ -144,14 +145,13 @@ case("Tcl: an error before an analysis is an error of the file; behind one, its 
       tcl(head .. name .. " 2 0 3\n" .. tail)
     end)
   end
-  refused("did you mean 'lappend'", function() tcl(head .. "node 2 0 3\n" .. tail .. "lapend x 1\n") end)
-  refused("frame.tcl:8: the load stands outside of a pattern", function()
-    tcl(head .. "node 2 0 3\n" .. tail .. "pattern Plain 1 Linear { load 2 1 0 0 }\nload 2 1 0 0\n")
-  end)
-  local _, notes = tcl(head .. "node 2 0 3\n" .. tail .. "analyze 1\nset f [open record.txt r]\nnode 3 0 4\n")
+  refused("did you mean 'lappend'", function() tcl(whole .. "lapend x 1\n") end)
+  local outside = whole .. "pattern Plain 1 Linear { load 2 1 0 0 }\nload 2 1 0 0\n"
+  refused("frame.tcl:8: the load stands outside of a pattern", function() tcl(outside) end)
+  local _, notes = tcl(whole .. "analyze 1\nset f [open record.txt r]\nnode 3 0 4\n")
   equal(#notes .. " " .. notes[1].line, "1 8", tostring(notes))
   expect(notes[1].text:find("record.txt", 1, true), "%s", tostring(notes))
-  _, notes = tcl(head .. "node 2 0 3\n" .. tail .. "analyze 1\nexit\nnode 3 0 4\n")
+  _, notes = tcl(whole .. "analyze 1\nexit\nnode 3 0 4\n")
   equal(#notes, 0, "exit ends a script: " .. tostring(notes))
 end)
 
@@ -179,6 +179,7 @@ end)
 local python_head = "import openseespy.opensees as ops\nops.model('basic', '-ndm', 2, '-ndf', 3)\nops.node(1, 0, 0)\n"
 local python_tail = "ops.fix(1, 1, 1, 1)\nops.geomTransf('Linear', 1)\n"
   .. "ops.element('elasticBeamColumn', 1, 1, 2, 0.01, 2e11, 1e-4, 1)\n"
+local python_whole = python_head .. "ops.node(2, 0, 3)\n" .. python_tail
 
 local function python(text)
   return import.tcl { file = write("frame.py", text), units = units, run_python = true }
@@ -239,7 +240,7 @@ case("Python: lines in functions and in other files; what is not read", function
 end)
 
 case("Python: results can be computed with; a number of the model that hangs on one is not read", function()
-  local frame, notes = python(python_head .. "ops.node(2, 0, 3)\n" .. python_tail .. [[
+  local frame, notes = python(python_whole .. [[
 ok = ops.analyze(10)
 if ok != 0: print("failed")
 omega = ops.eigen('-fullGenLapack', 3)[0] ** 0.5
@@ -262,7 +263,7 @@ ops.rayleigh(0.02 * omega, 0, 0, 0)
     ["import time\nops.node(3, 0, time.time())"] = "it hangs on a result",
     ["import nobody\nops.node(3, 0, nobody.height)"] = "it hangs on a result",
     ["import nobody\nif nobody.tall:\n    ops.node(3, 0, 4)"] = "whether this runs hangs on a result" } do
-    frame, notes = python(python_head .. "ops.node(2, 0, 3)\n" .. python_tail .. text .. "\n")
+    frame, notes = python(python_whole .. text .. "\n")
     equal(#frame.nodes, 2, text)
     expect(tostring(notes):find(what, 1, true), "%s: %s", text, tostring(notes))
   end
@@ -275,11 +276,9 @@ case("Python: an error before an analysis is one of the file; modules that numbe
     ["import parts.none"] = "frame.py:4: ModuleNotFoundError" } do
     refused(wanted, function() python(python_head .. text .. "\n" .. python_tail) end)
   end
-  local _, notes = python(python_head .. "ops.node(2, 0, 3)\n" .. python_tail
-    .. "ops.analyze(1)\nopen('record.txt')\nops.node(3, 0, 4)\n")
+  local _, notes = python(python_whole .. "ops.analyze(1)\nopen('record.txt')\nops.node(3, 0, 4)\n")
   equal(#notes .. " " .. notes[1].line, "1 9", tostring(notes))
-  _, notes = python(python_head .. "ops.node(2, 0, 3)\n" .. python_tail
-    .. "import sys\nsys.exit()\nops.node(3, 0, 4)\n")
+  _, notes = python(python_whole .. "import sys\nsys.exit()\nops.node(3, 0, 4)\n")
   equal(#notes, 0, "exit ends a script: " .. tostring(notes))
   for _, name in ipairs { "numpy", "scipy", "pandas" } do
     if support.run("env -i PATH=/usr/bin:/bin python3 -c 'import " .. name .. "'") ~= 0 then

@@ -105,8 +105,8 @@ local function same(text, within)
   end
 end
 
-local start = "model basic -ndm 2 -ndf 3\n"
-local portal = start .. [[
+local portal = [[
+model basic -ndm 2 -ndf 3
 node 1 0 0; node 2 0 4; node 3 6 4.5; node 4 6 0
 fix 1 1 1 1
 fix 4 1 1 0
@@ -321,13 +321,6 @@ pattern Plain 1 Linear
 load 4 1e3 2e3 -9e3 ZEROS
 ]]):gsub("%u%u%u+", { NDF = ndf, ZEROS = ndf == 6 and "0 0 0" or "" }), 1e-7)
   end
-end)
-
--- Which model ---------------------------------------------------------------------------------------------------------
-
-case("wipe begins anew", function()
-  same(portal .. columns .. beam .. loads .. "wipe\n" .. start .. "node 1 0 0; node 2 5 0\nfix 1 1 1 1\n"
-    .. "geomTransf Linear 1\nelement elasticBeamColumn 1 1 2 0.01 2e11 1e-4 1\n" .. loads:gsub("load 3[^\n]*\n", ""))
 end)
 
 checks.done()
