@@ -182,6 +182,7 @@ local modifiers = { AREAMODIFIER = "AMod", AMOD = "AMod", AS2MODIFIER = "A2Mod",
   AS3MODIFIER = "A3Mod", A3MOD = "A3Mod", JMODIFIER = "JMod", JMOD = "JMod", I22MODIFIER = "I2Mod", I2MOD = "I2Mod",
   I33MODIFIER = "I3Mod", I3MOD = "I3Mod", MMODIFIER = "MMod", MMOD = "MMod", WMODIFIER = "WMod", WMOD = "WMod" }
 local taken_of_sections = lines.set "MATERIAL SHAPE D B TF TW T DIS AREA AS2 AS3 I33 I22 TORSION Z33 Z22"
+for key in pairs(modifiers) do taken_of_sections[key] = true end
 
 function Reader:read_sections()
   local section = "FRAME SECTIONS"
@@ -202,11 +203,8 @@ function Reader:read_sections()
       if pcall(named.properties, shape) then row.Named = shape end
     end
     for key, field in pairs(modifiers) do row[field] = row[field] or given[key] end
-    local taken = {}
-    for key in pairs(taken_of_sections) do taken[key] = true end
-    for key in pairs(modifiers) do taken[key] = true end
-    self:note_keys(s.line, given, taken, { "COLOR", "NOTES", "AUTORIGIDZONE", "FILE", "S33", "S22", "R33", "R22",
-      "NOTIONAL", "GUID", "TIMEDEP" })
+    self:note_keys(s.line, given, taken_of_sections, { "COLOR", "NOTES", "AUTORIGIDZONE", "FILE", "S33", "S22", "R33",
+      "R22", "NOTIONAL", "GUID", "TIMEDEP" })
     self:row("FRAME SECTION PROPERTIES 01 - GENERAL", section, s.line, row)
   end
 end

@@ -30,6 +30,9 @@ local upright = 1e-3 -- part of a member's length: one that is less beside the v
 --- The directions in which a node may be held.
 frame_module.letters = { "x", "y", "z", "rx", "ry", "rz" }
 
+--- Those in a plane, by the axis across it.
+frame_module.in_plane = { x = { "y", "z", "rx" }, y = { "x", "z", "ry" }, z = { "x", "y", "rz" } }
+
 --- What a node is held in, as a row has it, of a set of letters; nil: nothing.
 function frame_module.fix_of(set)
   local fixed = {}

@@ -110,8 +110,7 @@ end
 -- leader join.
 local function add_to_floor(self, from, to, letter)
   local normal = letter == "x" and "z" or "x"
-  local letters = normal == "z" and { "x", "y", "rz" } or { "y", "z", "rx" }
-  if not free_follower(to, from, letters) then
+  if not free_follower(to, from, frame_module.in_plane[normal]) then
     return self:not_read(("node %s is held where it would follow node %s"):format(to.name, from.name))
   end
   for _, row in ipairs(self.frame.diaphragms) do
@@ -224,15 +223,14 @@ function read.diaphragm(self, row, joined)
   local nodes, master = of_members(row.nodes, joined), self.node[row.from]
   if joined[master.name] then table.insert(nodes, 1, master.name) end
   if #nodes < 2 then return self:not_read "a diaphragm needs two nodes that members join" end
-  local first = self.node[nodes[1]]
-  local letters = { x = { "y", "z", "rx" }, y = { "x", "z", "ry" }, z = { "x", "y", "rz" } }
+  local first, letters = self.node[nodes[1]], frame_module.in_plane[row.normal]
   for i = 2, #nodes do
-    if not free_follower(self.node[nodes[i]], first, letters[row.normal]) then
+    if not free_follower(self.node[nodes[i]], first, letters) then
       return self:not_read(("node %s is held in the plane of the diaphragm"):format(nodes[i]))
     end
   end
   if first ~= master then
-    for _, letter in ipairs(letters[row.normal]) do
+    for _, letter in ipairs(letters) do
       if master.fixed[letter] then
         return self:not_read "its master node is held in its plane, and no member ends there"
       end

@@ -29,14 +29,13 @@ function readers.Trig(self, args, factor)
   if not (period > 0 and b > a) then self:fail "the period and the duration must be above 0" end
   local count = math.ceil((b - a) / period * parts_of_period)
   if count > most_points then give_up("it has more than %d points", most_points) end
-  local points = { { a, 0 } }
+  local points, values = { { a, 0 } }, {}
   for i = 0, count do
     local t = (b - a) * i / count
-    points[#points + 1] = { a + t, math.sin(2 * math.pi * t / period + shift) }
+    values[i + 1] = math.sin(2 * math.pi * t / period + shift)
+    points[i + 2] = { a + t, values[i + 1] }
   end
   points[#points + 1] = { b, 0 }
-  local values = {}
-  for i = 0, count do values[i + 1] = points[i + 2][2] end
   if math.abs(points[2][2]) < 1e-12 then table.remove(points, 1) end
   if math.abs(points[#points - 1][2]) < 1e-9 then table.remove(points, #points - 1) end
   return { factor = factor, history = points, dt = a == 0 and (b - a) / count or nil, values = values }

@@ -56,21 +56,19 @@ local function hold(node, letter)
   node.fix = node.fix and node.fix ~= "" and node.fix .. "," .. letter or letter
 end
 
-local in_plane = { z = { "x", "y", "rz" }, y = { "x", "z", "ry" }, x = { "y", "z", "rx" } }
-
 -- A diaphragm of which one joint is held in its plane holds all the others. Returns whether it is so; and the joints
 -- that are held in part of it, beyond what is held at all joints, are left out.
 function Ties:held_in_plane(nodes, axis)
-  local free = {}
+  local free, letters = {}, frame_module.in_plane[axis]
   for _, node in ipairs(nodes) do
     local held, part = true, false
-    for _, letter in ipairs(in_plane[axis]) do
+    for _, letter in ipairs(letters) do
       held = held and holds(node, letter)
       part = part or holds(node, letter) and not self.reader.inactive[letter]
     end
     if held and part then
       for _, other in ipairs(nodes) do
-        for _, letter in ipairs(in_plane[axis]) do hold(other, letter) end
+        for _, letter in ipairs(letters) do hold(other, letter) end
       end
       return true
     end
