@@ -7,6 +7,8 @@
 -- HINGE_MODELS_PYTHON=yes runs the Python files too, as hinge export --run-python does.
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+require "hinge"
+local columns = require "hinge.library.columns"
 local checks = support.checks "models at hand"
 local case, expect = checks.case, checks.expect
 
@@ -75,28 +77,25 @@ end
 
 -- Table ---------------------------------------------------------------------------------------------------------------
 
-local order = { "whole", "partly", "unbuilt", "empty", "refused", "refused*", "too long", "crashed" }
+local order = { "whole", "partly", "unbuilt", "empty", "refused", "refused*", "too long", "crashed", "all" }
 local meaning = { whole = "read whole", partly = "read in part, with notes", unbuilt = "read, but no model",
   empty = "without a member that is read", refused = "refused, with a line", ["refused*"] = "refused, without a line",
-  ["too long"] = ("longer than %d s"):format(most_seconds), crashed = "crashed" }
+  ["too long"] = ("longer than %d s"):format(most_seconds), crashed = "crashed", all = "all" }
 
 local function print_counts(rows, title, keep)
-  local count, programs, total = {}, { "Tcl", "Python", "SAP2000", "ETABS" }, {}
+  local count, programs, lines = {}, { "Tcl", "Python", "SAP2000", "ETABS" }, {}
+  local function add(what, program) count[what .. program] = (count[what .. program] or 0) + 1 end
   for _, row in ipairs(rows) do
     if keep(row) then
-      count[row.status .. row.program] = (count[row.status .. row.program] or 0) + 1
-      total[row.program] = (total[row.program] or 0) + 1
+      add(row.status, row.program)
+      add("all", row.program)
     end
   end
-  print(("\n%-34s%9s%9s%9s%9s"):format(title, table.unpack(programs)))
-  for _, status in ipairs(order) do
-    local line = ("%-34s"):format(meaning[status])
-    for _, program in ipairs(programs) do line = line .. ("%9d"):format(count[status .. program] or 0) end
-    print(line)
+  for i, status in ipairs(order) do
+    lines[i] = { meaning[status] }
+    for k, program in ipairs(programs) do lines[i][k + 1] = count[status .. program] or 0 end
   end
-  local line = ("%-34s"):format "all"
-  for _, program in ipairs(programs) do line = line .. ("%9d"):format(total[program] or 0) end
-  print(line)
+  columns.print(title, { "", table.unpack(programs) }, lines)
 end
 
 -- Reasons by kind: in how many files, and how often.
