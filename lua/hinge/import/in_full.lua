@@ -10,16 +10,13 @@ local moments = { rx = "Mx", ry = "My", rz = "Mz" }
 -- What is released at the ends, as model:member has it.
 local function expand_releases(parts)
   for _, m in ipairs(parts.members) do
-    local release
+    local release = {}
     for at, letters in pairs(m.release or {}) do
       local list = {}
       for letter in letters:gmatch "r[xyz]" do list[#list + 1] = moments[letter] end
-      if #list > 0 then
-        release = release or {}
-        release[at] = list
-      end
+      release[at] = #list > 0 and list or nil
     end
-    m.release = release
+    m.release = next(release) and release or nil
   end
 end
 
@@ -84,7 +81,9 @@ local function expand_weight(where, parts, options)
       if way == "loads" then
         weight_as_loads(parts, case, g)
         weight_of_masses(parts, case)
-      else case.gravity = -case.self_weight * g end
+      else
+        case.gravity = -case.self_weight * g
+      end
     end
   end
 end

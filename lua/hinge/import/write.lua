@@ -181,9 +181,7 @@ local function add_case(lines, case)
     lines[#lines + 1] = "  -- factor over time (s) in dynamics; statics takes the loads in full"
     add_line(lines, "  local history = " .. literal(case.history), "  ")
   end
-  for _, what in ipairs { "node", "member" } do
-    add_loads(lines, case, what)
-  end
+  for _, what in ipairs { "node", "member" } do add_loads(lines, case, what) end
   lines[#lines + 1] = "end\n"
 end
 

@@ -72,15 +72,14 @@ function makers.WFSection2d(self, args)
 end
 makers.WSection2d = makers.WFSection2d
 
+local deformations = { P = { "EA", "N0" }, Mz = { "EIz", "Mz0" }, My = { "EIy", "My0" }, Vy = { "GAy" }, Vz = { "GAz" },
+  T = { "GJ" } }
+
 -- The stiffness and the strength of an aggregated section along one of its deformations.
 local function aggregate(section, what, m)
-  if what == "P" then section.EA, section.N0 = m.E, m.fy
-  elseif what == "Mz" then section.EIz, section.Mz0 = m.E, m.fy
-  elseif what == "My" then section.EIy, section.My0 = m.E, m.fy
-  elseif what == "Vy" then section.GAy = m.E
-  elseif what == "Vz" then section.GAz = m.E
-  elseif what == "T" then section.GJ = m.E
-  else give_up("the deformation %s is not read", tostring(what)) end
+  local keys = deformations[what or ""] or give_up("the deformation %s is not read", tostring(what))
+  section[keys[1]] = m.E
+  if keys[2] then section[keys[2]] = m.fy end
 end
 
 -- section Aggregator tag material P|Mz|Vy|My|Vz|T ... <-section tag>

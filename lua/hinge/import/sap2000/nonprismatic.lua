@@ -4,7 +4,6 @@
 -- of a share of what these leave. E I varies linearly, or its square root (Parabolic) or cube root (Cubic) does; area,
 -- shear areas and torsion constant vary linearly.
 local frame_module = require "hinge.import.frame"
-local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 
 local pieces_of_taper = 12 -- the deflection of a cantilever of I from 1 to 8 is right to 0.3 %
@@ -73,7 +72,7 @@ end
 -- The sections that a frame has by now, by name.
 local function known(reader)
   local by_name = {}
-  for _, s in ipairs(reader.frame.sections) do by_name[s.name] = s.named and named.properties(s.named) or s end
+  for _, s in ipairs(reader.frame.sections) do by_name[s.name] = frame_module.properties(s) end
   return by_name
 end
 

@@ -9,7 +9,6 @@
 -- strain and torsion flexible in it; here it is rigid in all. Loads in it act on the joint.
 local frame_module = require "hinge.import.frame"
 local vectors = require "hinge.library.vectors"
-local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local units = require "hinge.library.units"
 
@@ -22,7 +21,7 @@ local function is_zero(v) return v[1] == 0 and v[2] == 0 and v[3] == 0 end
 
 -- The rectangle around a section from its centroid: { left, right, low, high }, m; nil where the size is not known.
 local function rectangle(section)
-  local given = section.named and named.properties(section.named) or section
+  local given = frame_module.properties(section)
   local size = given.size
   local found
   for _, part in ipairs(given.outline or {}) do
