@@ -290,8 +290,7 @@ end
 
 -- How far the ends of all members are from the points of the file.
 local function offsets(frame)
-  local list, node = {}, {}
-  for _, n in ipairs(frame.nodes) do node[n.name] = n end
+  local list, node = {}, frame_module.by_name(frame.nodes)
   local function shown(place, name)
     local x, z = name:find "^2" and 6 or 0, name:find "Top" and 3 or 0
     local parts = {}
@@ -328,10 +327,9 @@ case("ETABS: insertion points and rigid zones of lines, in their lengths or auto
 end)
 
 case("an unknown section has its own reason and near names, and the option gives another", function()
-  local function catalogue(name) return (storey:gsub('SHAPE "Concrete Rectangular"  D 0.4 B 0.3 NOTIONALUSERVALUE 0.2',
-    'SHAPE "' .. name .. '"')) end
   local function named(name, sections)
-    local frame, notes = e2k(catalogue(name), sections)
+    local text = storey:gsub('"Concrete Rectangular"  D 0.4 B 0.3 NOTIONALUSERVALUE 0.2', '"' .. name .. '"')
+    local frame, notes = e2k(text, sections)
     return frame, notes
   end
   local frame = named "W360X79"

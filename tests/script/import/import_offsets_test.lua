@@ -89,9 +89,7 @@ case("a joint with ends beside it alone goes to the nearest one, with its forces
   local frame, notes = column(text .. at_head:format(10, 7), { weight = "1" })
   equal(#notes, 0, tostring(notes))
   expect(tostring(notes):find("2 joints at which all members end beside the joint", 1, true), "%s", tostring(notes))
-  local node, member = {}, {}
-  for _, n in ipairs(frame.nodes) do node[n.name] = n end
-  for _, m in ipairs(frame.members) do member[m.name] = m end
+  local node, member = frame_module.by_name(frame.nodes), frame_module.by_name(frame.members)
   near(node["1"].z, 0.5, 1e-12, "the foot is at the column's end")
   near(node["2"].y, 0.1, 1e-12, "the head is at the stub's end")
   local a, b = frame_module.ends(member["1"], node)
@@ -178,9 +176,7 @@ end)
 
 -- Force along X, and moment about Y at the origin, of all loads of a frame: each by its own integral.
 local function together(frame)
-  local node, member, F, M = {}, {}, 0, 0
-  for _, n in ipairs(frame.nodes) do node[n.name] = n end
-  for _, m in ipairs(frame.members) do member[m.name] = m end
+  local node, member, F, M = frame_module.by_name(frame.nodes), frame_module.by_name(frame.members), 0, 0
   for _, l in ipairs(frame.cases[1].loads) do
     if l.node then
       local n = node[l.node]

@@ -163,7 +163,7 @@ case("links, floors and equal degrees of freedom; those that agree are no matter
     s:fix("foot" .. i, "x y z rx ry rz")
     s:fix("head" .. i, "rx ry")
     s:beam { "column" .. i, "foot" .. i, "head" .. i, E = E, G = G, A = A, Iz = Iz, Iy = Iz, J = J }
-    s:rigid(i == 1 and "head1" or "head1", "head" .. i, i == 1 and "" or "x y rz")
+    s:rigid("head1", "head" .. i, i == 1 and "" or "x y rz")
   end
   s:rigid("head2", "head3", "x y rz") -- agrees with the others
   s:load("head1", { x = 9 })
