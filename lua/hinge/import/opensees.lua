@@ -4,6 +4,7 @@
 --
 -- Commands: the wiki of OpenSees and the documentation of OpenSeesPy. A plane frame in x and y becomes one in x and z
 -- of hinge: y of OpenSees is z of hinge, and rotations about z of OpenSees are those about -y.
+local beside = require "hinge.import.opensees.beside"
 local check = require "hinge.library.check"
 local command_names = require "hinge.import.opensees_names"
 local constraints = require "hinge.import.opensees.constraints"
@@ -23,8 +24,6 @@ for _, part in ipairs { require "hinge.import.opensees.nodes", models.commands, 
   require("hinge.import.opensees.elements").commands, require("hinge.import.opensees.loads").commands } do
   for name, run in pairs(part) do commands[name] = run end
 end
-
-local beside = require "hinge.import.opensees.beside"
 
 -- Commands that are not read and make nothing that others refer to.
 local alone = {}
@@ -87,11 +86,10 @@ function Reader:run(name, args, place)
   end
 end
 
---- Notes a line that the evaluator does not follow, and how many lines there are in it. What comes after may lack what
---- it makes.
-function Reader:lost(place, reason, lines)
+--- Notes a line that is not followed. What comes after may lack what it makes.
+function Reader:lost(place, reason)
   self.place, self.incomplete = place, self.incomplete + 1
-  self:not_read(reason .. (lines > 0 and ("; nor is what stands in it, %s"):format(check.count(lines, "line")) or ""))
+  self:not_read(reason)
 end
 
 -- The end -------------------------------------------------------------------------------------------------------------

@@ -162,7 +162,7 @@ local function feed(o, reader, list)
     local kind, name = record[1], record[5]
     local place = place_of(o, record)
     if record.parts then
-      return reader:lost(place, "whether this runs hangs on a result of the analysis; from here on nothing is read", 0)
+      return reader:lost(place, "whether this runs hangs on a result of the analysis; from here on nothing is read")
     elseif kind == "c" then
       reader:run(name, table.move(record, 6, #record, 1, {}), place)
     elseif kind == "e" then
@@ -170,7 +170,7 @@ local function feed(o, reader, list)
     elseif kind == "s" then
       reader:computed(place)
     elseif kind == "u" then
-      reader:lost(place, name, 0)
+      reader:lost(place, name)
     elseif kind ~= "." then
       notes.add(reader.notes, place, check.plain(record[4]),
         "the script ends here; what it would compute from here on is not read")
