@@ -42,10 +42,10 @@ function frame_text.of(frame)
   return table.concat(lines, "\n")
 end
 
---- Compares two texts line by line, with `equal` of a test.
-function frame_text.same(equal, found, wanted, what)
+--- Compares a frame with a text line by line, with `equal` of a test.
+function frame_text.same(equal, frame, wanted, what)
   local a, b = {}, {}
-  for line in found:gmatch "[^\n]+" do a[#a + 1] = line end
+  for line in frame_text.of(frame):gmatch "[^\n]+" do a[#a + 1] = line end
   for line in wanted:gmatch "[^\n]+" do b[#b + 1] = line end
   for i = 1, #a > #b and #a or #b do equal(a[i], b[i], ("%s, line %d"):format(what, i)) end
 end

@@ -11,8 +11,6 @@ require "hinge"
 local import = require "hinge.import"
 local checks = support.checks "frames of OpenSees"
 local case, near, equal, expect, refused = checks.case, checks.near, checks.equal, checks.expect, checks.refused
-local dump = frame_text.of
-local function same_lines(found, wanted, what) frame_text.same(equal, found, wanted, what) end
 
 local write = support.writer()
 
@@ -95,7 +93,7 @@ case("OpenSees: a plane frame in m and kN, row by row, in Tcl and in Python", fu
   for name, text in pairs { ["plane.tcl"] = plane_tcl, ["plane.py"] = plane_python } do
     local frame, notes = import.tcl { file = write(name, text), units = { length = "m", force = "kN" },
       run_python = true }
-    same_lines(dump(frame), plane_as_text, name)
+    frame_text.same(equal, frame, plane_as_text, name)
     equal(#notes, 0, tostring(notes))
     local assumed = {}
     for i, entry in ipairs(notes.assumed) do assumed[i] = ("%d %s"):format(entry.line, entry.reason:match "^[^;:]*") end
@@ -163,7 +161,7 @@ mass 3 mass=7000
 
 case("OpenSees: a frame in space in mm and N, row by row", function()
   local frame, notes = import.tcl { file = write("space.tcl", space_tcl), units = { length = "mm", force = "N" } }
-  same_lines(dump(frame), space_as_text, "Tcl")
+  frame_text.same(equal, frame, space_as_text, "Tcl")
   equal(#notes, 0, tostring(notes))
   expect(files.at_line(notes.assumed, 23), "a mass along two axes is named: %s", tostring(notes))
   local heavy = import.tcl { file = write("space.tcl", space_tcl), units = { length = "mm", force = "N", mass = 5 } }
