@@ -342,6 +342,13 @@ function support.milliseconds(command, n)
   return least
 end
 
+--- A list of numbers and words as a text, to be compared whole; a gap (no number) is "|".
+function support.joined(list)
+  local texts = {}
+  for i, v in ipairs(list) do texts[i] = type(v) == "number" and ("%.7g"):format(v) or tostring(v) end
+  return (table.concat(texts, " "):gsub("%-?nan", "|"))
+end
+
 --- A JSON text as Lua values; null is nil. Enough for what hinge writes.
 function support.json(text)
   local at, value = 1, nil

@@ -12,16 +12,6 @@ local steel = hinge.material { E = 210e9, density = 7850, yield_stress = 235e6 }
 local elastic = hinge.material { E = 210e9, density = 7850 }
 local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
 
-local function refused(message, call)
-  local ok, complaint = pcall(call)
-  if not expect(not ok, "no complaint; wanted: %s", message) then return end
-  local line, text = tostring(complaint):match "removal_test%.lua:(%d+): (.*)$"
-  local f = debug.getinfo(call, "S")
-  line = math.tointeger(line)
-  expect(line and line >= f.linedefined and line <= f.lastlinedefined, "not at its line: %s", tostring(complaint))
-  expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(complaint), message)
-end
-
 -- A mass on a bar that hangs from a support, and hangs on a second bar beside it.
 local function hanging(options)
   local model = hinge.model(options)
@@ -37,7 +27,6 @@ local function hanging(options)
 end
 
 case("removing a member keeps the time, releases its energy and leaves the rest", function()
-  -- The time, the energy and what is left.
   local model, rope, arm, mass = hanging()
   model:remove { member = rope, at = 0.005 }
   local rest = model:static { steps = 1 }:finish()
@@ -107,7 +96,6 @@ case("removing a member keeps the time, releases its energy and leaves the rest"
 end)
 
 case("a group is removed beside general fracture rules", function()
-  -- A group, with general fracture rules declared before and after; and with every kind of step.
   for _, order in ipairs { "before", "after" } do
     local model, rope, arm = hanging()
     if order == "before" then model:fracture { axial_strain = 10 } end
@@ -134,8 +122,7 @@ case("a group is removed beside general fracture rules", function()
 end)
 
 case("one element of a member is removed", function()
-  -- One element; four of them, of which those in the middle fall by themselves.
-  for _, elements in ipairs { 1, 4 } do
+  for _, elements in ipairs { 1, 4 } do -- of four, those in the middle fall by themselves
     local model = hinge.model { elements_per_member = elements, formulation = elements == 1 and "asi" or nil }
     local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
     model:fix(a, "all")
@@ -152,19 +139,21 @@ case("one element of a member is removed", function()
   end
 end)
 
-case("wrong removals are refused", function()
-  -- What is refused.
+case("wrong removals are refused, and remove nothing", function()
   local model, rope = hanging()
-  local function remove(options) return function() model:remove(options) end end
-  refused("model:remove: field 'member' is missing; give a member, or group = a group", remove { at = 1 })
-  refused("model:remove: field 'at' is missing; give a number in s", remove { member = rope })
-  refused("model:remove: field 'at' is -1 s; must be 0 s or above", remove { member = rope, at = -1 })
-  refused("model:remove: field 'group' is given beside member; give one of the two",
-    remove { member = rope, group = "ropes", at = 1 })
-  refused("model:remove: field 'group'...'rope' (did you mean 'ropes'?)...", remove { group = "rope", at = 1 })
-  refused("model:remove: field 'member' ...", remove { member = 1, at = 1 })
-  refused("model:remove: unknown field 'time'...", remove { member = rope, at = 1, time = 2 })
-  refused("model:remove: a model with mass = 'cubic' cannot break...", function()
+  for _, row in ipairs {
+    { "field 'member' is missing; give a member, or group = a group", { at = 1 } },
+    { "field 'at' is missing; give a number in s", { member = rope } },
+    { "field 'at' is -1 s; must be 0 s or above", { member = rope, at = -1 } },
+    { "field 'over' is -1 s; must be 0 s or above", { member = rope, at = 0, over = -1 } },
+    { "field 'group' is given beside member; give one of the two", { member = rope, group = "ropes", at = 1 } },
+    { { "field 'group'", "'rope' (did you mean 'ropes'?)" }, { group = "rope", at = 1 } },
+    { "field 'member' ", { member = 1, at = 1 } },
+    { "unknown field 'time'", { member = rope, at = 1, time = 2 } },
+  } do
+    checks.refused(row[1], function() model:remove(row[2]) end)
+  end
+  checks.refused("a model with mass = 'cubic' cannot break", function()
     local cubic, first = hanging { mass = "cubic" }
     cubic:remove { member = first, at = 1 }
   end)
@@ -173,7 +162,6 @@ case("wrong removals are refused", function()
 end)
 
 case("a removal stands in events.csv, the plan and the summary of a program", function()
-  -- In the files of a program.
   local hinge_on, folder = support.scenes(arg[1])
   local status, _, complaint = hinge_on("run -q", [=[
 local hinge = require "hinge"
@@ -297,13 +285,6 @@ case("statics goes on from a state without a member of four elements", function(
     equal(run.verdict, "completed", elements .. " elements: " .. run.reason)
     near(-select(3, tip:displacement(run)), sag, 2e-3 * sag, elements .. " elements: deflection")
   end
-end)
-
-case("over: wrong input is refused", function()
-  local model, _, _, _, post = propped(2)
-  refused("model:remove: field 'over' is -1 s; must be 0 s or above", function()
-    model:remove { member = post, at = 0, over = -1 }
-  end)
 end)
 
 checks.done()

@@ -13,16 +13,6 @@ local steel = hinge.material { E = 210e9, density = 7850, yield_stress = fy }
 local bar = hinge.section.solid { width = side, depth = side }
 local Mp, EI = bar.Zx * fy, steel.E * bar.Ix
 
-local function refused(message, call)
-  local ok, complaint = pcall(call)
-  if not expect(not ok, "no complaint; wanted: %s", message) then return end
-  local line, text = tostring(complaint):match "hinges_test%.lua:(%d+): (.*)$"
-  local f = debug.getinfo(call, "S")
-  line = math.tointeger(line)
-  expect(line and line >= f.linedefined and line <= f.lastlinedefined, "not at its line: %s", tostring(complaint))
-  expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(complaint), message)
-end
-
 -- A propped cantilever pushed down in its middle, to `last` m; see lua/guide/plastic_hinges.md.
 local function propped(formulation)
   local model = hinge.model { displacement = "small", formulation = formulation }
@@ -223,23 +213,23 @@ case("limits of hinge rotation give utilisations, and wrong ones are refused", f
     text)
   expect(text:find "2%.000", "text has no ratio: %s", text)
 
-  local hinges = function(options) return function() run:hinges(options) end end
-  refused("run:hinges: unknown field 'limits' (did you mean 'limit'?); there are group, limit",
-    hinges { limits = 0.1 })
-  refused("run:hinges: field 'limit' is 0 rad; must be a number above 0 rad", hinges { limit = 0 })
-  refused("run:hinges: field 'limit' is 'CP'; must be a number above 0 rad", hinges { limit = "CP" })
-  refused("run:hinges: field 'limit.LS' is -1 rad; must be a number above 0 rad", hinges { limit = { LS = -1 } })
-  refused("run:hinges: field 'limit': CP is 0.02 rad, which is not above LS, 0.03 rad",
-    hinges { limit = { LS = 0.03, CP = 0.02 } })
-  refused("run:hinges: field 'limit' is an empty table; ...", hinges { limit = {} })
-  refused("run:hinges: field 'limit' has both levels (IO) and groups; ...", hinges { limit = { IO = 1, left = 1 } })
-  refused("run:hinges: ...'lift'...did you mean 'left'...", hinges { limit = { lift = 1 } })
-  refused("run:hinges: ...group...'none'...", hinges { group = "none" })
-  refused("run:hinges: takes no further argument, got also 1", function() run:hinges({}, 1) end)
-  refused("hinge.picture: field 'hinges' is ...; must be true, false or a list of run:hinges that was given a limit",
+  for _, r in ipairs {
+    { { "unknown field 'limits' (did you mean 'limit'?)", "group, limit" }, { limits = 0.1 } },
+    { "field 'limit' is 0 rad; must be a number above 0 rad", { limit = 0 } },
+    { "field 'limit' is 'CP'; must be a number above 0 rad", { limit = "CP" } },
+    { "field 'limit.LS' is -1 rad; must be a number above 0 rad", { limit = { LS = -1 } } },
+    { "CP is 0.02 rad, which is not above LS, 0.03 rad", { limit = { LS = 0.03, CP = 0.02 } } },
+    { "field 'limit' is an empty table", { limit = {} } },
+    { "field 'limit' has both levels (IO) and groups", { limit = { IO = 1, left = 1 } } },
+    { { "'lift'", "did you mean 'left'" }, { limit = { lift = 1 } } },
+    { { "group", "'none'" }, { group = "none" } },
+    { "takes no further argument, got also 1", {}, 1 },
+  } do
+    checks.refused(r[1], function() run:hinges(table.unpack(r, 2)) end)
+  end
+  checks.refused({ "field 'hinges' is", "a list of run:hinges that was given a limit" },
     function() hinge.picture(run, { hinges = bare }) end)
-  refused("hinges:write: filename is '../a.csv'; must be a plain name ending in .csv ...",
-    function() bare:write "../a.csv" end)
+  checks.refused("filename is '../a.csv'; must be a plain name ending in .csv", function() bare:write "../a.csv" end)
 end)
 
 -- Storeys, and the files of a program ---------------------------------------------------------------------------------

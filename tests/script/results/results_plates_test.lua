@@ -1,19 +1,14 @@
--- The plates that hinge.results finds in a section: hollow sections whose area and I are integrals by strips, and what
--- is nearly a known section.
+-- The plates that hinge.results finds in a section: named ones of every kind, hollow sections whose area and I are
+-- integrals by strips, and what is nearly a known section.
 --
 -- Run: lua5.4 tests/script/results/results_plates_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
-require "hinge"
+local hinge = require "hinge"
 local profile = require "hinge.results.profile"
 local checks = support.checks "plates of sections"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
-
-local function joined(list)
-  local texts = {}
-  for i, v in ipairs(list) do texts[i] = type(v) == "number" and ("%.7g"):format(v) or tostring(v) end
-  return table.concat(texts, " ")
-end
+local joined = support.joined
 
 -- Area, I about x and about y of a box with rounded corners, by strips.
 local function strips(b, d, t, ro, ri)
@@ -108,6 +103,64 @@ case("what is nearly a known section is none, with the reason", function()
     "welded rolled", "fillets of a millionth are none")
   equal(select(2, of(h, { area = plates * (1 - 2e-4) })), "its area is less than that of its plates", "too small")
   expect(of(h, { area = plates * (1 - 5e-5) }), "by less it is rounding")
+end)
+
+case("plates, corners and the way of making, of hollow sections of every kind", function()
+  -- name, wall mm, outer and inner radius over the wall, made
+  for name, r in pairs { ["SHS 150x150x6.3"] = { 6.3, 1.5, 1, "hot" }, ["RHS 200x100x8"] = { 8, 1.5, 1, "hot" },
+    ["CFSHS 100x100x4"] = { 4, 2, 1, "cold" }, ["CFRHS 200x100x8"] = { 8, 2.5, 1.5, "cold" },
+    ["CFSHS 200x200x12.5"] = { 12.5, 3, 2, "cold" }, ["HSS8X4X1/2"] = { 0.465 * 25.4, nil, nil, "cold" } } do
+    local s = hinge.section.named(name)
+    local p = assert(profile.of(s))
+    equal(p.made, r[4], name .. ": how it is made")
+    near(p.tw, r[1] / 1e3, 1e-8, name .. ": web")
+    near(p.tf, r[1] / 1e3, 1e-8, name .. ": flange")
+    near(p.hw, s.depth - 2 * p.tf, 1e-8, name .. ": h_w")
+    near(p.c_web, s.depth - 3 * p.tw, 1e-8, name .. ": c of the web, h - 3 t")
+    near(p.c_flange, s.width - 3 * p.tw, 1e-8, name .. ": c of the flange, b - 3 t")
+    if r[2] then
+      near(p.r, r[2] * r[1] / 1e3, 1e-8, name .. ": outer radius")
+      near(p.r_inner, r[3] * r[1] / 1e3, 1e-8, name .. ": inner radius")
+    end
+  end
+  for i, ratio in ipairs { { 2.5, 1.5 }, { 3.5, 2.5 } } do -- BCR and BCP
+    local name = i == 1 and "BCR 300x300x12" or "BCP 400x400x19"
+    local good, s = pcall(hinge.section.named, name)
+    if good then
+      local p = assert(profile.of(s))
+      equal(p.made, "cold", name)
+      near(p.r / p.tw, ratio[1], 1e-6, name .. ": outer radius")
+      near(p.r_inner / p.tw, ratio[2], 1e-6, name .. ": inner radius")
+    else expect(false, "%s: %s", name, s) end
+  end
+  local box = profile.of(hinge.section.box { width = 0.2, depth = 0.3, web = 0.01, flange = 0.02 })
+  near(box.c_web, 0.26, 1e-9, "a welded box: c of the web")
+  near(box.c_flange, 0.18, 1e-9, "c of the flange")
+  equal(box.made, "welded", "a welded box")
+  equal(box.r, 0, "no radius")
+  local tube = profile.of(hinge.section.pipe { diameter = 0.2, thickness = 0.008 })
+  near(tube.tw, 0.008, 1e-9, "a pipe: wall")
+  equal(tube.made, "cold", "a pipe without a name")
+  equal(profile.of(hinge.section.named "CHS 244.5x10").made, "hot", "CHS")
+end)
+
+case("plates of H sections and bars", function()
+  local h = profile.of(hinge.section.named "IPE 400")
+  near(h.c_web, 0.4 - 0.027 - 0.042, 1e-6, "h - 2 tf - 2 r")
+  near(h.c_flange, (0.18 - 0.0086 - 0.042) / 2, 1e-6, "(b - tw - 2 r) / 2")
+  near(h.r, 0.021, 1e-6, "r")
+  near(h.warping, hinge.section.named "IPE 400".Iy * 0.3865 ^ 2 / 4, 1e-12, "I_w")
+  local welded = profile.of(hinge.section.h { depth = 0.4, width = 0.2, web = 0.01, flange = 0.02 })
+  equal(welded.made .. " " .. welded.r, "welded 0", "an H without fillets")
+  near(welded.c_flange, 0.095, 1e-9, "(b - tw) / 2")
+  local bar, round = profile.of(hinge.section.solid { width = 0.02, depth = 0.1 }),
+    profile.of(hinge.section.round { diameter = 0.08 })
+  equal(("%s %g %g"):format(bar.shape, bar.b, bar.d), "rectangle 0.02 0.1", "a bar")
+  equal(("%s %g %g"):format(round.shape, round.b, round.d), "round 0.08 0.08", "a round bar")
+  for _, name in ipairs { "UPN 200", "L 100x100x10" } do
+    local good, s = pcall(hinge.section.named, name)
+    expect(good and not profile.of(s), "%s has no plates that are known", name)
+  end
 end)
 
 checks.done()

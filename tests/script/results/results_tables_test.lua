@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/results/results_tables_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local results = require "hinge.results"
 local lengths = require "hinge.results.lengths"
@@ -12,17 +13,12 @@ local source = require "hinge.results.source"
 local Table = require "hinge.results.table"
 local checks = support.checks "tables of results"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+local joined = support.joined
 
 local folder = support.temporary_folder()
 require "hinge.core".own_output(folder, {}, true)
 local steel = hinge.material { E = 210e9, nu = 0.3, density = 7850, yield_stress = 355e6 }
 local heb = hinge.section.named "HEB 300"
-
-local function joined(list)
-  local texts = {}
-  for i, v in ipairs(list) do texts[i] = type(v) == "number" and ("%.7g"):format(v) or tostring(v) end
-  return (table.concat(texts, " "):gsub("%-?nan", "|"))
-end
 
 -- Texts of tables -----------------------------------------------------------------------------------------------------
 
@@ -116,7 +112,7 @@ end
 case("smallest and largest resultants of members have their places, and equal ones the first place", function()
   local model = beams()
   local run = model:static { steps = 1, loads = { up = 1, push = 1 } }:finish()
-  local found = results.members(run, { model = model })
+  local found = results.of(model).members(run)
   for i, row in ipairs(found.rows) do
     local F = 10e3 * i
     equal(joined { row.index, row.group, row.length }, joined { i, i == 1 and "A" or "B", L }, "member")
@@ -128,6 +124,7 @@ case("smallest and largest resultants of members have their places, and equal on
     near(row.N, -4e3 * i, 1e-3, "N")
     equal(joined { row.N_min_x, row.N_max_x }, "0 0", "equal ones: the first place")
   end
+  equal(#results.members(run, { group = model:group "B" }).rows, 1, "a group needs no model")
   equal(found:text { columns = { "index", "N_min", "Mx_max" } }, [[
   member  N min, kN (at x, m)  Mx max, kN m (at x, m)
        1        -4.000 at 0.0          20.00 at 4.000
@@ -139,11 +136,7 @@ case("smallest and largest resultants of members have their places, and equal on
   equal(joined { found:text({ sort = "Mx", columns = { "index" }, top = 1 }):match "\n +(%d)" }, "2", "sorted by Mx")
   -- widened by hand: a value that is more extreme by less than 1e-9 of it is none
   local row = members.row { index = 7, group = "g", length = 3 }
-  local function at(x, of)
-    local all = { x = x, N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0 }
-    for name, value in pairs(of) do all[name] = value end
-    return all
-  end
+  local function at(x, of) return scenes.with({ x = x, N = 0, Mx = 0, My = 0, Mz = 0, Qx = 0, Qy = 0 }, of) end
   members.widen(row, { at(1, { N = 5, Mx = -5 }), at(2, { N = 5 * (1 + 5e-10), Mx = -5 * (1 + 5e-10) }) }, "one")
   members.widen(row, { at(0, { N = -5.5, Mx = 4 }), at(3, { N = 5 * (1 + 2e-9), Mx = -5 * (1 + 2e-9) }) }, "two")
   equal(joined { row.N_min, row.N_min_x, row.N_min_when, row.N_max_x, row.N_max_when, row.N, row.N_x, row.N_when },
@@ -229,9 +222,7 @@ case("the band of an envelope at each station is that of statics by hand, on bot
   equal(x, "0 200 400 600 800 800 800 1000 1200 1400 1600", "x, cm")
   equal(rounded(low), "-16000 -16000 -16000 -16000 -16000 | -8000 -8000 -8000 -8000 -8000", "in the order of the list")
   equal(joined { plot.title, plot.x_label, plot.y_label }, "T x, cm N, N", "labels")
-  local good, message = pcall(drawing, { members = { list[1], 7 } })
-  expect(not good and tostring(message):find("members[2] is 7; must be a member of this envelope", 1, true), "says: %s",
-    tostring(message))
+  checks.refused("members[2] is 7; must be a member of this envelope", drawing, { members = { list[1], 7 } })
 end)
 
 -- What is read --------------------------------------------------------------------------------------------------------
@@ -267,13 +258,10 @@ case("groups and lists of members, names of states, and runs that failed", funct
   source.collect("w", collector, { run, steps }, { "one", "two" }, 3)
   steps:finish()
   equal(table.concat(seen, ", "), "2 one, 0 two, 3 two, 6 two, 7 two", "what has ended; the start, thirds, the last")
-  local torn = hinge.model { displacement = "small" }
-  local a, b = torn:node { 0, 0, 0 }, torn:node { 0, 0, 3 }
-  torn:fix(a)
-  torn:member { a, b, section = heb, material = steel }
-  torn:load { node = b, force = { 1e9, 0, 0 } }
+  local torn = scenes.cantilever { model = { displacement = "small" }, length = 3, along = { 0, 0, 1 },
+    force = { 1e9, 0, 0 }, member = { section = heb, material = steel } }
   local failed = torn:static { steps = 1 }:finish()
-  if failed.verdict == "failed" then
+  if expect(failed.verdict == "failed", "it cannot carry its load: %s", failed.verdict) then
     equal(source.failed(failed, "x"), "the run x failed: " .. failed.reason, "a run that failed")
     equal(results.members(failed, { model = torn }).notes[1], ("the run %s failed: %s"):format(source.state(failed),
       failed.reason), "below its table")
@@ -282,7 +270,7 @@ case("groups and lists of members, names of states, and runs that failed", funct
     local rated = results.utilisation(failed, { model = torn, standard = "AISC 360", names = { "z" } })
     equal(rated.notes[#rated.notes], "the run z failed: " .. failed.reason, "of a utilisation")
     equal(#rated.notes, 3, "below the others")
-  else expect(false, "it cannot carry its load: %s", failed.verdict) end
+  end
 end)
 
 case("buckling lengths: factors times the member's length, own lengths, by group, and what is said", function()
@@ -295,13 +283,12 @@ case("buckling lengths: factors times the member's length, own lengths, by group
     local found = lengths.of("w", r[1], member)
     equal(joined { found.Lx, found.Ly, tostring(found.Lb), found.C1, found.Cb }, r[2], "lengths")
   end
-  for _, r in ipairs { { { B = { kx = 1, Lx = 2 } }, "w: field 'lengths'.B: fields 'kx' and 'Lx' are both given" },
+  for _, r in ipairs { { { B = { kx = 1, Lx = 2 } }, "field 'lengths'.B: fields 'kx' and 'Lx' are both given" },
     { { ky = 1, Ly = 2 }, "fields 'ky' and 'Ly' are both given" },
-    { function() return 3 end, "w: field 'lengths'(member 3): is 3; must be a table" },
+    { function() return 3 end, "field 'lengths'(member 3): is 3; must be a table" },
     { { { kx = 1 } }, "has 1 = a table" }, { { B = 3 }, "has B = 3; must be" }, { { C1 = 5 }, "C1" },
     { { Cb = 0.9 }, "Cb" } } do
-    local good, message = pcall(lengths.of, "w", r[1], member)
-    expect(not good and tostring(message):find(r[2], 1, true), "'%s' in: %s", r[2], tostring(message))
+    checks.refused(r[2], lengths.of, "w", r[1], member)
   end
   local of_members = "buckling lengths are those of the members; "
   local given = "lateral torsional buckling where Lb is given"
@@ -327,8 +314,7 @@ case("an envelope is as far used as the worse of its runs, where the other sign 
       near(bound.rows[i].utilisation, row.utilisation, 1e-6, "of " .. standard)
     end
     equal(bound.states, 2, "states")
-    local good, message = pcall(results.utilisation, runs[1], { model = model, standard = standard, every = 0 })
-    expect(not good and tostring(message):find("'every' is 0", 1, true), "every = 0: %s", tostring(message))
+    checks.refused("'every' is 0", results.utilisation, runs[1], { model = model, standard = standard, every = 0 })
   end
 end)
 
@@ -383,13 +369,10 @@ case("the table and the plot of utilisations: order, remarks, columns of each ch
   for _, row in ipairs(alike.rows) do row.utilisation = 0.5 end
   alike:plot(job, "a.svg")
   equal(table.concat(drawn.series[1].y, ", "), "member 1 (A), member 2 (B)", "equal ones in the order of the members")
-  local node_, words = pcall(results.members, run, { members = { a } })
-  expect(not node_ and tostring(words):find("members[1] is ", 1, true), "a node is no member: %s", tostring(words))
+  checks.refused("members[1] is ", results.members, run, { members = { a } }) -- a node
   found:plot(job, "a.svg", { top = 1 })
   equal(#drawn.series[1].x, 1, "the first one alone")
-  local good, message = pcall(found.plot, found, job, "a.svg", {}, 3)
-  expect(not good and tostring(message):find("takes no further argument, got also 3", 1, true), "one more: %s",
-    tostring(message))
+  checks.refused("takes no further argument, got also 3", found.plot, found, job, "a.svg", {}, 3)
   for _, standard in ipairs { "EN 1993-1-1", "AISC 360" } do -- the moment of the beam is largest in its middle
     local row = results.utilisation(run, { model = model, group = "B", standard = standard, lengths = { kx = 0.01,
       ky = 0.01 } }).rows[1]

@@ -7,6 +7,7 @@ local results = require "hinge.results"
 local aisc = require "hinge.standards.aisc_360.members"
 local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "results"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -30,17 +31,8 @@ end
 
 -- A portal of two columns and a beam, in the plane of x and z.
 local function portal(options)
-  local model, at = hinge.model(options), {}
-  for i, p in ipairs { { 0, 0 }, { 0, 4 }, { 6, 4 }, { 6, 0 } } do
-    at[i] = model:node { p[1], 0, p[2] }
-    model:fix(at[i], p[2] == 0 and "all" or "y,rx,rz")
-  end
-  local members = {}
-  for i, ends in ipairs { { 1, 2 }, { 2, 3 }, { 4, 3 } } do
-    members[i] = model:member { at[ends[1]], at[ends[2]], section = heb300, material = steel,
-      group = i == 2 and "beams" or "columns" }
-  end
-  return model, at, members
+  local rolled = { section = heb300, material = steel }
+  return scenes.portal { model = options, width = 6, height = 4, heads = "y,rx,rz", column = rolled, beam = rolled }
 end
 
 -- Closed forms --------------------------------------------------------------------------------------------------------
@@ -62,40 +54,6 @@ case("largest moment of a beam and its place", function()
   equal(row.Qy_min_x, 0, "the place of the first")
   near(row.Qy_max_x, L, 1e-12, "the place of the last")
   near(row.My_max, 0, 1e-9 * A, "no other moment")
-end)
-
-case("forces of one beam in several members", function()
-  local model, at, members = portal {}
-  model:load { node = at[2], force = { 50e3, 0, 0 } }
-  local run = model:static { steps = 1 }:finish()
-  equal(#results.members(run, { model = model, group = "columns" }).rows, 2, "rows of a group")
-  equal(#results.members(run, { group = model:group "columns" }).rows, 2, "a group needs no model")
-  local rows = results.members(run, { members = { members[3], members[1] } }).rows
-  equal(rows[1].index, 3, "members in the order of the list")
-  equal(#results.of(model).members(run).rows, 3, "of a model")
-end)
-
-case("envelope of load cases", function()
-  local model, member = beam(6, heb300, steel)
-  model:load { member = member, q = { 0, 0, -10e3 }, case = model:case "dead" }
-  model:load { member = member, force = { 0, 0, 60e3 }, at = 0.5, case = model:case "lift" }
-  local runs = {}
-  for i, loads in ipairs { { dead = 1.35 }, { dead = 1, lift = 1.5 } } do
-    runs[i] = model:static { steps = 1, loads = loads }:finish()
-  end
-  local row = results.envelope { runs[1], runs[2], model = model }.rows[1]
-  near(row.Mx_min, -1.35 * 10e3 * 36 / 8, 1e-3, "dead load, N m")
-  equal(row.Mx_min_when, "1.35 dead", "its name")
-  -- a load where two elements meet is taken within 1e-6 of the length of an element
-  near(row.Mx_max, 1.5 * 60e3 * 6 / 4 - 10e3 * 36 / 8, 1e-6 * 90e3, "lifted, N m")
-  equal(row.Mx_max_when, "1 dead + 1.5 lift", "its name, with factors")
-  near(row.Mx_max_x, 3, 3e-6, "its place")
-  local named = results.envelope { runs[1], runs[2], model = model, names = { "A", "B" } }.rows[1]
-  equal(named.Mx_max_when, "B", "a name that is given")
-  local middle = row.stations[5]
-  near(middle.x, 3, 1e-12, "the station in the middle")
-  near(middle.Mx[1], row.Mx_min, 1e-6, "the band there, low")
-  near(middle.Mx[2], row.Mx_max, 1e-6 * 90e3, "the band there, high")
 end)
 
 case("envelope and storeys of a shaken frame are those of its steps", function()
@@ -134,8 +92,7 @@ case("envelope and storeys of a shaken frame are those of its steps", function()
   equal(floors.rows[1].drift_x, drift, "largest drift")
   equal(floors.rows[1].drift_x_last, residual, "drift at the end")
   expect(math.abs(drift) > 1e-4, "the frame moves: %g", drift)
-  local good, message = pcall(results.envelope, { run, model = model })
-  expect(not good and tostring(message):find("has ended", 1, true), "a run that has ended: %s", tostring(message))
+  checks.refused("has ended", results.envelope, { run, model = model })
 end)
 
 case("storey shear of a portal", function()
@@ -206,24 +163,6 @@ case("reactions and loads are in balance", function()
   local without = results.base(run, { model = model })
   expect(not without.balanced and without.notes[1]:find("9.807 m/s^2 times the mass", 1, true), "without gravity: %s",
     without.notes[1])
-end)
-
--- Sections ------------------------------------------------------------------------------------------------------------
-
-case("plates of sections from their properties", function()
-  for name, wanted in pairs { ["HEB 300"] = { "h", 0.011, 0.019, "rolled" }, ["SHS 150x150x6.3"] = { "box", 0.0063,
-    0.0063, "hot" }, ["CFRHS 200x100x10"] = { "box", 0.01, 0.01, "cold" }, ["HSS8X8X1/2"] = { "box", 0.465 * 0.0254,
-    0.465 * 0.0254, "cold" }, ["CHS 244.5x10"] = { "pipe", 0.01, 0.01, "hot" } } do
-    local p = profile.of(hinge.section.named(name))
-    equal(p.shape, wanted[1], name)
-    near(p.tw, wanted[2], 1e-9, name .. ": web")
-    near(p.tf, wanted[3], 1e-9, name .. ": flange")
-    equal(p.made, wanted[4], name .. ": how it is made")
-  end
-  local box = profile.of(hinge.section.box { width = 0.2, depth = 0.3, web = 0.01, flange = 0.02 })
-  near(box.tw, 0.01, 1e-9, "web of a welded box")
-  near(box.tf, 0.02, 1e-9, "its flange")
-  equal(profile.of(hinge.section.named "UPN 200"), nil, "a channel")
 end)
 
 -- EN 1993-1-1 ---------------------------------------------------------------------------------------------------------
@@ -334,51 +273,6 @@ case("a beam-column by hand, 6.3.3 with annex B", function()
   near(eased["6.61"], row["6.61"], 1e-12, "table B.3: a constant moment has 1")
 end)
 
-case("shear, torsion and axial force in a section, EN 1993-1-1, 6.2", function()
-  local p, fy = profile.of(heb300), 355e6
-  local A, Wx, Wy = heb300.area, heb300.Zx, heb300.Zy
-  local Av = A - 2 * 0.3 * 0.019 + (0.011 + 2 * 0.027) * 0.019
-  local V = Av * fy / math.sqrt(3)
-  near(Av, 47.43e-4, 0.05e-4, "shear area, m^2; tables have 47.43 cm2")
-  local found = eurocode.section(heb300, p, fy, at { Qy = 0.75 * V, Mx = 400e3 }, plain)
-  local rho = (2 * 0.75 - 1) ^ 2
-  near(found["6.2.6 Vy"], 0.75, 1e-9, "shear")
-  near(found["6.2.9 Mx"], 400e3 / ((Wx - rho * (0.262 * 0.011) ^ 2 / (4 * 0.011)) * fy), 1e-9, "6.30")
-  near(eurocode.section(heb300, p, fy, at { Qy = 0.5 * V, Mx = 400e3 }, plain)["6.2.9 Mx"], 400e3 / (Wx * fy), 1e-9,
-    "no reduction up to half")
-  local n, a = 0.4, (A - 2 * 0.3 * 0.019) / A
-  local beside = eurocode.section(heb300, p, fy, at { N = -n * A * fy, Mx = 300e3, My = 100e3 }, plain)
-  local MN = Wx * fy * (1 - n) / (1 - 0.5 * a)
-  local MNy = Wy * fy * (1 - ((n - a) / (1 - a)) ^ 2)
-  near(beside["6.2.9 Mx"], 300e3 / MN, 1e-9, "M_N,y")
-  near(beside["6.41"], (300e3 / MN) ^ 2 + (100e3 / MNy) ^ 2, 1e-9, "6.41: alpha 2, beta 5 n = 2")
-  local exact = eurocode.section(heb300, p, fy, at { N = -n * A * fy, Mx = 300e3 }, { gamma_M0 = 1, gamma_M1 = 1,
-    interaction = "exact" })
-  near(exact["6.2.9 Mx"], 300e3 / (Wx * fy * heb300:reduced_moments(n)), 1e-9, "the section's own interaction")
-  local linear = eurocode.section(heb300, p, fy, at { N = -n * A * fy, Mx = 300e3 }, { gamma_M0 = 1, gamma_M1 = 1,
-    interaction = "linear" })
-  near(linear["6.2.9 Mx"], 300e3 / (Wx * fy * (1 - n)), 1e-9, "linear")
-  local crushed = eurocode.section(heb300, p, fy, at { N = -1.2 * A * fy }, plain)
-  near(crushed["6.2.4 N"], 1.2, 1e-9, "more than N_pl")
-  near(crushed["6.41"], 1.2, 1e-9, "and 6.41 does not hide it")
-  local shs = hinge.section.named "SHS 150x150x6.3"
-  local T = shs.Zz * fy / math.sqrt(3)
-  local Vs = shs.area / 2 * fy / math.sqrt(3)
-  local twisted = eurocode.section(shs, profile.of(shs), fy, at { Mz = 0.4 * T, Qy = 0.3 * Vs }, plain)
-  near(twisted["6.2.7 T"], 0.4, 1e-9, "torsion")
-  near(twisted["6.2.6 Vy"], 0.3 / 0.6, 1e-9, "6.28: shear beside torsion")
-end)
-
-case("moment factors of table B.3 from the run", function()
-  local model, _, _, b = beam(5, heb300, steel)
-  model:load { node = b, force = { -500e3, 0, 0 }, moment = { 0, -100e3, 0 } } -- triangular: psi = 0
-  local run = model:static { steps = 1 }:finish()
-  local o = { model = model, standard = "EN 1993-1-1", Cm = "B.3" }
-  local row = results.utilisation(run, o).rows[1]
-  o.Cm = { x = 0.6, y = 1 }
-  near(row["6.61"], results.utilisation(run, o).rows[1]["6.61"], 1e-9, "0.6")
-end)
-
 -- AISC 360-16 ---------------------------------------------------------------------------------------------------------
 -- The examples are those of AISC Design Examples, versions 15 and 16.
 
@@ -436,154 +330,14 @@ case("AISC design examples, H.5: torque of hollow sections", function()
   near(aisc.strengths(pipe, profile.of(pipe), a992, L).T, 215 * kip * inch, 0.01 * 215 * kip * inch, "of the pipe")
 end)
 
-case("lateral torsional buckling of a flat bar and a box", function()
-  local bar, E, fy = hinge.section.solid { width = 0.02, depth = 0.2 }, 210e9, 355e6
-  local L = { Lx = 3, Ly = 3, Lb = 3, C1 = 1, Cb = 1 }
-  local _, detail = eurocode.member(bar, profile.of(bar), steel, { compression = 0, tension = 0, Mx = 20e3, My = 0 }, L,
-    { x = 1, y = 1, LT = 1 }, plain)
-  local cr = math.pi / 3 * math.sqrt(E * bar.Iy * E / 2.6 * bar.J)
-  near(detail.M_cr, cr, 1e-9 * cr, "M_cr = pi / L sqrt(E I G J)")
-  -- F11-3: Lb d / t^2 is 1500, above 1.9 E / Fy = 1124: M = 1.9 E S / 1500
-  local R = aisc.strengths(bar, profile.of(bar), steel, L)
-  near(R.Mx, 0.9 * 1.9 * E / 1500 * 0.02 * 0.2 ^ 2 / 6, 1, "phi M_n")
-  L.Lb = 1 -- 500: F11-2
-  local My = fy * 0.02 * 0.2 ^ 2 / 6
-  near(aisc.strengths(bar, profile.of(bar), steel, L).Mx, 0.9 * (1.52 - 0.274 * 500 * fy / E) * My, 1, "F11-2")
-  -- F7.4: 0.13 E ry sqrt(J A) / Mp
-  local rhs = hinge.section.box { width = 0.1, depth = 0.3, thickness = 0.01 }
-  local found = aisc.strengths(rhs, profile.of(rhs), steel, { Lx = 9, Ly = 9, Lb = 9, C1 = 1, Cb = 1 })
-  local root = math.sqrt(rhs.Iy / rhs.area) * math.sqrt(rhs.J * rhs.area)
-  local Mp, Mr = rhs.Zx * fy, 0.7 * fy * rhs.Ix / 0.15
-  local Lp, Lr = 0.13 * E * root / Mp, 2 * E * root / Mr
-  near(found.Mx, 0.9 * (Mp - (Mp - Mr) * (9 - Lp) / (Lr - Lp)), 1, "of the box")
-  near(found.Lp, Lp, 1e-9 * Lp, "L_p, which is less than 9 m")
-  near(found.Lr, Lr, 1e-9 * Lr, "L_r, which is more")
-  local model, _, _, b = beam(3, hinge.section.solid { width = 0.2, depth = 0.02 }, steel)
-  model:load { node = b, force = { 1e3, 0, 0 } }
-  local run = model:static { steps = 1 }:finish()
-  local flat = results.utilisation(run, { model = model, standard = "EN 1993-1-1", lengths = { Lb = 3 } }).rows[1]
-  expect(flat.remark and flat.remark:find("wider than deep", 1, true), "lying flat: %s", tostring(flat.remark))
-end)
-
-case("webs of a box: bending, and compression throughout", function()
-  local box = hinge.section.box { width = 0.1, depth = 0.3, web = 0.006, flange = 0.01 }
-  local p, e = profile.of(box), math.sqrt(235 / 355)
-  local d = { compression = 0, Mx = 50e3, My = 0 }
-  near(eurocode.slenderness(p, 355e6, d), 280 / 6 / (83 * e), 0.001, "bent about x: 83 epsilon (82.9 by the formula)")
-  d.My = 5e3
-  near(eurocode.slenderness(p, 355e6, d), 280 / 6 / (38 * e), 1e-9, "bent about y: 38 epsilon")
-end)
-
--- What is not checked -------------------------------------------------------------------------------------------------
-
-case("members that are not checked say why", function()
-  local thin = hinge.section.h { depth = 0.6, width = 0.3, web = 0.004, flange = 0.008 }
-  local timber = hinge.material { E = 11e9, yield_stress = 24e6 }
-  local elastic = hinge.material { E = 210e9 }
-  for _, r in ipairs {
-    { hinge.section.named "UPN 200", steel, "its plates are not known" },
-    { heb300, timber, "its E is 11 GPa, which is not that of steel" },
-    { heb300, elastic, "its material has no yield stress" },
-    { thin, steel, "class 3 or 4: the flange has" },
-  } do
-    local model, _, _, b = beam(4, r[1], r[2])
-    model:load { node = b, force = { -10e3, 0, 0 } }
-    local run = model:static { steps = 1 }:finish()
-    local found = results.utilisation(run, { model = model, standard = "EN 1993-1-1" })
-    equal(found.rows[1].utilisation, nil, "no number where there is no check")
-    expect(tostring(found.rows[1].remark):find(r[3], 1, true), "'%s' in: %s", r[3], tostring(found.rows[1].remark))
-    expect(found:text():find("not checked: " .. r[3], 1, true), "in the table: %s", found:text())
-  end
-  local model, _, _, b = beam(4, hinge.section.named "HSS20X12X5/16", a992)
-  model:load { node = b, force = { -10e3, 0, 0 } }
-  local run = model:static { steps = 1 }:finish()
-  local row = results.utilisation(run, { model = model, standard = "AISC 360" }).rows[1]
-  expect(row.remark:find("slender in compression (E7)", 1, true), "AISC: %s", row.remark)
-end)
-
-case("the extremes of an envelope are on the safe side", function()
-  local model, at_, _ = portal {}
-  model:load { node = at_[2], force = { 100e3, 0, -300e3 }, case = model:case "one" }
-  model:load { node = at_[3], force = { -120e3, 0, -200e3 }, case = model:case "two" }
-  model:load { group = "beams", force = { 0, 0, -200e3 }, at = 0.56, case = model:case "two" } -- between two stations
-  local runs = {}
-  for i, name in ipairs { "one", "two" } do runs[i] = model:static { steps = 1, loads = { [name] = 1 } }:finish() end
-  for _, standard in ipairs { "EN 1993-1-1", "AISC 360" } do
-    local each = results.utilisation(runs, { model = model, standard = standard })
-    local bound = results.utilisation(results.envelope { runs[1], runs[2], model = model }, { model = model,
-      standard = standard })
-    if standard == "EN 1993-1-1" then
-      local good, message = pcall(results.utilisation, results.envelope { runs[1], model = model }, { model = model,
-        standard = standard, Cm = "B.3" })
-      expect(not good and tostring(message):find("needs the moments of one state", 1, true), "B.3: %s",
-        tostring(message))
-    end
-    for i, row in ipairs(each.rows) do
-      expect(bound.rows[i].utilisation >= row.utilisation * (1 - 1e-9), "%s, member %d: %g is at least %g", standard, i,
-        bound.rows[i].utilisation, row.utilisation)
-    end
-    local alone = {}
-    for k = 1, 2 do alone[k] = results.utilisation(runs[k], { model = model, standard = standard }) end
-    for i, row in ipairs(each.rows) do
-      local of = { alone[1].rows[i].utilisation, alone[2].rows[i].utilisation }
-      expect(math.abs(of[1] - of[2]) > 1e-3, "the cases differ: %g and %g", of[1], of[2])
-      equal(row.when, of[1] > of[2] and "1 one" or "1 two", standard .. ": the case that governs member " .. i)
-      equal(row.utilisation, largest_of(of[1], of[2]), standard .. ": its ratio")
-    end
-  end
-end)
-
--- Texts ---------------------------------------------------------------------------------------------------------------
-
--- A simple beam of 4 m with 10 kN/m: 20 kN m.
-local function small_table()
-  local model, member = beam(4, heb300, steel)
-  model:load { member = member, q = { 0, 0, -10e3 } }
-  return results.members(model:static { steps = 1 }:finish(), { model = model })
-end
-
-case("a table as text, Markdown, LaTeX and CSV", function()
-  local found = small_table()
-  local columns = { "index", "group", "Mx_min" }
-  equal(found:text { columns = columns }, table.concat({
-    "  member  group  Mx min, kN m (at x, m)",
-    "       1  beams         -20.00 at 2.000" }, "\n"), "text")
-  equal(found:markdown { columns = columns }, table.concat({ "| member | group | Mx min, kN m (at x, m) |",
-    "|---:|---|---:|", "| 1 | beams | -20.00 at 2.000 |", "" }, "\n"), "Markdown")
-  equal(found:latex { columns = columns, units = "N, mm" }, table.concat({ "\\begin{tabular}{rlr}", "  \\hline",
-    "  member & group & Mx min, N mm (at x, mm) \\\\", "  \\hline", "  1 & beams & $-20000000$ at 2000 \\\\",
-    "  \\hline", "\\end{tabular}", "" }, "\n"), "LaTeX")
-  found:csv("beam.csv", { columns = columns })
-  local csv = support.read(folder .. "/beam.csv")
-  expect(support.says(csv, '"index","group","Mx_min (kN m)","Mx_min_x (m)"\n1,"beams",-20,2\n'), "CSV: %s", csv)
-  equal(tostring(found), found:text(), "print")
-  expect(not found:text():find("My", 1, true), "what is zero is left out: %s", found:text())
-end)
-
-case("order, number of rows, units", function()
-  local model, at_, _ = portal {}
-  model:load { node = at_[2], force = { 50e3, 0, 0 } }
-  local found = results.members(model:static { steps = 1 }:finish(), { model = model, units = "kip, ft" })
-  local text = found:text { sort = "Mx", top = 1, columns = { "index", "Mx_max" } }
-  expect(text:find("kip ft", 1, true) and text:find("2 rows more", 1, true), "one row of three: %s", text)
-  local most, index = 0, nil
-  for _, row in ipairs(found.rows) do
-    if math.abs(row.Mx) > most then most, index = math.abs(row.Mx), row.index end
-  end
-  expect(text:find("\n +" .. index .. " "), "member %d is first: %s", index, text)
-  equal(#found.rows, 3, "all rows are kept")
-  equal(found.rows[1].index, 1, "in their order")
-end)
+-- Wrong input ---------------------------------------------------------------------------------------------------------
 
 case("wrong input is refused", function()
   local model, at_, members = portal {}
   model:load { node = at_[2], force = { 50e3, 0, 0 } }
   local run = model:static { steps = 1 }:finish()
   local en = "EN 1993-1-1"
-  local other = hinge.model()
-  local foot_, head = other:node { 0, 0, 0 }, other:node { 0, 0, 3 }
-  other:fix(foot_)
-  other:member { foot_, head, section = heb300, material = steel }
+  local other = scenes.cantilever { along = { 0, 0, 1 } }
   local mast = other:static { steps = 1 }:finish()
   local found = results.members(run, { model = model })
   for _, r in ipairs {
@@ -611,6 +365,8 @@ case("wrong input is refused", function()
       lengths = { kx = 1, Lx = 4 } } },
     { "has colums = 3", results.utilisation, run, { model = model, standard = en, lengths = { colums = 3 } } },
     { "above 0", results.utilisation, run, { model = model, standard = en, lengths = { columns = { kx = -1 } } } },
+    { "needs the moments of one state", results.utilisation, results.envelope { run, model = model },
+      { model = model, standard = en, Cm = "B.3" } },
     { "field 'gravity'", results.base, run, { model = model, gravity = 9.81 } },
     { "unknown column 'Mw'", found.text, found, { columns = { "Mw" } } },
     { "unknown column 'Mw'", found.text, found, { sort = "Mw" } },
@@ -619,8 +375,7 @@ case("wrong input is refused", function()
     { "must be a plain name ending in .csv", found.csv, found, "a/b.csv" },
     { "takes no further argument", found.text, found, {}, 3 },
   } do
-    local good, message = pcall(table.unpack(r, 2))
-    expect(not good and tostring(message):find(r[1], 1, true), "'%s' in: %s", r[1], tostring(message))
+    checks.refused(r[1], table.unpack(r, 2))
   end
   local good, message = pcall(results.members, run)
   local ok = pcall(function() return run.model end)

@@ -7,29 +7,22 @@ local hinge = require "hinge"
 local results = require "hinge.results"
 local eurocode = require "hinge.standards.en_1993_1_1.members"
 local profile = require "hinge.results.profile"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "utilisation"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
+local with = scenes.with
 
 require "hinge.core".own_output(support.temporary_folder(), {}, true)
 
 local function steel(options)
-  local o = { E = 210e9, nu = 0.3, density = 7850, yield_stress = 355e6 }
-  for key, value in pairs(options or {}) do o[key] = value end
-  return hinge.material(o)
+  return hinge.material(with({ E = 210e9, nu = 0.3, density = 7850, yield_stress = 355e6 }, options))
 end
 local ipe = hinge.section.named "IPE 400"
 local en = { standard = "EN 1993-1-1" }
 local us = { standard = "AISC 360" }
 
 local function same(value, wanted, what) near(value, wanted, 1e-9 * math.abs(wanted), what) end
-
-local function with(o, more)
-  local all = {}
-  for key, value in pairs(o) do all[key] = value end
-  for key, value in pairs(more) do all[key] = value end
-  return all
-end
 
 -- A simple beam of 4 m along x, held against twist.
 local function beam(section, material, options)
@@ -72,6 +65,15 @@ case("what the formulas do not cover is refused by both standards", function()
           tostring(row.remark))
       end
     end
+  end
+  for _, r in ipairs {
+    { en, hinge.section.named "UPN 200", "its plates are not known" },
+    { en, hinge.section.h { depth = 0.6, width = 0.3, web = 0.004, flange = 0.008 }, "class 3 or 4: the flange has" },
+    { us, hinge.section.named "HSS20X12X5/16", "slender in compression (E7)" },
+  } do
+    local row = row_of({ N = -10e3 }, r[1], r[2])
+    equal(row.utilisation, nil, "no number")
+    expect(support.has(tostring(row.remark), r[3]), "'%s' in: %s", r[3], tostring(row.remark))
   end
   -- 1.02 of the slenderness of class 2
   local e = math.sqrt(235 / 355)
