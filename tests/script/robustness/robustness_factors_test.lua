@@ -14,10 +14,9 @@ local ufc = require "hinge.standards.ufc_4_023_03.factors"
 local checks = support.checks "factors of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
-local g, fy, E = 9.80665, 325e6, 206e9
-local box = hinge.section.box { width = 0.15, depth = 0.3, thickness = 0.01 }
-local post = hinge.section.box { width = 0.25, depth = 0.25, thickness = 0.012 }
-local Mp = box.Zx * fy
+local frames = require "robustness.frames"
+local with = require "scenes".with
+local fy, E, box, post, Mp, bridge = frames.fy, frames.E, frames.box, frames.post, frames.Mp, frames.bridge
 
 -- Factors -------------------------------------------------------------------------------------------------------------
 
@@ -73,8 +72,7 @@ end)
 -- Three posts, two beams over them; geo as hinge.robustness reads it.
 local function small_frame()
   local model = hinge.model { displacement = "small" }
-  local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
-  local top = {}
+  local steel, top = frames.light(), {}
   for i = 0, 2 do
     local foot = model:node { 5 * i, 0, 0 }
     top[i] = model:node { 5 * i, 0, 3 }
@@ -100,17 +98,17 @@ end
 
 case("the DCR is that of the weaker end, of both axes, with the factors on loads", function()
   local Mpy = box.Zy * fy
-  local function with(of) return { N = of.N or 0, Mx = of.Mx or 0, My = of.My or 0 } end
-  local small, large = with { Mx = 0.3 * Mp }, with { Mx = -0.7 * Mp }
+  local function forces(of) return with(none, of) end
+  local small, large = forces { Mx = 0.3 * Mp }, forces { Mx = -0.7 * Mp }
   near(demands(4, small, large).ratio, 0.7, 1e-12, "the last end has more")
   near(demands(4, large, small).ratio, 0.7, 1e-12, "the first end has more")
   equal(demands(4, large, small).member, 4, "the member")
-  near(demands(4, with { Mx = 0.3 * Mp, My = -0.25 * Mpy }, none).ratio, 0.55, 1e-12, "about both axes")
-  near(demands(4, with { Mx = 0.3 * Mp }, none, 2.5).ratio, 0.75, 1e-12, "times the factor of deformation")
+  near(demands(4, forces { Mx = 0.3 * Mp, My = -0.25 * Mpy }, none).ratio, 0.55, 1e-12, "about both axes")
+  near(demands(4, forces { Mx = 0.3 * Mp }, none, 2.5).ratio, 0.75, 1e-12, "times the factor of deformation")
   -- on each side of N / N0 = 0.2
   local N0 = box.plastic_area * fy
-  near(demands(4, with { N = 0.199 * N0, Mx = 0.3 * Mp }, none).ratio, 0.0995 + 0.3, 1e-12, "n = 0.199")
-  near(demands(4, with { N = -0.201 * N0, Mx = 0.3 * Mp }, none).ratio, 0.201 + 8 / 9 * 0.3, 1e-12, "n = 0.201")
+  near(demands(4, forces { N = 0.199 * N0, Mx = 0.3 * Mp }, none).ratio, 0.0995 + 0.3, 1e-12, "n = 0.199")
+  near(demands(4, forces { N = -0.201 * N0, Mx = 0.3 * Mp }, none).ratio, 0.201 + 8 / 9 * 0.3, 1e-12, "n = 0.201")
 end)
 
 case("columns above half of N0 are controlled by force, beams are not", function()
@@ -128,47 +126,15 @@ case("columns above half of N0 are controlled by force, beams are not", function
   near(by_deformation.ratio, 0.6, 1e-12, "its DCR")
 end)
 
--- Two spans without the middle post: P on the joint above it. The outer posts, of a small section, carry P / 2 each.
-local function bridge(P, side, options)
-  options = options or {}
-  local model = hinge.model { displacement = "small" }
-  local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
-  local top, spans = {}, options.spans or 2
-  for i = 0, spans do
-    local foot = model:node { 5 * i, 0, 0 }
-    top[i] = model:node { 5 * i, 0, 3 }
-    model:fix(foot)
-    model:fix(top[i], "y,rx,rz")
-    local outer = i == 0 or i == spans
-    model:member { foot, top[i], section = outer and side or post, material = steel, up = { 1, 0, 0 } }
-  end
-  for i = 1, spans do
-    model:member { top[i - 1], top[i], section = box, material = steel, up = { 0, 0, 1 }, group = "beams" }
-  end
-  for i = 1, spans - 1 do
-    if options.mass then model:mass { node = top[i], mass = options.mass * P / g } end
-    model:case("dead"):load { node = top[i], force = { 0, 0, -P } }
-  end
-  return model, top
+-- The rows of a study of a bridge with its load case.
+local function rows_of(P, options, given)
+  return robustness(with({ build = function() return (bridge(P, options)) end, quiet = true, loads = { dead = 1 },
+    procedures = { "linear static" } }, given)).rows
 end
 
-case("the DCR of actions that are controlled by force is not divided by m", function()
-  local side = hinge.section.solid { width = 0.05, depth = 0.05 } -- N0 = 812.5 kN
-  local N0 = 0.05 ^ 2 * fy
-  for _, m in ipairs { 1, 4 } do
-    local P = 600e3 -- 2 P / 2 over N0: 0.74
-    local result = robustness { build = function() return bridge(P, side) end, remove = { 2 }, quiet = true,
-      procedures = { "linear static" }, m = m, loads = { dead = 1 } }
-    local row = result.rows[1]
-    expect(row.force_dcr > 0.5, "columns are controlled by force: %s", tostring(row.force_dcr))
-    local posts = 2 * P / 2 / N0
-    expect(row.force_dcr >= posts * 0.99, "%g is at least that of N alone, %g", row.force_dcr, posts)
-    near(row.ratio, support.largest_of(row.dcr / m, row.force_dcr), 1e-12, "the ratio, m = " .. m)
-    equal(row.dcr_limit, m, "the limit of the others")
-  end
-  -- a force of 1.1 N0 is not carried by any m
-  local row = robustness { build = function() return bridge(1.1 * N0, side) end, remove = { 2 }, quiet = true,
-    procedures = { "linear static" }, m = 100, loads = { dead = 1 } }.rows[1]
+case("a force that a column does not carry is not divided by m", function()
+  local side = hinge.section.solid { width = 0.05, depth = 0.05 }
+  local row = rows_of(1.1 * 0.05 ^ 2 * fy, { side = { section = side } }, { remove = { 2 }, m = 100 })[1]
   equal(row.verdict, "exceeds the capacity", row.reason)
   expect(row.force_dcr > 1 and row.ratio == row.force_dcr, "by force: %g", row.force_dcr)
   local member = tonumber(row.reason:match "^member (%d+) has a DCR of ")
@@ -177,53 +143,31 @@ end)
 
 case("two columns that go together have the deflection of a frame without both", function()
   local P = 20e3
-  local function deflection(remove)
-    return robustness { build = function() return bridge(P, post, { spans = 3 }) end, remove = remove, quiet = true,
-      procedures = { "linear static" }, m = 2, loads = { dead = 1 } }
-  end
-  local both = deflection { { 2, 3 } }
-  equal(both.cases, 1, "one case")
-  equal(#both.rows[1].members, 2, "with two members")
-  local row = both.rows[1]
+  local both = rows_of(P, { spans = 3 }, { remove = { { 2, 3 } }, m = 2 })
+  equal(#both, 1, "one case")
+  local row = both[1]
+  equal(#row.members, 2, "with two members")
   -- by hand: the same frame without the two, elastic, under P on both joints times Omega_LD = 2.9
-  local model = hinge.model { displacement = "small", plasticity = false }
-  local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
-  local top = {}
-  for i = 0, 3 do
-    top[i] = model:node { 5 * i, 0, 3 }
-    model:fix(top[i], "y,rx,rz")
-    if i == 0 or i == 3 then
-      local foot = model:node { 5 * i, 0, 0 }
-      model:fix(foot)
-      model:member { foot, top[i], section = post, material = steel, up = { 1, 0, 0 } }
-    else model:load { node = top[i], force = { 0, 0, -2.9 * P } } end
-  end
-  local beams = {}
-  for i = 1, 3 do
-    beams[i] = model:member { top[i - 1], top[i], section = box, material = steel, up = { 0, 0, 1 } }
-  end
-  local run = model:static { steps = 1 }:finish()
+  local model, top = bridge(2.9 * P, { spans = 3, without = true })
+  local run = model:static { steps = 1, loads = { dead = 1 } }:finish()
   near(row.deflection, -select(3, top[1]:displacement(run)), 1e-3 * row.deflection, "deflection, m")
   local worst = 0
-  for _, beam in ipairs(beams) do
+  for _, beam in ipairs(model:group "beams":members()) do
     for _, at in ipairs { beam:forces(run) } do
       worst = support.largest_of(worst, math.abs(at.N) / (2 * box.plastic_area * fy) + math.abs(at.Mx) / Mp)
     end
   end
   near(row.dcr, worst, 1e-3 * worst, "DCR of a beam, n / 2 + m")
-  local one = deflection { 2 }.rows[1]
+  local one = rows_of(P, { spans = 3 }, { remove = { 2 }, m = 2 })[1]
   expect(one.deflection < 0.5 * row.deflection, "one alone goes down less: %g of %g m", one.deflection, row.deflection)
 end)
 
 case("loads without inertia are told above 1.5 times the weight of all masses", function()
   for part, told in pairs { [0.6] = true, [0.7] = false } do
-    local row = robustness { build = function() return bridge(15e3, post, { mass = part }) end, remove = { 2 },
-      quiet = true, procedures = { "nonlinear dynamic" }, limit = 0.06, loads = { dead = 1 } }.rows[1]
-    local found = false
-    for _, text in ipairs(row.warnings) do
-      found = found or text:find("loads without mass have no inertia", 1, true) ~= nil
-    end
-    equal(found, told, ("masses of %g of the loads: %s"):format(part, row.verdict))
+    local row = rows_of(15e3, { mass = part }, { remove = { 2 }, limit = 0.06,
+      procedures = { "nonlinear dynamic" } })[1]
+    equal(support.has(table.concat(row.warnings, "\n"), "loads without mass have no inertia"), told,
+      ("masses of %g of the loads: %s"):format(part, row.verdict))
   end
 end)
 
@@ -231,43 +175,19 @@ case("the formulas of the factors are refused for concrete, unless the factors a
   local concrete = hinge.section.concrete { width = 0.3, depth = 0.3, concrete = 30e6, steel = 500e6,
     strains = "plastic", bars = { { -0.1, 0.1, area = 3e-4 }, { 0.1, 0.1, area = 3e-4 }, { -0.1, -0.1, area = 3e-4 },
       { 0.1, -0.1, area = 3e-4 } } }
-  local function build()
-    local model, heads = hinge.model { displacement = "small" }, {}
-    local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
-    for i = 0, 2 do
-      local foot = model:node { 5 * i, 0, 0 }
-      heads[i] = model:node { 5 * i, 0, 3 }
-      model:fix(foot)
-      model:fix(heads[i], "y,rx,rz")
-      model:member { foot, heads[i], section = i == 0 and concrete or post, material = i == 0
-        and hinge.material { E = 30e9, density = 0.05 } or steel, up = { 1, 0, 0 } }
-      if i > 0 then
-        model:member { heads[i - 1], heads[i], section = box, material = steel, up = { 0, 0, 1 } }
-      end
-    end
-    model:case("dead"):load { node = heads[1], force = { 0, 0, -1e3 } }
-    return model
-  end
-  local function result(options)
-    local all = { build = build, remove = { 2 }, quiet = true, loads = { dead = 1 }, limit = 0.03 }
-    for name, value in pairs(options) do all[name] = value end
-    local good, message = pcall(robustness, all)
-    return good and "made" or tostring(message)
-  end
+  local bridge_of = { side = { section = concrete, material = hinge.material { E = 30e9, density = 0.05 } } }
   for procedure, name in pairs { ["linear static"] = "omega_ld", ["nonlinear static"] = "omega_n" } do
-    local said = result { procedures = { procedure } }
-    expect(said:find("member 1 is of concrete; the formulas of the factors are for steel; give field '" .. name .. "'",
-      1, true), "%s: %s", procedure, said)
+    checks.refused({ "member 1 is of concrete", "for steel", "field '" .. name .. "'" }, rows_of, 1e3, bridge_of,
+      { remove = { 2 }, limit = 0.03, procedures = { procedure } })
   end
-  equal(result { procedures = { "linear static" }, omega_ld = 1.5 }, "made", "with the factor")
+  expect(pcall(rows_of, 1e3, bridge_of, { remove = { 2 }, omega_ld = 1.5 }), "with the factor")
 end)
 
 -- Verdicts ------------------------------------------------------------------------------------------------------------
 
 case("verdict and reason by rotation, by forces of joints, without limits, and what was not compared", function()
   local function judged(of)
-    local row = { without_limit = 0, pins = 0, pin_rotation = 0, joints_unrated = 0, unrated_rotation = 0 }
-    for name, value in pairs(of) do row[name] = value end
+    local row = with({ without_limit = 0, pins = 0, pin_rotation = 0, joints_unrated = 0, unrated_rotation = 0 }, of)
     local verdict, reason = runs.judge_rotation(row)
     return verdict .. ": " .. reason
   end
@@ -300,8 +220,7 @@ case("verdict and reason by rotation, by forces of joints, without limits, and w
   for _, r in ipairs { { {}, false }, { { largest = 2e-6 }, true }, { { largest = 9e-7 }, false },
     { { largest = 1, strength = 5 }, false }, { { largest = 1, strength = 5, yielded = true }, true },
     { { largest = 1, ratio = 0.1, yielded = true }, false } } do
-    local h = { largest = 0 }
-    for name, value in pairs(r[1]) do h[name] = value end
+    local h = with({ largest = 0 }, r[1])
     equal(runs.is_unrated(h), r[2], "held against nothing")
     h.largest = 1e-4 * h.largest
     equal(runs.is_unrated(h, 1e4), r[2], "under a part of the loads")

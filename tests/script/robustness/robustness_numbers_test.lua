@@ -8,46 +8,16 @@ local hinge = require "hinge"
 local robustness = require "hinge.robustness"
 local checks = support.checks "numbers of robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+local with = require "scenes".with
 
 require "hinge.core".own_output(support.temporary_folder(), {}, true)
-local g, fy, E = 9.80665, 325e6, 206e9
-local L = 5
-local box = hinge.section.box { width = 0.15, depth = 0.3, thickness = 0.01 }
-local stub = hinge.section.solid { width = 0.6, depth = 0.6 } -- shortens by 6e-6 m
-local post = hinge.section.box { width = 0.25, depth = 0.25, thickness = 0.012 }
-local Mp = box.Zx * fy
--- the sag of the head under 1 N: each beam has a clamped end and one that goes down without a turn, with its shear
-local flexibility = (L ^ 3 / (12 * E * box.Ix) + L / (E / 2.6 * box.shear_area_y)) / 2
-local R = 4 * Mp / L -- the mechanism's load
-
--- Two beams between walls, nodes 1, 2, 3, on a column in the middle, member 3, with P at its head.
--- how: P, mass (as weight of a mass; otherwise a load of the case "dead"), elastic, backbone, ends, extra(model, head).
-local function mechanism(how, scale)
-  local model = hinge.model { displacement = "small" }
-  local light = hinge.material { E = E, density = 0.05, yield_stress = how.elastic and 2e10 or fy }
-  local left, head, right = model:node { 0, 0, 3 }, model:node { L, 0, 3 }, model:node { 2 * L, 0, 3 }
-  local foot = model:node { L, 0, 0 }
-  model:fix({ left, right, foot }, "all")
-  model:fix(head, "y,rx,rz")
-  for _, ends in ipairs { { left, head }, { head, right } } do
-    model:member { ends[1], ends[2], section = box, material = light, up = { 0, 0, 1 }, group = "beams",
-      backbone = how.backbone, ends = how.ends }
-  end
-  model:member { foot, head, section = stub, material = light, up = { 1, 0, 0 } }
-  local P = how.P * (scale and how.scaled and scale(L, 0, 3) or 1)
-  if how.mass then
-    model:mass { node = head, mass = P / g }
-    model:gravity { 0, 0, -g }
-  else model:case("dead"):load { node = head, force = { 0, 0, -P } } end
-  if how.extra then how.extra(model, head) end
-  return model, head
-end
+local frames = require "robustness.frames"
+local g, fy, E, L, box, post, Mp = frames.g, frames.fy, frames.E, frames.L, frames.box, frames.post, frames.Mp
+local flexibility, R, mechanism = frames.flexibility, frames.R, frames.mechanism
 
 local function row_of(how, options)
-  local all = { build = function(o) return (mechanism(how, o.scale)) end, remove = { 3 }, limit = 0.06, quiet = true,
-    fall = 0.8, allow_failed = true, loads = not how.mass and { dead = 1 } or nil }
-  for name, value in pairs(options) do all[name] = value end
-  return robustness(all).rows[1]
+  return robustness(with({ build = function(o) return (mechanism(how, o.scale)) end, remove = { 3 }, limit = 0.06,
+    quiet = true, fall = 0.8, allow_failed = true, loads = not how.mass and { dead = 1 } or nil }, options)).rows[1]
 end
 
 -- Nonlinear statics ---------------------------------------------------------------------------------------------------
@@ -96,6 +66,7 @@ case("a push that does not come to the loads says how far it came, and whether t
   local words = ("the loads come to %.4g, and 1.5 is needed; "):format(R / P)
   equal(row.reason, words .. "there is no equilibrium beyond", "falls")
   equal(row.limit_reached, true, "a limit")
+  near(row.load_factor, R / P, 1e-5 * R / P, "which is that of the mechanism")
   row = row_of({ P = P }, { procedures = push, omega_n = 1.5 })
   equal(row.reason, words .. "the joint is down by 0.8 m then", "flat")
   equal(row.verdict, "collapses", "verdict")
@@ -124,11 +95,8 @@ end)
 local P_elastic = 100e3
 local T = 2 * math.pi * math.sqrt(P_elastic * flexibility / g)
 local function elastic(options, more)
-  local how = { P = P_elastic, mass = true, elastic = true }
-  for name, value in pairs(more or {}) do how[name] = value end
-  local all = { procedures = { "nonlinear dynamic" } }
-  for name, value in pairs(options or {}) do all[name] = value end
-  return row_of(how, all)
+  return row_of(with({ P = P_elastic, mass = true, elastic = true }, more),
+    with({ procedures = { "nonlinear dynamic" } }, options))
 end
 
 case("an elastic frame turns at T / 2 at twice statics, and is followed for a period more", function()
@@ -183,7 +151,7 @@ case("another node than the joint above falls: it is named, with the time of a l
     local model, head = mechanism({ P = 5e3, mass = true, elastic = true, extra = function(model, head)
       local tip = model:node { L, 0, 3 + arm }
       local side = model:node { L + arm, 0, 3 + arm }
-      local light = hinge.material { E = E, density = 0.05, yield_stress = 2e10 }
+      local light = frames.light(2e10)
       for _, ends in ipairs { { head, tip }, { tip, side } } do
         model:member { ends[1], ends[2], section = box, material = light, up = { 0, 1, 0 } }
       end
@@ -220,8 +188,7 @@ end)
 case("of two joints without a column the one that goes down more is followed", function()
   local function build(heavy)
     local model = hinge.model { displacement = "small" }
-    local light = hinge.material { E = E, density = 0.05, yield_stress = fy }
-    local heads = {}
+    local light, heads = frames.light(), {}
     for k, x in ipairs { 0, 40 } do
       local left, right, foot = model:node { x, 0, 3 }, model:node { x + 2 * L, 0, 3 }, model:node { x + L, 0, 0 }
       heads[k] = model:node { x + L, 0, 3 }
@@ -229,7 +196,7 @@ case("of two joints without a column the one that goes down more is followed", f
       model:fix(heads[k], "y,rx,rz")
       model:member { left, heads[k], section = box, material = light, up = { 0, 0, 1 } }
       model:member { heads[k], right, section = box, material = light, up = { 0, 0, 1 } }
-      model:member { foot, heads[k], section = stub, material = light, up = { 1, 0, 0 } }
+      model:member { foot, heads[k], section = post, material = light, up = { 1, 0, 0 } }
       model:case("dead"):load { node = heads[k], force = { 0, 0, k == heavy and -60e3 or -30e3 } }
     end
     return model
@@ -247,21 +214,9 @@ end)
 -- Two spans on three posts, of which the middle one goes; the outer ones, 50 mm square, are controlled by force.
 local side = hinge.section.solid { width = 0.05, depth = 0.05 }
 local function bridge(P, scale, without)
-  local model = hinge.model { displacement = "small", plasticity = not without }
-  local steel = hinge.material { E = E, density = 0.05, yield_stress = fy }
-  local top = {}
-  for i = 0, 2 do
-    top[i] = model:node { 5 * i, 0, 3 }
-    model:fix(top[i], "y,rx,rz")
-    if i ~= 1 or not without then
-      local foot = model:node { 5 * i, 0, 0 }
-      model:fix(foot)
-      model:member { foot, top[i], section = i == 1 and post or side, material = steel, up = { 1, 0, 0 } }
-    end
-  end
-  for i = 1, 2 do model:member { top[i - 1], top[i], section = box, material = steel, up = { 0, 0, 1 } } end
-  model:case("dead"):load { node = top[1], force = { 0, 0, -P * (scale and scale(5, 0, 3) or 1) } }
-  model:case("dead"):load { node = top[0], force = { 0, 0, -0.5 * P * (scale and scale(-40, 0, 3) or 1) } }
+  local function by(x) return scale and scale(x, 0, 3) or 1 end
+  local model, top = frames.bridge(P * by(L), { side = { section = side }, without = without })
+  model:case("dead"):load { node = top[0], force = { 0, 0, -0.5 * P * by(-40) } }
   return model
 end
 
@@ -339,8 +294,7 @@ case("joints that turn without a limit are counted, each once, and their largest
     how.extra = function(model)
       local a, b = model:node { 0, 9, 0 }, model:node { 1, 9, 0 }
       model:fix(a)
-      model:member { a, b, section = box, group = "other", material = hinge.material { E = E, density = 0.05,
-        yield_stress = fy } }
+      model:member { a, b, section = box, group = "other", material = frames.light() }
     end
     row = row_of(how, { limit = { other = 1 }, procedures = { procedure }, omega_n = 1.2 })
     equal(row.joints_unrated, 4, procedure .. ": joints")
@@ -358,51 +312,43 @@ case("options have their ranges, and an error of failed rows says how many and w
   for name, r in pairs { duration = { 1, 0 }, dt = { 1e-4, 0 }, over = { 0, -1 }, fall = { 0.1, 0 },
     follow = { 0.1, 0 }, damping = { 0, -0.1 }, steps = { 10, 9 }, m = { 1, 0.9 }, omega_ld = { 1, 0.9 },
     omega_n = { 1, 0.9 } } do
-    local function call(value)
-      return pcall(row_of, { P = 1e3, elastic = true }, { procedures = { "linear static" }, [name] = value })
+    local function with_value(value)
+      return { P = 1e3, elastic = true }, { procedures = { "linear static" }, [name] = value }
     end
-    expect(call(r[1]), "%s = %g", name, r[1])
-    expect(not call(r[2]), "%s = %g is refused", name, r[2])
+    expect(pcall(row_of, with_value(r[1])), "%s = %g", name, r[1])
+    checks.refused(("field '%s' is %g"):format(name, r[2]), row_of, with_value(r[2]))
   end
-  expect(not pcall(row_of, { P = 1e3 }, { procedures = { "linear static" }, steps = 1001 }), "steps")
+  checks.refused("field 'steps' is 1001", row_of, { P = 1e3 }, { procedures = { "linear static" }, steps = 1001 })
   for _, where in ipairs { false, "loss" } do
-    local good, message = pcall(row_of, { P = 100e3, mass = true }, { procedures = { "linear static",
-      "nonlinear dynamic" }, duration = 0.01, dt = 1e-4, folder = where or nil, allow_failed = false, fall = 0.8 })
-    expect(not good and support.has(tostring(message), "hinge.robustness: 1 of 2 rows failed, the first one in case 1 "
-      .. "(nonlinear dynamic): the joint above has not turned, or not for long enough, by t = 0.01 s, the end of the "
-      .. "run; give a longer duration; allow_failed = true returns the result all the same"
-      .. (where and "; the report is written" or "")), "says %s", tostring(message))
-    if not where then expect(not tostring(message):find("report is written", 1, true), "no folder, no report") end
+    local message = checks.refused({ "1 of 2 rows failed, the first one in case 1 (nonlinear dynamic): the joint above "
+      .. "has not turned", "by t = 0.01 s", "give a longer duration", "allow_failed = true" }, row_of,
+      { P = 100e3, mass = true }, { procedures = { "linear static", "nonlinear dynamic" }, duration = 0.01, dt = 1e-4,
+      folder = where or nil, allow_failed = false })
+    equal(support.has(message, "the report is written"), where ~= false, "a report in a folder alone")
   end
 end)
 
 case("a frame in which nothing can yield is refused, and so are loads that belong to no case", function()
-  local function refused(how, options)
-    local good, message = pcall(row_of, how, options)
-    return not good and tostring(message) or "accepted"
-  end
-  local function plastic(on)
-    return { build = function()
+  local function plastic(on, options)
+    local function build()
       local model = hinge.model { displacement = "small", plasticity = on }
-      local light = hinge.material { E = E, density = 0.05, yield_stress = fy }
       local a, b, foot = model:node { 0, 0, 3 }, model:node { L, 0, 3 }, model:node { L, 0, 0 }
       model:fix({ a, foot })
       model:fix(b, "y,rx,rz")
-      model:member { a, b, section = box, material = light }
-      model:member { foot, b, section = post, material = light }
+      model:member { a, b, section = box, material = frames.light() }
+      model:member { foot, b, section = post, material = frames.light() }
       model:case("dead"):load { node = b, force = { 0, 0, -1e3 } }
       return model
-    end, remove = { 2 }, procedures = { "nonlinear static" }, omega_n = 1.2 }
+    end
+    return { P = 1 }, with({ build = build, remove = { 2 }, procedures = { "nonlinear static" }, omega_n = 1.2 },
+      options)
   end
-  expect(refused({ P = 1 }, plastic(false)):find("nothing can yield in the model", 1, true), "no plasticity")
-  equal(refused({ P = 1 }, plastic(true)), "accepted", "with it")
-  local linear, own = plastic(false), plastic(false)
-  linear.procedures = { "linear static" }
-  equal(refused({ P = 1 }, linear), "accepted", "linear statics needs no yield")
-  own.criterion = function() return "fine" end
-  equal(refused({ P = 1 }, own), "accepted", "a criterion of one's own may judge it")
+  checks.refused("nothing can yield in the model", row_of, plastic(false))
+  expect(pcall(row_of, plastic(true)), "with plasticity")
+  expect(pcall(row_of, plastic(false, { procedures = { "linear static" } })), "linear statics needs no yield")
+  expect(pcall(row_of, plastic(false, { criterion = function() return "fine" end })), "an own criterion may judge it")
   local loaded = { P = 1e3, extra = function(model, head) model:load { node = head, force = { 0, 0, -1 } } end }
-  expect(refused(loaded, { procedures = { "linear static" } }):find("give each of them a case", 1, true), "a load")
+  checks.refused("give each of them a case", row_of, loaded, { procedures = { "linear static" } })
 end)
 
 case("a plan has a row for each case and procedure, none of them run, and writes nothing", function()
@@ -415,7 +361,7 @@ case("a plan has a row for each case and procedure, none of them run, and writes
       return (mechanism { P = 1e3, mass = true, extra = function(model)
         local a, b = model:node { 0, 9, 0 }, model:node { 1, 9, 0 }
         model:fix { a, b }
-        model:member { a, b, section = box, material = hinge.material { E = E, density = 0.05, yield_stress = fy } }
+        model:member { a, b, section = box, material = frames.light() }
       end })
     end }
   core.planning = planning

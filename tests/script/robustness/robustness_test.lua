@@ -1,20 +1,17 @@
 -- hinge.robustness: the loss of a column against runs that this file makes by hand, a two-beam mechanism against closed
--- forms of statics and dynamics, factors of the standards, what is a column and what is next to it, verdicts of runs
--- that fail, criteria of one's own, files, and wrong input.
+-- forms of statics and dynamics, verdicts of runs that fail, criteria of one's own, files, and wrong input.
 --
 -- Run: lua5.4 tests/script/robustness/robustness_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
 local robustness = require "hinge.robustness"
-local geometry = require "hinge.robustness.geometry"
 local checks = support.checks "robustness"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 
-local g, fy, E = 9.80665, 325e6, 206e9
-local box = hinge.section.box { width = 0.15, depth = 0.3, thickness = 0.01 }
-local post = hinge.section.box { width = 0.25, depth = 0.25, thickness = 0.012 }
-local Mp = box.Zx * fy
+local frames, with = require "robustness.frames", require "scenes".with
+local g, fy, E, L, box, post, Mp = frames.g, frames.fy, frames.E, frames.L, frames.box, frames.post, frames.Mp
+local flexibility, R = frames.flexibility, frames.R
 
 -- The row of a case and a procedure.
 local function row_of(result, number, procedure)
@@ -31,8 +28,7 @@ local span, height, spans = 6, 4, 2
 local function frame(w, without_middle)
   local model = hinge.model {}
   local floor = hinge.material { E = E, density = w / g / box.area, yield_stress = fy }
-  local light = hinge.material { E = E, density = 0.05, yield_stress = fy }
-  local at = {}
+  local light, at = frames.light(), {}
   for i = 0, spans do
     at[i] = {}
     for level = 0, 2 do
@@ -76,9 +72,8 @@ local function by_hand(w, row)
 end
 
 local function study(w, options)
-  local all = { build = function() return frame(w) end, remove = { "lost" }, limit = 0.04, dt = 2e-3, quiet = true }
-  for name, value in pairs(options or {}) do all[name] = value end
-  return robustness(all)
+  return robustness(with({ build = function() return frame(w) end, remove = { "lost" }, limit = 0.04, dt = 2e-3,
+    quiet = true }, options))
 end
 
 case("the loss of a column that the frame holds has the numbers of a run by hand", function()
@@ -132,8 +127,8 @@ case("the loss of a column that the frame does not hold is a collapse in dynamic
 end)
 
 case("a limit that is exceeded is told, with the member", function()
-  local row = row_of(study(20e3, { limit = { beams = { LS = 0.002, CP = 0.01 } },
-    procedures = { "nonlinear dynamic" } }), 1, "nonlinear dynamic")
+  local row = study(20e3, { limit = { beams = { LS = 0.002, CP = 0.01 } },
+    procedures = { "nonlinear dynamic" } }).rows[1]
   equal(row.verdict, "exceeds the limit of rotation", row.reason)
   equal(row.limit, 0.01, "the largest level counts")
   expect(row.ratio > 1 and row.reason:find("^member %d+ has [%d.]+ of its limit 0.01 rad$"), "says: %s", row.reason)
@@ -141,62 +136,23 @@ end)
 
 -- Two beams and a column ----------------------------------------------------------------------------------------------
 
-local L, P = 5, 150e3
-local stub = hinge.section.solid { width = 0.6, depth = 0.6 } -- shortens by 6e-6 m under P
--- Two beams between walls, on a column in the middle, with P at its head as weight of a mass, or as a load of a case.
-local function mechanism(options)
-  options = options or {}
-  local model = hinge.model { displacement = "small" }
-  local light = hinge.material { E = E, density = options.density or 0.05,
-    yield_stress = options.elastic and 2e10 or fy }
-  local falling = options.falling and hinge.backbone { cap_rotation = 0.03, post_cap_rotation = 0.3 } or nil
-  local left, head, right = model:node { 0, 0, 3 }, model:node { L, 0, 3 }, model:node { 2 * L, 0, 3 }
-  local foot = model:node { L, 0, 0 }
-  model:fix({ left, right, foot }, "all")
-  model:fix(head, "y,rx,rz")
-  model:member { left, head, section = box, material = light, up = { 0, 0, 1 }, group = "beams",
-    backbone = falling }
-  model:member { head, right, section = box, material = light, up = { 0, 0, 1 }, group = "beams", backbone = falling }
-  model:member { foot, head, section = stub, material = light, up = { 1, 0, 0 } }
-  -- posts beside it, so that there is a span
-  for _, x in ipairs { 0, 2 * L } do
-    local low = model:node { x, 0, 0 }
-    model:fix(low, "all")
-    model:member { low, x == 0 and left or right, section = post, material = light, up = { 1, 0, 0 } }
-  end
-  local F = P * (options.scale and options.scale(L, 0, 3) or 1)
-  if options.case then
-    model:case("dead"):load { node = head, force = { 0, 0, -F } }
-  else
-    model:mass { node = head, mass = F / g }
-    model:gravity { 0, 0, -g }
-  end
-  return model
+local P = 150e3
+local function mechanism(how, scale)
+  return (frames.mechanism(with({ P = P, mass = true, posts = true }, how), scale))
 end
 
--- Sag of the head under 1 N: two clamped beams whose other ends slide, with Timoshenko's shear.
-local G = E / 2.6
-local flexibility = (L ^ 3 / (12 * E * box.Ix) + L / (G * box.shear_area_y)) / 2
-local at_yield = Mp * L / (6 * E * box.Ix)
-
-local function of_mechanism(options, given)
-  local all = { build = function(o)
-    local own = { case = given and given.case, elastic = given and given.elastic, density = given and given.density,
-      falling = given and given.falling }
-    if given and given.scaled then own.scale = o.scale end
-    return mechanism(own)
-  end, remove = { 3 }, limit = 0.06, quiet = true, fall = 0.8 }
-  for name, value in pairs(options or {}) do all[name] = value end
-  return robustness(all)
+local function of_mechanism(options, how)
+  return (robustness(with({ build = function(o) return mechanism(how, o.scale) end, remove = { 3 }, limit = 0.06,
+    quiet = true, fall = 0.8 }, options)))
 end
 
 case("statics of a two-beam mechanism: limit load 4 M_p / L, Omega_N, DCR of P L / 4", function()
-  local omega = 1.08 + 0.76 / (0.06 / at_yield + 0.83)
+  local omega = 1.08 + 0.76 / (0.06 * 6 * E * box.Ix / (Mp * L) + 0.83)
   for _, scaled in ipairs { false, true } do
     local result = of_mechanism({ procedures = { "nonlinear static", "linear static" }, m = 3 }, { scaled = scaled })
     local row = row_of(result, 1, "nonlinear static")
     near(row.omega, omega, 1e-12, "Omega_N")
-    near(row.load_factor, 4 * Mp / L / P, 1e-5, "limit load")
+    near(row.load_factor, R / P, 1e-5, "limit load")
     equal(row.loads_scaled, scaled and "next to the removal" or "all", "which loads")
     local linear = row_of(result, 1, "linear static")
     near(linear.omega, 3.8, 1e-12, "Omega_LD")
@@ -206,79 +162,28 @@ case("statics of a two-beam mechanism: limit load 4 M_p / L, Omega_N, DCR of P L
   end
 end)
 
-case("statics of a mechanism that loses strength ends at its largest load", function()
-  local row = of_mechanism({ procedures = { "nonlinear static" }, omega_n = 1.3 }, { falling = true }).rows[1]
-  near(row.load_factor, 4 * Mp / L / P, 1e-5, "limit load")
-  equal(row.limit_reached, true, "it is a limit")
-  equal(row.omega, 1.3, "Omega_N as given")
-  local flat = of_mechanism({ procedures = { "nonlinear static" }, omega_n = 1.5 }).rows[1]
-  equal(flat.limit_reached, false, "a plateau is none up to the fall")
-  equal(flat.verdict, "collapses", "1.43 of 1.5: " .. flat.reason)
-end)
-
-case("demand over capacity beside axial forces, and columns that are controlled by force", function()
-  local model = mechanism()
-  local geo, N0, Mx0 = geometry.read(model), box.plastic_area * fy, Mp
-  local function demands(index, N, M)
-    local none = { N = 0, Mx = 0, My = 0 }
-    local function forces(i)
-      if i == index then return { N = N, Mx = M, My = 0 }, none end
-      return none, none
-    end
-    return require "hinge.robustness.demands".demands(model, geo, { removed = {} }, { forces, 2 }, { forces, 1.5 })
-  end
-  near(demands(1, 0.05 * N0, -0.4 * Mx0).ratio, 0.05 + 0.8, 1e-12, "n = 0.1: n / 2 + m")
-  near(demands(1, -0.15 * N0, 0.4 * Mx0).ratio, 0.3 + 8 / 9 * 0.8, 1e-12, "n = 0.3: n + 8 / 9 m")
-  local column = post.plastic_area * fy
-  local by_deformation, by_force = demands(4, -0.3 * column, 0)
-  equal(by_force, nil, "a column with 0.45 of N0")
-  near(by_deformation.ratio, 0.6, 1e-12, "its DCR")
-  by_deformation, by_force = demands(4, -0.4 * column, 0)
-  near(by_force.ratio, 0.6, 1e-12, "a column with 0.6 of N0 under the loads times Omega_LF")
-  equal(by_deformation.ratio, 0, "is left out of the others")
-end)
-
-case("dynamics of a two-beam mechanism: twice statics if elastic, u_y / 2 (1 - F/R) if it yields", function()
-  local elastic = row_of(of_mechanism({ procedures = { "nonlinear dynamic" } }, { elastic = true }), 1,
-    "nonlinear dynamic")
-  near(elastic.static_deflection, P * flexibility, 5e-4 * P * flexibility, "static deflection, m")
-  near(elastic.increase, 2, 2e-3, "twice") -- steps of T / 1000, and beams of a little mass
-  near(elastic.period, 2 * math.pi * math.sqrt(P * flexibility / g), 1e-4, "period, s")
-  local R = 4 * Mp / L
-  local yields = row_of(of_mechanism({ procedures = { "nonlinear dynamic" } }), 1, "nonlinear dynamic")
+case("dynamics of a two-beam mechanism that yields: u_y / 2 (1 - P / R)", function()
+  local row = of_mechanism { procedures = { "nonlinear dynamic" } }.rows[1]
   local u_y = R * flexibility
   local u = u_y / (2 * (1 - P / R))
   expect(P > R / 2 and P < R, "it yields and holds: P = %g R", P / R)
-  near(yields.deflection, u, 0.005 * u, "deflection, m")
-  near(yields.beam_rotation, (u - u_y) / L, 0.01 * (u - u_y) / L, "plastic rotation, rad")
-  equal(yields.verdict, "holds", yields.reason)
+  near(row.deflection, u, 0.005 * u, "deflection, m")
+  near(row.beam_rotation, (u - u_y) / L, 0.01 * (u - u_y) / L, "plastic rotation, rad")
+  equal(row.verdict, "holds", row.reason)
 end)
 
-case("load cases: the factors of `loads` act, and loads of no case are refused", function()
-  local with = { case = true, density = 0.05 }
-  local row = row_of(of_mechanism({ loads = { dead = 1.2 }, procedures = { "nonlinear static" } }, with), 1,
-    "nonlinear static")
-  near(1.2 * row.load_factor, 4 * Mp / L / P, 1e-5, "limit load over P")
-  local light = of_mechanism({ loads = { dead = 1 }, procedures = { "nonlinear dynamic" } }, with).rows[1]
-  expect((light.warnings[#light.warnings] or ""):find "^the supports carry 1.5%d*e%+05 N, and all masses weigh ",
-    "warns of loads without mass: %s", light.warnings[1])
-  equal(#row_of(of_mechanism { procedures = { "nonlinear dynamic" } }, 1, "nonlinear dynamic").warnings, 0,
-    "no warning where masses stand for the loads")
-  local good, message = pcall(robustness, { build = function()
-    local model = mechanism { case = true }
-    model:load { node = model:nodes()[2], force = { 0, 0, -1e3 } }
-    return model
-  end, loads = { dead = 1 }, limit = 0.06, quiet = true })
-  expect(not good and tostring(message):find("give each of them a case", 1, true), "says: %s", tostring(message))
+case("the factors of `loads` act on load cases", function()
+  local row = of_mechanism({ loads = { dead = 1.2 }, procedures = { "nonlinear static" } }, { mass = false }).rows[1]
+  near(1.2 * row.load_factor, R / P, 1e-5, "limit load over P")
 end)
 
 case("an irregular structure, and more than ten storeys by GSA: linear statics is not allowed", function()
-  local row = row_of(of_mechanism { procedures = { "linear static" }, m = 3, irregular = true }, 1, "linear static")
+  local row = of_mechanism { procedures = { "linear static" }, m = 3, irregular = true }.rows[1]
   expect(row.dcr > 2, "DCR %g", row.dcr)
   equal(row.verdict, "not allowed", row.reason)
   local function tower()
     local model = mechanism()
-    local at, light = model:node { 3 * L, 0, 0 }, hinge.material { E = E, density = 0.05, yield_stress = fy }
+    local at, light = model:node { 3 * L, 0, 0 }, frames.light()
     model:fix(at, "all")
     for i = 1, 11 do
       local up, beside = model:node { 3 * L, 0, 3 * i }, model:node { 3 * L + 1, 0, 3 * i }
@@ -303,45 +208,36 @@ case("a run that fails is never one that holds, and a criterion is not asked of 
     asked = asked + 1
     return row.verdict == "holds" and "fine" or "bad", "for a reason"
   end
-  local function verdict(options, given)
-    options.procedures, options.criterion, options.allow_failed = { "nonlinear dynamic" }, criterion, true
-    return of_mechanism(options, given).rows[1]
-  end
-  local short = verdict { duration = 0.05 }
+  local own = { procedures = { "nonlinear dynamic" }, criterion = criterion, allow_failed = true }
+  local short = of_mechanism(with(own, { duration = 0.05 })).rows[1]
   equal(short.verdict, "failed", "too short a run: " .. short.reason)
   expect(short.reason:find("give a longer duration", 1, true), "says: %s", short.reason)
-  local good, message = pcall(of_mechanism, { procedures = { "nonlinear dynamic" }, duration = 0.05 })
-  expect(not good and tostring(message):find("1 of 1 rows failed", 1, true), "an error by default: %s",
-    tostring(message))
+  equal(asked, 0, "not asked of a failed run")
+  checks.refused("1 of 1 rows failed", of_mechanism, { procedures = { "nonlinear dynamic" }, duration = 0.05 })
   -- the intact frame cannot carry its loads
-  local heavy = study(200e3, { procedures = { "nonlinear dynamic" }, criterion = criterion,
-    allow_failed = true }).rows[1]
+  local heavy = study(200e3, own).rows[1]
   equal(heavy.verdict, "failed", "statics fails before the removal: " .. heavy.reason)
   expect(#(heavy.reason:match "^statics before the removal: (.*)$" or "") > #"failed", "with the reason of the run: %s",
     heavy.reason)
   -- a step that is too long to follow the joint: without the refusal it would seem not to move
-  local coarse = study(20e3, { procedures = { "nonlinear dynamic" }, criterion = criterion, dt = 0.1,
-    allow_failed = true }).rows[1]
+  local coarse = study(20e3, with(own, { dt = 0.1 })).rows[1]
   equal(coarse.verdict, "failed", "a long step: " .. coarse.reason)
   expect(coarse.reason:find("dt = 0.1 s is too long; the period of the joint is about 0.5", 1, true), "says: %s",
     coarse.reason)
   -- the engine gives up: the balance of energy does not close once beams without density to speak of break
-  local torn = study(20e3, { build = function()
+  local torn = study(20e3, with(own, { build = function()
     local model, above = frame(20e3)
     model:fracture { group = "beams", curvature_x = 0.01 }
     return model, above
-  end, procedures = { "nonlinear dynamic" }, criterion = criterion, allow_failed = true }).rows[1]
+  end })).rows[1]
   equal(torn.run_verdict, "failed", "the run's own verdict")
   equal(torn.verdict, "failed", "the verdict")
   expect(torn.reason:find("^step %d+, t = "), "the reason is the run's: %s", torn.reason)
   asked = 0
-  local held = verdict {}
+  local held = of_mechanism(own).rows[1]
   equal(held.verdict, "fine", "its verdict")
   equal(held.reason, "for a reason", "its reason")
   equal(asked, 1, "asked once")
-  asked = 0
-  verdict { duration = 0.05 }
-  equal(asked, 0, "not asked of a failed run")
 end)
 
 case("members that break on the way are told", function()
@@ -359,71 +255,6 @@ case("members that break on the way are told", function()
   equal(row.broken, 1, "broken")
   equal(row.verdict, "loses members", row.reason)
   equal(row.reason, "1 further member breaks", "says")
-end)
-
--- Columns and bays ----------------------------------------------------------------------------------------------------
-
--- A space frame of 2 x 1 bays and two storeys; the lower columns have a joint at half height, one leans.
-local function space()
-  local model = hinge.model {}
-  local steel = hinge.material { E = E, density = 7850, yield_stress = fy }
-  local at = {}
-  for level = 0, 2 do
-    for i = 0, 2 do
-      for j = 0, 1 do
-        local node = model:node { 6 * i + (i == 2 and 0.5 * level or 0), 5 * j, 4 * level }
-        at[100 * level + 10 * i + j] = node
-        if level == 0 then model:fix(node) end
-      end
-    end
-  end
-  local function member(a, b, group) model:member { a, b, section = box, material = steel, group = group } end
-  for level = 1, 2 do
-    for i = 0, 2 do
-      for j = 0, 1 do
-        local low, high = at[100 * (level - 1) + 10 * i + j], at[100 * level + 10 * i + j]
-        if level == 1 then
-          local half = model:node { (low.x + high.x) / 2, 5 * j, 2 }
-          member(low, half, "columns")
-          member(half, high, "columns")
-        else
-          member(low, high, "columns")
-        end
-        if i > 0 then member(at[100 * level + 10 * (i - 1) + j], high, "beams") end
-      end
-      member(at[100 * level + 10 * i], at[100 * level + 10 * i + 1], "beams")
-    end
-  end
-  return model
-end
-
-case("columns are found by geometry, from joint to joint, and named by place", function()
-  local geo = geometry.read(space())
-  equal(#geo.columns, 12, "columns")
-  equal(geo.storeys, 2, "storeys")
-  local lowest = geometry.cases("test", geo, "columns", "lowest")
-  equal(#lowest, 6, "of the lowest storey")
-  equal(lowest[1].name, "x = 0 m, y = 0 m, z = 0 to 4 m", "the first")
-  equal(#lowest[1].members, 2, "its members")
-  equal(lowest[6].name, "x = 12.5 m, y = 5 m, z = 0 to 4 m", "the last, which leans by 7 degrees")
-  equal(lowest[1].span, 5, "to the next column, m")
-  local all = geometry.cases("test", geo, "columns", "all")
-  equal(#all, 12, "of all storeys")
-  equal(all[7].storey, 2, "those above come later")
-  local middle = lowest[3]
-  equal(middle.name, "x = 6 m, y = 0 m, z = 0 to 4 m", "a middle one")
-  for _, point in ipairs { { 3, 2, 4, true }, { 9, 2, 8, true }, { 3, 5, 4, true }, { 3, 2, 0, false },
-    { -1, 2, 4, false } } do
-    local x, y, height_of, near_it = table.unpack(point)
-    equal(geometry.is_near(middle, x, y, height_of), near_it, ("%g, %g, %g is next to it"):format(x, y, height_of))
-  end
-  local corner = lowest[1]
-  equal(geometry.is_near(corner, 3, 2, 4), true, "the bay of the corner")
-  equal(geometry.is_near(corner, 9, 2, 4), false, "the next bay")
-  local together = geometry.cases("test", geo, { { 1, 2, 3 }, "beams" }, "lowest")
-  equal(#together, 2, "two cases")
-  equal(#together[1].members, 3, "that go together")
-  expect(together[2].name:find "^beams %(", "a group: %s", together[2].name)
 end)
 
 -- Files and text ------------------------------------------------------------------------------------------------------
@@ -475,11 +306,7 @@ end)
 
 case("wrong input is refused at the line of the script", function()
   local function build() return mechanism() end
-  local function elastic()
-    local model = mechanism { elastic = true }
-    return model
-  end
-  local refused = {
+  for _, r in ipairs {
     { {}, "field 'build' is missing; give a function" },
     { { build = 3 }, "field 'build' is 3; must be a function" },
     { { build = build, limits = 0.1 }, "unknown field 'limits'" },
@@ -506,39 +333,29 @@ case("wrong input is refused at the line of the script", function()
     { { build = build, limit = 0.1, folder = "a/b" }, "folder is 'a/b'; must be a plain name" },
     { { build = build, limit = 0.1, loads = { dead = 1 } }, "has no load case" },
     { { build = build, limit = 0.1, loads = 3 }, "field 'loads' is 3" },
-    { { build = function() return mechanism { case = true } end, limit = 0.1 }, "field 'loads' is missing" },
+    { { build = function() return mechanism { mass = false } end, limit = 0.1 }, "field 'loads' is missing" },
     { { build = function() return 3 end, limit = 0.1 }, "build returned 3; must return the model" },
-    { { build = function(o) o.scale(1, 2) end, limit = 0.1 }, "options.scale takes x, y and z" },
     { { build = function() return hinge.model { plasticity = false } end, limit = 0.1 }, "has no column" },
     { { build = build, criterion = function() end, procedures = { "linear static" }, remove = { 3 } },
       "the function in field 'criterion' returned nil for case 1" },
-  }
-  for _, r in ipairs(refused) do
-    r[1].quiet = true
-    local good, message = pcall(function() robustness(r[1]) end)
-    message = tostring(message)
-    expect(not good and message:find(r[2], 1, true), "'%s' in: %s", r[2], message)
-    expect(message:find "robustness_test%.lua:%d+: ", "at its line: %s", message)
+  } do
+    checks.refused(r[2], function() robustness(with(r[1], { quiet = true })) end)
   end
+  checks.refused("options.scale takes x, y and z", function()
+    robustness { build = function(o) o.scale(1, 2) end, limit = 0.1 }
+  end)
   local calls = 0
-  local good, message = pcall(robustness, { limit = 0.1, quiet = true, build = function()
-    calls = calls + 1
-    return calls == 1 and frame(1e3) or mechanism()
-  end })
-  expect(not good and tostring(message):find("another structure than at its first call", 1, true), "says: %s",
-    tostring(message))
-  good, message = pcall(robustness, { limit = 0.1, quiet = true, remove = { 3 }, build = function()
-    local model = elastic()
-    local still = hinge.model { plasticity = false }
-    return model and still
-  end })
-  expect(not good, "a model without members: %s", tostring(message))
-  expect(not pcall(robustness, {}, 1), "a second argument")
+  checks.refused("another structure than at its first call", robustness, { limit = 0.1, quiet = true,
+    build = function()
+      calls = calls + 1
+      return calls == 1 and frame(1e3) or mechanism()
+    end })
+  checks.refused("no further argument", robustness, {}, 1)
   local result = of_mechanism { procedures = { "linear static" } }
-  for _, call in ipairs { function() result:csv "a/b.csv" end, function() result:csv "b.txt" end,
-    function() result:picture "b.gif" end, function() result:table(1) end } do
-    expect(not pcall(call), "refused")
-  end
+  checks.refused("a plain name ending in .csv", result.csv, result, "a/b.csv")
+  checks.refused("a plain name ending in .csv", result.csv, result, "b.txt")
+  checks.refused("a plain name ending in .pdf", result.picture, result, "b.gif")
+  checks.refused("no further argument", result.table, result, 1)
 end)
 
 checks.done()
