@@ -3,6 +3,7 @@
 -- Run: lua5.4 tests/script/effects/effects_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local checks = support.checks "effects"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 local hinge = require "hinge"
@@ -23,10 +24,7 @@ local function flying(options, declare, run_options)
   model:velocity("flying", { 0, 3, 0 }, { 1, 2, 3 })
   if declare then declare(model) end
   -- short: in long steps scenes that may yield are solved otherwise
-  local all = { dt = 4e-6, duration = 1.2e-3, record = false }
-  for name, value in pairs(run_options or {}) do all[name] = value end
-  local run = model:dynamic(all)
-  run:finish()
+  local run = model:dynamic(scenes.with({ dt = 4e-6, duration = 1.2e-3, record = false }, run_options)):finish()
   equal(run.verdict, "completed", "verdict")
   return run
 end
@@ -49,20 +47,13 @@ case("effects that lie idle change no bit", function()
 end)
 
 case("a linear scene at a constant step is factorised once", function()
-  -- A linear scene at a constant step factorises once, and so does a linear static one.
   local linear = flying({ model = { displacement = "small" } }, nil, { solver = "direct" })
   equal(linear.counts.factorisations, 1, "factorisations of an elastic dynamic scene")
   equal(linear.counts.solves, 300, "its solves")
   expect(linear.counts.element_builds <= 8, "element builds: %s for 8 elements", linear.counts.element_builds)
 
-  local model = hinge.model { displacement = "small" }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(wall)
-  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-    material = hinge.material { E = 206e9 } }
-  model:load { node = tip, force = { 0, 0, -1000 } }
-  local static = model:static { steps = 10 }
-  static:finish()
+  local model = scenes.cantilever { model = { displacement = "small" }, force = { 0, 0, -1000 } }
+  local static = model:static({ steps = 10 }):finish()
   equal(static.verdict, "completed", "verdict of the static scene")
   equal(static.counts and static.counts.factorisations, 1, "factorisations of a linear static scene")
 end)

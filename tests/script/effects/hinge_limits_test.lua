@@ -86,9 +86,9 @@ end)
 
 -- How many elements have broken.
 local function broken_elements(run)
-  local model_elements = 0
-  for _, e in ipairs(run:read "broken") do model_elements = model_elements + (e == true and 1 or e or 0) end
-  return model_elements
+  local count = 0
+  for _, e in ipairs(run:read "broken") do count = count + (e == true and 1 or e or 0) end
+  return count
 end
 
 case("a clamped beam breaks by the whole rotation of its middle hinge, which two members share", function()
@@ -263,8 +263,7 @@ case("other options go with the limits", function()
   local hard = hinge.material { E = E, nu = 0.3, density = 7850, yield_stress = fy, hardening = { tangent = 2e9 } }
   equal(broken({ hinge_rotation_x = 0.03 }, { material = hard }), 1, "with hardening")
   for _, bad in ipairs { "hinge_rotation_x", "hinge_rotation_y", "elongation" } do
-    local ok, message = pcall(struck, { [bad] = 0 })
-    expect(not ok and message:find(bad, 1, true), "%s = 0 is refused: %s", bad, message)
+    checks.refused(bad, struck, { [bad] = 0 })
   end
 end)
 

@@ -17,7 +17,7 @@ local function done(run, what)
 end
 
 case("a heavy mass on a light cantilever is damped as a single degree of freedom", function()
-  -- A heavy mass on a light cantilever: the mean over four periods of the logarithm of the energy falls by 8 z w T.
+  -- the mean over four periods of the logarithm of the energy falls by 8 z w T
   local stiffness = 3 * 206e9 * section.Ix / (1 + 3 * 206e9 * section.Ix / (206e9 / 2.6 * section.shear_area_y))
   local function on_cantilever(options)
     local model = hinge.model {}
@@ -100,7 +100,6 @@ case("a tumbling body is damped in its momenta alone", function()
 end)
 
 case("a damped run goes on from its checkpoint with the same bits", function()
-  -- A run goes on from its checkpoint with the same bits.
   for _, integrator in ipairs { "newmark", "explicit", "energy-momentum" } do
     local options = { integrator = integrator, dt = integrator == "explicit" and 1e-5 or 1e-4 }
     local file, whole = folder .. "/tumbling.checkpoint", tumbling(options)

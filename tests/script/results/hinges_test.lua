@@ -89,7 +89,6 @@ case("a propped cantilever has its two plastic hinges at the loads and rotations
 end)
 
 case("where two elements of a member meet there is one hinge with the rotation of both", function()
-  -- Where two elements of a member meet there is one hinge, that has what both have rotated.
   local model = hinge.model { displacement = "small" }
   local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:fix(a, "x,y,z,rx")
@@ -108,7 +107,6 @@ case("where two elements of a member meet there is one hinge with the rotation o
 end)
 
 case("the conventional element has its hinge in the middle", function()
-  -- The conventional element bends plastically over its length: the hinge is in its middle.
   local model, middle = propped "conventional"
   local run = model:static { steps = 100, loads = { push = 1 }, control = { node = middle, "uz", to = -last } }:finish()
   local list, work = run:hinges(), 0
