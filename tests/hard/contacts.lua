@@ -5,14 +5,12 @@ local parts = require "parts"
 local function two(name, a, b, c, d, velocity, o)
   o = o or {}
   return { name, energy_error = o.energy_error or 2e-2, momentum = 1e-6, dt = o.dt or 5e-6, steps = o.steps or 2000,
-    free = true, make = function(hinge)
-      local model = hinge.model {}
+    free = true, build = function(model)
       parts.row(model, a, b, { members = 2, group = "first", side = o.first })
       parts.row(model, c, d, { members = 2, group = "second", side = o.second,
         material = o.material and parts.steel(o.material) })
       model:velocity("second", velocity)
       model:contact { rule = o.rule, friction = o.friction }
-      return model
     end }
 end
 
@@ -49,8 +47,7 @@ add("coincident, gap elements", { 0, 0, 0 }, { 1, 0, 0 }, { 0, 0, 0 }, { 1, 0, 0
 
 scenes[#scenes + 1] = { "columns land on the ground at all angles and break", energy_error = 2e-2, dt = 2e-5,
   steps = 10000,
-  make = function(hinge)
-    local model = hinge.model {}
+  build = function(model)
     for i = 0, 8 do
       local angle = math.rad(11.25 * i)
       parts.row(model, { 0, i, 0.1 }, { 2 * math.sin(angle), i, 0.1 + 2 * math.cos(angle) },
@@ -60,7 +57,6 @@ scenes[#scenes + 1] = { "columns land on the ground at all angles and break", en
     model:gravity { 0, 0, -9.80665 }
     model:fracture { curvature_x = 0.05, curvature_y = 0.05, axial_strain = 0.1 }
     model:ground { friction = 0.5 }
-    return model
   end }
 
 -- Their sizes are such that nothing falls out of the bin. At its end the debris lies: see `rests`.
@@ -68,8 +64,7 @@ scenes[#scenes + 1] = { "500 bars pile up in a bin and come to rest", energy_err
   slow = true, long = true,
   -- The part of the largest energy that still moves at the end; up to 0.02 in other settings, which damp otherwise.
   rests = 0.01,
-  make = function(hinge)
-    local model = hinge.model { formulation = "conventional", elements_per_member = 1 }
+  model = { formulation = "conventional", elements_per_member = 1 }, build = function(model)
     local soft = parts.steel { yield_stress = 100e6 }
     local function rail(from, to) model:fix(parts.row(model, from, to, { members = 4, side = 0.07 })) end
     for i = -24, 24 do rail({ 0.1 * i, -2.4, 0 }, { 0.1 * i, 2.4, 0 }) end
@@ -88,7 +83,7 @@ scenes[#scenes + 1] = { "500 bars pile up in a bin and come to rest", energy_err
     end
     model:gravity { 0, 0, -9.80665 }
     model:contact { friction = 0.5, stiffness = 1e6 }
-    return model, { rho_infinity = 0, step_control = 0.02, tolerance = 1e-3 }
+    return { rho_infinity = 0, step_control = 0.02, tolerance = 1e-3 }
   end }
 
 return scenes

@@ -40,6 +40,7 @@ local core = require "hinge.core"
 local scenes = require "random_scenes"
 package.path = folder .. "/../script/?.lua;" .. package.path
 local largest_of = require("support").largest_of
+local with = require("scenes").with
 
 -- What `check` asks for, as parts of all scenes. The 200 fast ones gave these numbers when they were written here, less
 -- two scenes for other processors: raise them with the engine, never lower them. None may be refused or crash.
@@ -152,10 +153,7 @@ local function take_remedy(seed, changes, out)
     out.reason = out.reason .. " REMEDY none"
     return
   end
-  for name, value in pairs(changes) do
-    if more[name] == nil then more[name] = value end
-  end
-  local again = run_scene(scenes.scene(seed, options.as), more)
+  local again = run_scene(scenes.scene(seed, options.as), with(changes, more))
   out.reason = ("%s REMEDY %s: %s, largest error %.3g %% %s"):format(out.reason, words, again.verdict,
     100 * again.worst, again.reason)
 end
@@ -425,12 +423,9 @@ local next_task = coroutine.wrap(function()
       print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
     elseif scene and variants then
       for _, variant in ipairs(variants) do
-        local one, changes = scene_of(seed), {}
+        local one = scene_of(seed)
         one.setting = variant[1]
-        for _, from in ipairs { variant[2], changed } do
-          for name, value in pairs(from) do changes[name] = value end
-        end
-        if not done[seed .. one.setting] then coroutine.yield(one, changes) end
+        if not done[seed .. one.setting] then coroutine.yield(one, with(variant[2], changed)) end
       end
     elseif scene and not done[seed .. scene.setting] then
       coroutine.yield(scene, changed)

@@ -7,8 +7,10 @@
 -- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto
 -- steps too; contact = "none", fracture = "none" or "hinges" (limits of rotation and elongation). ground = "points":
 -- elastic points (restitution = 1) in place of the layer that is the default.
+local vectors = require "hinge.library.vectors"
 local scenes = {}
 
+local unit, cross = vectors.unit, vectors.cross
 local g = 9.80665
 
 -- Draws --------------------------------------------------------------------------------------------------------------
@@ -49,8 +51,8 @@ local function draws(seed, stream)
   function d.direction()
     while true do
       local v = { d.number(-1, 1), d.number(-1, 1), d.number(-1, 1) }
-      local size = math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2)
-      if size > 0.1 and size < 1 then return { v[1] / size, v[2] / size, v[3] / size } end
+      local direction, size = unit(v)
+      if size > 0.1 and size < 1 then return direction end
     end
   end
   return d
@@ -90,12 +92,18 @@ local function material_of(d)
     { 2, 325e6 }, { 2, 355e6 }, { 1, 440e6 } } or nil }
 end
 
+local function yield_of(numbers) return numbers.yield_stress and numbers.yield_stress / 1e6 or "none" end
+
 local function with(base, changes)
   local o = {}
-  for k, v in pairs(base) do o[k] = v end
-  for k, v in pairs(changes) do o[k] = v end
+  for _, from in ipairs { base, changes or {} } do
+    for k, v in pairs(from) do o[k] = v end
+  end
   return o
 end
+
+-- Length over the smaller radius of gyration.
+local function slenderness_of(of, length) return length / math.sqrt(math.min(of.Ix, of.Iy) / of.area) end
 
 -- Scenes in the making -----------------------------------------------------------------------------------------------
 
@@ -149,8 +157,7 @@ local function frame(s, o)
   local beam_section = section(hinge, d, bay, d.log(30, 180), d.pick { "h", "h", "box", "solid" })
   note(s, "%s frame %d x %d x %d, column %s L/r %.0f, beam %s L/r %.0f, fy %s", o.plane and "plane" or "space", bays,
     across, storeys, column_section.kind,
-    height / math.sqrt(math.min(column_section.Ix, column_section.Iy) / column_section.area), beam_section.kind,
-    bay / math.sqrt(math.min(beam_section.Ix, beam_section.Iy) / beam_section.area), fy and fy / 1e6 or "none")
+    slenderness_of(column_section, height), beam_section.kind, slenderness_of(beam_section, bay), yield_of(numbers))
 
   -- The floors' weight is known before the members that carry it as density: trial members of a model that is dropped.
   local trial = hinge.model {}
@@ -167,6 +174,7 @@ local function frame(s, o)
   end
   if floors ~= "none" then note(s, "floors as %s %.3g N/m", floors, q) end
 
+  local of_beam = { section = beam_section, material = floor_steel, group = { "beams", "frame" } }
   local model, joints, columns, beams = s.model, {}, {}, {}
   local imperfect = d.chance(0.3) and height / d.number(200, 1000) or 0
   for k = 0, storeys do
@@ -192,12 +200,10 @@ local function frame(s, o)
     for i = 0, bays do
       for j = 0, across do
         if k > 0 and i > 0 then
-          beams[#beams + 1] = member(s, joints[k][i - 1][j], joints[k][i][j], { section = beam_section,
-            material = floor_steel, group = { "beams", "frame" } })
+          beams[#beams + 1] = member(s, joints[k][i - 1][j], joints[k][i][j], of_beam)
         end
         if k > 0 and j > 0 then
-          beams[#beams + 1] = member(s, joints[k][i][j - 1], joints[k][i][j], { section = beam_section,
-            material = floor_steel, group = { "beams", "frame" } })
+          beams[#beams + 1] = member(s, joints[k][i][j - 1], joints[k][i][j], of_beam)
         end
       end
     end
@@ -213,9 +219,8 @@ local function frame(s, o)
       end
     end
   end
-  s.members, s.columns, s.beams, s.height, s.length = columns, columns, beams, height * storeys, bay * bays
+  s.columns = columns
   s.members = table.move(beams, 1, #beams, #columns + 1, table.move(columns, 1, #columns, 1, {}))
-  s.fy = fy
 end
 
 -- A lattice tower of four legs with horizontals and diagonals.
@@ -228,8 +233,8 @@ local function tower(s, o)
   local leg, brace = section(hinge, d, height, slenderness(d)), section(hinge, d, side * 1.2, slenderness(d))
   local both = d.chance(0.4)
   note(s, "tower of %d panels %.1f x %.1f m, leg %s L/r %.0f, braces %s L/r %.0f%s", panels, side, height, leg.kind,
-    height / math.sqrt(math.min(leg.Ix, leg.Iy) / leg.area), brace.kind,
-    1.2 * side / math.sqrt(math.min(brace.Ix, brace.Iy) / brace.area), both and ", crossed" or "")
+    slenderness_of(leg, height), brace.kind, slenderness_of(brace, 1.2 * side), both and ", crossed" or "")
+  local of_brace = { section = brace, material = steel, group = { "beams", "frame" } }
   local corners, legs, braces, before = { { -1, -1 }, { 1, -1 }, { 1, 1 }, { -1, 1 } }, {}, {}, nil
   for k = 0, panels do
     local half = side / 2 * (1 - (1 - taper) * k / panels)
@@ -245,13 +250,10 @@ local function tower(s, o)
         group = { name, "columns", "frame" } })
       s.names[legs[#legs]] = name
       local next = c % 4 + 1
-      braces[#braces + 1] = member(s, ring[c], ring[next], { section = brace, material = steel,
-        group = { "beams", "frame" } })
-      braces[#braces + 1] = member(s, before[c], ring[next], { section = brace, material = steel,
-        group = { "beams", "frame" } })
+      braces[#braces + 1] = member(s, ring[c], ring[next], of_brace)
+      braces[#braces + 1] = member(s, before[c], ring[next], of_brace)
       if both then
-        braces[#braces + 1] = member(s, before[next], ring[c], { section = brace, material = steel,
-          group = { "beams", "frame" } })
+        braces[#braces + 1] = member(s, before[next], ring[c], of_brace)
       end
     end
     before = ring
@@ -263,7 +265,7 @@ local function tower(s, o)
     note(s, "%.3g t at the top", 4 * mass / 1000)
     for c = 1, 4 do model:mass { node = before[c], mass = mass } end
   end
-  s.columns, s.beams, s.height, s.length, s.fy = legs, braces, height * panels, side, numbers.yield_stress
+  s.columns = legs
   s.members = table.move(braces, 1, #braces, #legs + 1, table.move(legs, 1, #legs, 1, {}))
 end
 
@@ -276,8 +278,7 @@ local function truss(s, o)
   local steel = hinge.material(numbers)
   local chord, web = section(hinge, d, length, slenderness(d)), section(hinge, d, depth, slenderness(d))
   note(s, "truss of %d panels in %d planes, chord %s L/r %.0f, web %s L/r %.0f", panels, planes, chord.kind,
-    length / math.sqrt(math.min(chord.Ix, chord.Iy) / chord.area), web.kind,
-    depth / math.sqrt(math.min(web.Ix, web.Iy) / web.area))
+    slenderness_of(chord, length), web.kind, slenderness_of(web, depth))
   local chords, webs, rows = {}, {}, {}
   local function add(list, a, b, of)
     local name = ("column %d"):format(#s.members + 1)
@@ -326,7 +327,7 @@ local function truss(s, o)
       end
     end
   end
-  s.columns, s.beams, s.height, s.length, s.fy = chords, webs, depth, length * panels, numbers.yield_stress
+  s.columns = chords
 end
 
 -- What acts on them --------------------------------------------------------------------------------------------------
@@ -419,31 +420,20 @@ local function extras(s)
   end
 end
 
-local function normalised(v)
-  local size = math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2)
-  return { v[1] / size, v[2] / size, v[3] / size }
-end
-
-local function cross(a, b)
-  return { a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1] }
-end
-
 -- A bar that flies at a member: close to it, with a speed. Across the member, or end on.
 local function striker(s, target, o)
   local d, hinge, model = s.d, s.hinge, s.model
-  local axis = normalised { target.b.x - target.a.x, target.b.y - target.a.y, target.b.z - target.a.z }
+  local axis = unit(vectors.minus(vectors.of_node(target.b), vectors.of_node(target.a)))
   local towards = o.towards
   if not towards then -- any direction more or less across the member
     local v = d.direction()
-    local along = v[1] * axis[1] + v[2] * axis[2] + v[3] * axis[3]
-    towards = normalised { v[1] - 0.9 * along * axis[1], v[2] - 0.9 * along * axis[2], v[3] - 0.9 * along * axis[3] }
+    towards = unit(vectors.plus(v, -0.9 * vectors.dot(v, axis), axis))
   end
   local speed = o.speed or d.log(1, 300)
   local at, length = d.number(0.1, 0.9), d.number(0.8, 4)
   local across = cross(axis, towards)
-  local size = math.sqrt(across[1] ^ 2 + across[2] ^ 2 + across[3] ^ 2)
-  if size < 0.1 then across = cross({ 0.6, 0.8, 0 }, towards) end
-  across = normalised(across)
+  if vectors.length(across) < 0.1 then across = cross({ 0.6, 0.8, 0 }, towards) end
+  across = unit(across)
   local end_on = d.chance(0.35)
   local direction = end_on and towards or across
   local numbers = { E = 206e9, nu = 0.3, yield_stress = d.chance(0.5) and 295e6 or nil,
@@ -457,7 +447,7 @@ local function striker(s, target, o)
     p[c] = target.a[x] + at * (target.b[x] - target.a[x]) - towards[c] * back - direction[c] * half
   end
   local a = model:node(p)
-  local b = model:node { p[1] + length * direction[1], p[2] + length * direction[2], p[3] + length * direction[3] }
+  local b = model:node(vectors.plus(p, length, direction))
   local up = math.abs(direction[3]) > 0.9 and { 1, 0, 0 } or nil
   local m = member(s, a, b, { section = of, material = hinge.material(numbers), up = up, group = "bar" })
   model:velocity("bar", { speed * towards[1], speed * towards[2], speed * towards[3] })
@@ -615,8 +605,7 @@ make["pressed column"] = function(s)
   if d.chance(0.5) then model:fix(before, d.pick { "x,y", "x,y,rx,ry,rz", "y" }) end
   local speed, mass = d.log(0.5, 30), s.members[1].mass * d.log(1, 100)
   note(s, "%d columns of %s L/r %.0f, fy %s, foot %s, head %s; %.3g kg on it at %.3g m/s", count, of.kind,
-    length / math.sqrt(math.min(of.Ix, of.Iy) / of.area), numbers.yield_stress and numbers.yield_stress / 1e6 or "none",
-    support, before.fixed or "free", mass, speed)
+    slenderness_of(of, length), yield_of(numbers), support, before.fixed or "free", mass, speed)
   model:mass { node = before, mass = mass, inertia = d.chance(0.3) and mass * 0.01 or nil }
   local turn = d.chance(0.6) and { d.number(-1, 1), d.number(-1, 1), 0 } or { 0, 0, 0 }
   model:velocity(before, { d.number(-0.1, 0.1) * speed, 0, -speed }, turn)
@@ -733,9 +722,8 @@ make.fall = function(s)
     restitution = d.chance(0.5) and d.pick { 0, 0.2, 0.5, 0.9, 1 } or nil }
   ground(s, plane)
   note(s, "%s of %d members of %s L/r %.0f, fy %s, falls%s at %.3g m/s; friction %s, restitution %s", what, #pairs_of,
-    of.kind, size / math.sqrt(math.min(of.Ix, of.Iy) / of.area), numbers.yield_stress and numbers.yield_stress / 1e6
-    or "none", flat and " flat" or "", speed, plane.friction and ("%.2f"):format(plane.friction) or "none",
-    plane.restitution or "none")
+    of.kind, slenderness_of(of, size), yield_of(numbers), flat and " flat" or "", speed,
+    plane.friction and ("%.2f"):format(plane.friction) or "none", plane.restitution or "none")
   s.speed = speed
   if d.chance(0.5) then fracture(s, "frame") end
   if d.chance(0.4) then contact(s) end
@@ -815,15 +803,12 @@ function scenes.scene(seed, class)
       joints = {}, feet = {}, members = {}, names = {}, later = {}, speed = 1, changed = changed }
     note(s, "elements %s", options.elements_per_member or "default")
     make[scene.class](s)
-    local more = {}
-    for k, v in pairs(run) do more[k] = v end
+    local more = with(run)
     if scene.slow_only then -- a step in which nothing flies farther than 2 cm
       while more.dt > 1e-5 and s.speed * more.dt > 0.02 do more.dt = more.dt / 2 end
     end
     if s.rest then
-      local o = { record = false, fixed_group = s.held }
-      for k, v in pairs(s.rest) do o[k] = v end
-      local rest = s.model:static(o):finish()
+      local rest = s.model:static(with({ record = false, fixed_group = s.held }, s.rest)):finish()
       if rest.verdict == "completed" then
         more.from = rest
       else -- statics has answered, and the collapse follows in time

@@ -1,6 +1,7 @@
 -- Relations within one run: forces and moments in equilibrium, momentum that follows the forces, and momentum kept.
 local built = require "relation_model"
 local runs = require "relation_runs"
+local vectors = require "hinge.library.vectors"
 local has, worse, static, dynamic, zero = runs.has, runs.worse, runs.static, runs.dynamic, runs.zero
 local list = {}
 
@@ -20,13 +21,9 @@ local function add(sum, v, by) for i = 1, 3 do sum[i] = sum[i] + by * v[i] end e
 -- Local axes of a member: z along it, y the part of `up` across it.
 local function in_space(s, i, v)
   local m = s.members[i]
-  local p, q, z, y = s.nodes[m[1]], s.nodes[m[2]], {}, {}
-  for c = 1, 3 do z[c] = (q[c] - p[c]) / m.length end
-  local along = m.up[1] * z[1] + m.up[2] * z[2] + m.up[3] * z[3]
-  for c = 1, 3 do y[c] = m.up[c] - along * z[c] end
-  local l = math.sqrt(y[1] ^ 2 + y[2] ^ 2 + y[3] ^ 2)
-  for c = 1, 3 do y[c] = y[c] / l end
-  local x = { y[2] * z[3] - y[3] * z[2], y[3] * z[1] - y[1] * z[3], y[1] * z[2] - y[2] * z[1] }
+  local z = vectors.unit(vectors.minus(s.nodes[m[2]], s.nodes[m[1]]))
+  local y = vectors.unit(vectors.plus(m.up, -vectors.dot(m.up, z), z))
+  local x = vectors.cross(y, z)
   local out = {}
   for c = 1, 3 do out[c] = v[1] * x[c] + v[2] * y[c] + v[3] * z[c] end
   return out
@@ -36,7 +33,7 @@ local function applied(s, run, time)
   local sum, size = { 0, 0, 0 }, 0
   local function take(v, by)
     add(sum, v, by)
-    size = size + math.abs(by) * math.sqrt(v[1] ^ 2 + v[2] ^ 2 + v[3] ^ 2)
+    size = size + math.abs(by) * vectors.length(v)
   end
   local g
   for _, p in ipairs(s.parts) do
@@ -57,12 +54,15 @@ end
 -- What holds the structure, on it: reactions, and connectors to the ground.
 local function held_by(b, run)
   local sum, size = { 0, 0, 0 }, 0
-  local function take(x, y, z)
-    add(sum, { x, y, z }, 1)
-    size = size + math.sqrt(x * x + y * y + z * z)
+  for _, nodes in ipairs { b.nodes, b.extra } do
+    for _, node in ipairs(nodes) do
+      if node.fixed then
+        local force = { node:reaction(run) }
+        add(sum, force, 1)
+        size = size + vectors.length(force)
+      end
+    end
   end
-  for _, node in ipairs(b.nodes) do if node.fixed then take(node:reaction(run)) end end
-  for _, node in ipairs(b.extra) do if node.fixed then take(node:reaction(run)) end end
   return sum, size
 end
 
@@ -98,36 +98,27 @@ list[#list + 1] = { name = "moments", why = "as reactions",
     if run.verdict ~= "completed" then return nil, "the run fails: " .. run.reason:sub(1, 160) end
     local sum, size = { 0, 0, 0 }, 0
     local function take(at, f, moment)
-      local m = { at[2] * f[3] - at[3] * f[2], at[3] * f[1] - at[1] * f[3], at[1] * f[2] - at[2] * f[1] }
+      local m = vectors.cross(at, f)
       if moment then add(m, moment, 1) end
       add(sum, m, 1)
-      size = size + math.sqrt(m[1] ^ 2 + m[2] ^ 2 + m[3] ^ 2)
+      size = size + vectors.length(m)
     end
     local function on(member, part)
-      local p, q = s.nodes[s.members[member][1]], s.nodes[s.members[member][2]]
-      return { p[1] + part * (q[1] - p[1]), p[2] + part * (q[2] - p[2]), p[3] + part * (q[3] - p[3]) }
+      return vectors.between(s.nodes[s.members[member][1]], s.nodes[s.members[member][2]], part)
     end
     local g = zero
     for _, p in ipairs(s.parts) do if p.kind == "gravity" then g = p.g end end
-    local function weighs(at, mass)
-      local f = { 0, 0, 0 }
-      add(f, g, mass)
-      take(at, f)
-    end
+    local function weighs(at, mass) take(at, vectors.times(mass, g)) end
     for i, member in ipairs(b.members) do weighs(on(i, 0.5), member.mass) end
     for _, p in ipairs(s.parts) do
       if p.kind == "load" then take(s.nodes[p.node], p.force, p.moment)
       elseif p.kind == "point" then take(on(p.member, p.at), p.force, p.moment)
       elseif p.kind == "mass" then
-        local at = { 0, 0, 0 }
-        add(at, s.nodes[p.node], 1)
-        if p.offset then add(at, p.offset, 1) end
-        weighs(at, p.mass)
+        weighs(vectors.plus(s.nodes[p.node], 1, p.offset or zero), p.mass)
       elseif p.kind == "q" then -- two triangles
         for i, v in ipairs { p.a, p.b } do
-          local f, all = p.axes == "local" and in_space(s, p.member, v) or v, { 0, 0, 0 }
-          add(all, f, 0.5 * s.members[p.member].length)
-          take(on(p.member, i / 3), all)
+          local f = p.axes == "local" and in_space(s, p.member, v) or v
+          take(on(p.member, i / 3), vectors.times(0.5 * s.members[p.member].length, f))
         end
       end
     end

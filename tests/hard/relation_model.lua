@@ -1,22 +1,18 @@
 -- The model of a scene of relation_scenes.lua, told in given axes, units and order, and what a run of it answers.
 local scenes = require "relation_scenes"
+local vectors = require "hinge.library.vectors"
+local with = require "scenes".with
 local built = {}
 
 --- How a scene is told. turn: a rotation about the origin, a 3 x 3 matrix; length and mass: the script's units in m
 --- and kg; order: a function that rearranges a list in place; reverse: members from their second node to their first;
 --- stiffer: a factor on E.
 function built.way(changes)
-  local way = { turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, length = 1, mass = 1, order = function() end,
-    reverse = false, options = {}, run = {} }
-  for k, v in pairs(changes or {}) do way[k] = v end
-  return way
+  return with({ turn = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } }, length = 1, mass = 1, order = function() end,
+    reverse = false, options = {}, run = {} }, changes)
 end
 
-local function times(R, v)
-  local out = {}
-  for i = 1, 3 do out[i] = R[i][1] * v[1] + R[i][2] * v[2] + R[i][3] * v[3] end
-  return out
-end
+local function turned(R, v) return { vectors.dot(R[1], v), vectors.dot(R[2], v), vectors.dot(R[3], v) } end
 local function back(R, x, y, z)
   return R[1][1] * x + R[2][1] * y + R[3][1] * z, R[1][2] * x + R[2][2] * y + R[3][2] * z,
     R[1][3] * x + R[2][3] * y + R[3][3] * z
@@ -96,17 +92,13 @@ function declare.mass(b, p)
 end
 function declare.link(b, p)
   local n = b.s.nodes[p.from]
-  local to = b.model:node(b.place { n[1] + p.by[1], n[2] + p.by[2], n[3] + p.by[3] })
+  local to = b.model:node(b.place(vectors.plus(n, 1, p.by)))
   b.model:rigid_link { from = b.nodes[p.from], to = to, dofs = p.dofs }
   -- a short member, so that the node has one
-  local tip = b.model:node(b.place { n[1] + 2 * p.by[1], n[2] + 2 * p.by[2], n[3] + 2 * p.by[3] })
-  if p.dofs == "all" then
-    b.model:member { to, tip, section = b.section(b.s.members[1].section), material = b.material, up = b.across(p.by) }
-    b.model:load { node = tip, force = b.vector(p.force, b.unit.N) }
-  else -- a strut between the ball joint and a support
-    b.model:fix(tip)
-    b.model:member { to, tip, section = b.section(b.s.members[1].section), material = b.material, up = b.across(p.by) }
-  end
+  local tip = b.model:node(b.place(vectors.plus(n, 2, p.by)))
+  if p.dofs == "all" then b.model:load { node = tip, force = b.vector(p.force, b.unit.N) }
+  else b.model:fix(tip) end -- a strut between the ball joint and a support
+  b.model:member { to, tip, section = b.section(b.s.members[1].section), material = b.material, up = b.across(p.by) }
   b.extra[#b.extra + 1] = tip
 end
 function declare.diaphragm(b, p)
@@ -171,21 +163,17 @@ end
 
 --- Some vector across v.
 function built.across(v)
-  local w = math.abs(v[1]) < math.abs(v[3]) and { 1, 0, 0 } or { 0, 0, 1 }
-  return { v[2] * w[3] - v[3] * w[2], v[3] * w[1] - v[1] * w[3], v[1] * w[2] - v[2] * w[1] }
+  return vectors.cross(v, math.abs(v[1]) < math.abs(v[3]) and { 1, 0, 0 } or { 0, 0, 1 })
 end
 
 --- The model of a scene. Fields: model, nodes, members (as in the scene), extra (nodes that parts add), connectors.
 function built.make(hinge, s, way)
   local m, kg = 1 / way.length, 1 / way.mass
   local unit = { m = m, kg = kg, N = kg * m, Nm = kg * m * m, Pa = kg / m }
-  local options = {}
-  for _, from in ipairs { s.options, way.options } do for k, v in pairs(from) do options[k] = v end end
-  local b = { s = s, way = way, unit = unit, model = hinge.model(options), nodes = {}, members = {}, extra = {},
-    connectors = {} }
+  local b = { s = s, way = way, unit = unit, model = hinge.model(with(s.options, way.options)), nodes = {},
+    members = {}, extra = {}, connectors = {} }
   function b.vector(v, size)
-    local t = times(way.turn, v)
-    return { t[1] * size, t[2] * size, t[3] * size }
+    return vectors.times(size, turned(way.turn, v))
   end
   function b.place(p) return b.vector(p, m) end
   b.across_of = built.across
@@ -195,8 +183,7 @@ function built.make(hinge, s, way)
   local material = { E = scenes.steel.E * unit.Pa * (way.stiffer or 1), nu = scenes.steel.nu,
     density = scenes.steel.density * kg / m ^ 3 }
   b.material = hinge.material(material)
-  for k, v in pairs(law) do material[k] = v end
-  local full = hinge.material(material)
+  local full = hinge.material(with(material, law))
   if s.d then error "the scene is not complete" end
 
   local function each(list, act)

@@ -3,6 +3,7 @@ local scenes = require "relation_scenes"
 local built = require "relation_model"
 local runs = require "relation_runs"
 local support = require "support"
+local with = require "scenes".with
 local has, elastic, worse, static, dynamic = runs.has, runs.elastic, runs.worse, runs.static, runs.dynamic
 local compare, dynamic_options, zero, chance = runs.compare, runs.dynamic_options, runs.zero, runs.chance
 local list = {}
@@ -50,6 +51,15 @@ local function first_frequency(hinge, s)
   return mode and mode.frequency > 0 and 2 * math.pi * mode.frequency or nil
 end
 
+-- The parts of a scene with its loads raised from 0 over a time.
+local function ramp(s, over)
+  for i, p in ipairs(s.parts) do
+    if p.kind == "load" or p.kind == "q" or p.kind == "point" then
+      s.parts[i] = with(p, { history = { { 0, 0 }, { over, 1 } } })
+    end
+  end
+end
+
 list[#list + 1] = { name = "slow dynamics",
   why = "what damping and the steps' iterations leave: 3e-4; axes of joints that are rigid give in dynamics: 1e-3",
   fits = function(s) return s.mode == "static" and elastic(s) and not has(s, "settle") end,
@@ -63,14 +73,7 @@ list[#list + 1] = { name = "slow dynamics",
     slow.parts[#slow.parts + 1] = { kind = "damping", alpha = 2 * w, beta = 0 }
     slow.mode = "dynamic"
     local T = 2 * math.pi / w
-    for i, p in ipairs(slow.parts) do
-      if p.kind == "load" or p.kind == "q" or p.kind == "point" then
-        local ramped = {}
-        for k, v in pairs(p) do ramped[k] = v end
-        ramped.history = { { 0, 0 }, { 2 * T, 1 } }
-        slow.parts[i] = ramped
-      end
-    end
+    ramp(slow, 2 * T)
     -- from rest under what is there at once; what the steps do not resolve is damped by the method
     local b = built.make(hinge, slow, built.way())
     local more = { dt = T / 40, duration = 6 * T, iterations = 30, rho_infinity = 0.5, record = false,
@@ -130,13 +133,16 @@ local function largest_difference(hinge, s, T, n)
   return off, what
 end
 
+-- What is left of a scene whose displacements both methods must have.
+local function smooth_part(s)
+  local smooth = scenes.copy(s, function(p) return left_out[p.kind] and p.kind ~= "move" end)
+  smooth.mode, smooth.yields, smooth.options.interaction = "dynamic", false, nil
+  return smooth
+end
+
 list[#list + 1] = { name = "explicit", why = "lumped against consistent mass, 8 elements, or 16: 3 % of the largest",
   fits = function(s) return s.held and #s.members < 5 and not is_stubby(s) and not has(s, "concrete") end,
-  acts = function(s) -- what is left of the scene
-    local smooth = scenes.copy(s, function(p) return left_out[p.kind] and p.kind ~= "move" end)
-    smooth.mode, smooth.yields, smooth.options.interaction = "dynamic", false, nil
-    return smooth
-  end,
+  acts = smooth_part,
   check = function(hinge, s)
     -- what acts at once sets off vibrations that have other frequencies with other masses; what flows or breaks does so
     -- at another time
@@ -144,24 +150,18 @@ list[#list + 1] = { name = "explicit", why = "lumped against consistent mass, 8 
     still.mode, still.yields = "static", false
     for i, p in ipairs(still.parts) do
       if p.history then
-        still.parts[i] = {}
-        for k, v in pairs(p) do still.parts[i][k] = k ~= "history" and v or nil end
+        still.parts[i] = with(p)
+        still.parts[i].history = nil
       end
     end
     local w = first_frequency(hinge, still)
     if not w then return nil, "no frequency" end
-    local smooth = scenes.copy(s, function(p) return left_out[p.kind] and p.kind ~= "move" end)
-    smooth.mode, smooth.yields, smooth.options.interaction = "dynamic", false, nil
+    local smooth = smooth_part(s)
     local T, o = 2 * math.pi / w, dynamic_options(s)
     if T > 400 * o.dt then return nil, "too many explicit steps" end
+    ramp(smooth, T / 2)
     for i, p in ipairs(smooth.parts) do
-      if p.kind == "load" or p.kind == "q" or p.kind == "point" then
-        local ramped = {}
-        for k, v in pairs(p) do ramped[k] = v end
-        ramped.history = { { 0, 0 }, { T / 2, 1 } }
-        smooth.parts[i] = ramped
-      elseif p.kind == "move" then smooth.parts[i] = { kind = "move", node = p.node, by = p.by, over = T / 2 }
-      end
+      if p.kind == "move" then smooth.parts[i] = { kind = "move", node = p.node, by = p.by, over = T / 2 } end
     end
     local off, what = largest_difference(hinge, smooth, T, 8)
     if off and off > 1 then off, what = largest_difference(hinge, smooth, T, 16) end

@@ -1,6 +1,7 @@
 -- Runs of a scene, and how their answers are compared: what the relations of relation_list.lua share.
 local built = require "relation_model"
 local support = require "support"
+local with = require "scenes".with
 local runs = { steps = 100 } -- steps: of a dynamic run
 
 local function has(s, ...)
@@ -17,9 +18,7 @@ local function worse(a, b) return b ~= b and math.huge or b > a and b or a end
 
 local function static(hinge, s, way, more)
   local b = built.make(hinge, s, way)
-  local o = { steps = 4, tolerance = 1e-11, record = false }
-  for k, v in pairs(more or {}) do o[k] = v end
-  return b, b.model:static(o):finish()
+  return b, b.model:static(with({ steps = 4, tolerance = 1e-11, record = false }, more)):finish()
 end
 -- Steps of the length in which a wave crosses a member: a tenth of what a portal takes to sway.
 local function dynamic_options(s)
@@ -31,8 +30,7 @@ local function dynamic_options(s)
 end
 local function dynamic(hinge, s, way, more)
   local b = built.make(hinge, s, way)
-  local o = dynamic_options(s)
-  for k, v in pairs(more or {}) do o[k] = v end
+  local o = with(dynamic_options(s), more)
   if o.integrator == "explicit" then o.precision, o.internals = nil, nil end
   return b, b.model:dynamic(o), o
 end

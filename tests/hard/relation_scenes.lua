@@ -6,6 +6,7 @@
 -- units and order they are declared.
 local folder = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$"
 package.path = folder .. "?.lua;" .. package.path
+local vectors = require "hinge.library.vectors"
 local draws = require("random_scenes").draws
 local scenes = {}
 
@@ -43,10 +44,9 @@ local function add_node(s, x, y, z, fixed)
   return #s.nodes
 end
 local function add_member(s, a, b, section)
-  local p, q = s.nodes[a], s.nodes[b]
-  local t, up = { q[1] - p[1], q[2] - p[2], q[3] - p[3] }, s.d.direction()
-  local l = math.sqrt(t[1] ^ 2 + t[2] ^ 2 + t[3] ^ 2)
-  while math.abs(t[1] * up[1] + t[2] * up[2] + t[3] * up[3]) > 0.7 * l do up = s.d.direction() end
+  local t, up = vectors.minus(s.nodes[b], s.nodes[a]), s.d.direction()
+  local l = vectors.length(t)
+  while math.abs(vectors.dot(t, up)) > 0.7 * l do up = s.d.direction() end
   s.members[#s.members + 1] = { a, b, up = up, section = section or section_numbers(s.d, l), length = l }
   return #s.members
 end
@@ -140,7 +140,7 @@ local function free_nodes(s)
   for i, n in ipairs(s.nodes) do if not n.fixed then list[#list + 1] = i end end
   return list
 end
-local function scaled(v, by) return { v[1] * by, v[2] * by, v[3] * by } end
+local function scaled(v, by) return vectors.times(by, v) end
 
 local function add_loads(s, add, mp, size)
   local d = s.d

@@ -8,15 +8,16 @@
 -- Expect  a table and "the rule holds"; what a run did that is neither in bounds nor said is listed, and the status is
 --         then 1. So it is where fewer scenes hold in a setting than `stated` below says
 --
--- A scene: its name, make(hinge) returns a model and more options of the run; dt and steps of its own; energy_error and
--- momentum, its bounds; free, nothing acts on it from outside; rests, what may still move at its end, as a part of the
--- largest energy. names or says: it is refused, or fails, with these words; all others must hold in their
--- own step. warns: words of a warning that its run must give.
+-- A scene: its name; model, the options of its model, and build(model), which may return more options of the run, or
+-- make(hinge), which returns a model and these; dt and steps of its own; energy_error and momentum, its bounds; free,
+-- nothing acts on it from outside; rests, what may still move at its end, as a part of the largest energy. names or
+-- says: it is refused, or fails, with these words; all others must hold in their own step. warns: words of a warning
+-- that its run must give.
 local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
-local largest_of = support.largest_of
+local largest_of, with = support.largest_of, require "scenes".with
 
 local quick, wanted = arg[1] == "quick", table.concat(arg, " "):gsub("^quick ?", "")
 
@@ -79,14 +80,14 @@ end
 local function try(scene, setting)
   local out = { times = setting.times }
   local ok, failure = pcall(function()
-    local model, more = scene.make(hinge)
-    local run
+    local model = scene.build and hinge.model(scene.model or {})
+    local more, run
+    if model then more = scene.build(model) else model, more = scene.make(hinge) end
     if scene.static then
       run = model:static {}
     else
-      local options = { duration = scene.dt * scene.steps, record = false }
-      options.dt = setting.dt or scene.dt * setting.times
-      for k, v in pairs(more or {}) do options[k] = v end
+      local options = with({ duration = scene.dt * scene.steps, record = false,
+        dt = setting.dt or scene.dt * setting.times }, more)
       for _, k in ipairs { "step_control", "rho_infinity", "internals", "iterations", "integrator" } do
         options[k] = setting[k] or options[k]
       end
