@@ -8,19 +8,11 @@
 --         the offset w of the middle, P w = Mp (1 - (P / N0)^2). A real column yields along a length and lies between
 --         the first two. The load shortens the column by 0.08 %, which the closed forms leave out: 0.12 % of the load.
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, fy, L, side, bow = 210e9, 355e6, 3, 0.1, 0.006
 local A, W, Mp, N0 = side ^ 2, side ^ 3 / 6, fy * side ^ 3 / 4, fy * side ^ 2
 local euler = math.pi ^ 2 * E * side ^ 4 / 12 / L ^ 2
-
--- The root of a function that grows, between two values.
-local function root(f, low, high)
-  for _ = 1, 100 do
-    local middle = (low + high) / 2
-    if f(middle) > 0 then high = middle else low = middle end
-  end
-  return low
-end
 
 -- Offset of the middle and load of a column of `parts` members on a sine, at each step; N / A + M / W in the middle.
 local function pressed(parts, steps)
@@ -60,10 +52,7 @@ return hinge.benchmark {
     local limit = root(function(P) return P * offset(P) - Mp * (1 - (P / N0) ^ 2) end, 0, 0.999 * euler)
     local steps, parts = 300, 16
     local w, P, stress = pressed(parts, steps)
-    local function row(what, computed, reference)
-      b:row { what, computed = computed, reference = reference, unit = "N", tolerance = 2.5e-3, elements = 2 * parts,
-        steps = steps }
-    end
+    local row = b:rows_with { unit = "N", tolerance = 2.5e-3, elements = 2 * parts, steps = steps }
     local i = 1
     while stress[i] < fy do i = i + 1 end
     local part = (fy - stress[i - 1]) / (stress[i] - stress[i - 1])

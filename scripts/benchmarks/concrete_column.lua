@@ -35,10 +35,7 @@ return hinge.benchmark {
   title = "Interaction diagram of a concrete column", kind = "inelastic", fast = true,
   source = "McCormac and Brown, Design of Reinforced Concrete, 9th ed., section 10.3",
   run = function(b, job)
-    local function row(what, computed, reference, unit, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 2,
-        steps = 20 }
-    end
+    local row = b:rows_with { elements = 2, steps = 20 }
     -- kip ft beside a compression of `N` kip
     local function moment(N)
       local most = 800 * kip * ft

@@ -32,9 +32,7 @@ local function end_moment(member, run) return math.abs(select(2, member:forces(r
 return hinge.benchmark {
   title = "Continuous beams", kind = "elastic", fast = true, source = "closed form, the equation of three moments",
   run = function(b)
-    local function row(what, computed, reference, unit)
-      b:row { what, computed = computed, reference = reference, unit = unit, elements = 4, tolerance = 1e-6 }
-    end
+    local row = b:rows_with { elements = 4, tolerance = 1e-6 }
     local model, nodes, members = over(3)
     for i = 1, 6 do model:load { member = members[i], q = { 0, 0, -q } } end
     local run = solved(model)

@@ -85,16 +85,14 @@ end
 return hinge.benchmark {
   title = "Damped oscillators", kind = "dynamics", fast = true, source = "closed form",
   run = function(b)
-    local function row(what, computed, reference, unit, tolerance, run)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 2,
-        steps = run.index }
-    end
+    local row = b:rows_with { elements = 2 }
     local computed, run = decrement()
-    row("Rayleigh damping: decrement", computed, 2 * math.pi * z / math.sqrt(1 - z ^ 2), "", 3e-4, run)
+    row("Rayleigh damping: decrement", computed, 2 * math.pi * z / math.sqrt(1 - z ^ 2), "", 3e-4,
+      { steps = run.index })
     computed, run = resonance(1e4)
-    row("amplitude at resonance", 1e3 * computed, 1e3 * 1e4 / (2 * z * k), "mm", 3e-4, run)
+    row("amplitude at resonance", 1e3 * computed, 1e3 * 1e4 / (2 * z * k), "mm", 3e-4, { steps = run.index })
     local reference
     computed, reference, run = friction(0.1, k / 1e4 * 5e-3)
-    row("friction: lost in a period", 1e3 * computed, 1e3 * reference, "mm", 3e-4, run)
+    row("friction: lost in a period", 1e3 * computed, 1e3 * reference, "mm", 3e-4, { steps = run.index })
   end,
 }

@@ -5,6 +5,7 @@
 -- Expect  a spring c at midheight: (tan u - u) / u^3 = -16 EI / (c L^3), u = L / 2 sqrt(P / EI), and 4 P_E from
 --         c = 16 pi^2 EI / L^3 on; a bed of springs k = 16 pi^4 EI / L^4: 8 P_E in two half waves
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, L, I = 200e9, 10, 1e-6
 local euler = math.pi ^ 2 * E * I / L ^ 2
@@ -29,12 +30,8 @@ end
 
 -- P / P_E with the spring c at midheight, in EI / L^3.
 local function one_spring(c)
-  local low, high = math.pi / 2 + 1e-9, math.pi
-  for _ = 1, 60 do
-    local u = (low + high) / 2
-    if (math.tan(u) - u) / u ^ 3 < -16 / c then low = u else high = u end
-  end
-  return (2 * low / math.pi) ^ 2
+  local u = root(function(v) return (math.tan(v) - v) / v ^ 3 + 16 / c end, math.pi / 2 + 1e-9, math.pi)
+  return (2 * u / math.pi) ^ 2
 end
 
 return hinge.benchmark {

@@ -6,6 +6,7 @@
 --         the error falls with the square of the number of elements
 -- Expect  all four within 0.01 % of n pi^2 EI / L^2, n = 1, 1/4, 2.0457, 4
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, L, I = 200e9, 10, 1e-6
 local euler = math.pi ^ 2 * E * I / L ^ 2
@@ -27,14 +28,9 @@ local function buckling(foot, head, expected, elements, p_delta)
   return 1.5 * expected * run.instability.factor, steps
 end
 
--- x of tan x = x, by bisection: the column that is clamped and pinned buckles at (x / pi)^2.
+-- x of tan x = x: the column that is clamped and pinned buckles at (x / pi)^2.
 local function clamped_and_pinned()
-  local low, high = math.pi, 1.5 * math.pi - 1e-9
-  for _ = 1, 60 do
-    local x = (low + high) / 2
-    if math.tan(x) < x then low = x else high = x end
-  end
-  return (low / math.pi) ^ 2
+  return (root(function(x) return math.tan(x) - x end, math.pi, 1.5 * math.pi - 1e-9) / math.pi) ^ 2
 end
 
 return hinge.benchmark {

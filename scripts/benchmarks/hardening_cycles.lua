@@ -37,17 +37,15 @@ return hinge.benchmark {
   title = "Cycles of a bar, three hardening rules", kind = "inelastic", fast = true, source = "closed forms",
   run = function(b, job)
     local turns = { a, -a, a, -a, a }
-    local function row(what, computed, reference, unit, tolerance, steps)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 2,
-        steps = steps }
-    end
+    local row = b:rows_with { elements = 2 }
     local moves = cycled({ tangent = Et }, turns, 20)
     local first = fy + Et * (a - fy / E)
-    row("kinematic: stress after a reversal", moves.at_turn[2], -first, "Pa", 1e-6, 40)
+    row("kinematic: stress after a reversal", moves.at_turn[2], -first, "Pa", 1e-6, { steps = 40 })
     row("kinematic: work of a closed cycle", moves.work[3] + moves.work[4], 4 * fy * (a - first / E) * area * L, "J",
-      1e-6, 80)
+      1e-6, { steps = 80 })
     local grows = cycled({ tangent = Et, kinematic = 0 }, turns, 20)
-    row("isotropic: stress after a reversal", grows.at_turn[2], -(first + Et * 2 * (a - first / E)), "Pa", 1e-6, 40)
+    row("isotropic: stress after a reversal", grows.at_turn[2], -(first + Et * 2 * (a - first / E)), "Pa", 1e-6,
+      { steps = 40 })
     local H, s = E / 20, 150e6
     local bends = cycled({ modulus = H, saturation = s }, turns, 40)
     -- a = (fy + back) / E + e, back = s (1 - exp(-H e / s)), by Newton's method
@@ -56,15 +54,15 @@ return hinge.benchmark {
       local g = (fy + s * (1 - math.exp(-H * e / s))) / E + e - a
       e = e - g / (1 + H / E * math.exp(-H * e / s))
     end
-    row("saturating: stress at the first turn", bends.at_turn[1], E * (a - e), "Pa", 1e-6, 40)
+    row("saturating: stress at the first turn", bends.at_turn[1], E * (a - e), "Pa", 1e-6, { steps = 40 })
     row("saturating: the same in two steps", cycled({ modulus = H, saturation = s }, { a }, 2).at_turn[1], E * (a - e),
-      "Pa", 1e-6, 2)
+      "Pa", 1e-6, { steps = 2 })
     local long = cycled({ modulus = H, saturation = s }, { a, -a, a, -a, a, -a, a, -a }, 40)
     e = a / 2
     for _ = 1, 200 do -- stable cycle: fy + s tanh(H e / s) = E (a - e); the eighth branch is 1.4e-5 from it
       e = a - (fy + s * (math.exp(2 * H * e / s) - 1) / (math.exp(2 * H * e / s) + 1)) / E
     end
-    row("saturating: stress of a stable cycle", -long.at_turn[8], E * (a - e), "Pa", 3e-5, 320)
+    row("saturating: stress of a stable cycle", -long.at_turn[8], E * (a - e), "Pa", 3e-5, { steps = 320 })
     local series = {}
     for i, path in ipairs { moves, grows, bends } do
       local shown = { x = {}, y = {}, name = ({ "kinematic", "isotropic", "saturating" })[i] }

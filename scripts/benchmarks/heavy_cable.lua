@@ -8,18 +8,17 @@
 --         takes is 1. Under load control statics finds no equilibrium from the straight wire without tension; its
 --         message names this control. The error is of second order in the length of the members
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, area, L, w, g, steps = 160e9, 1e-4, 100, 8, 9.80665, 10 -- w: N/m
 local EA = E * area
 
 local function exact()
-  local low, high = 1, 1e7
-  local H
-  for _ = 1, 100 do
-    H = (low + high) / 2
+  local function half(H) -- the wire's length as it hangs
     local x = w * L / 2 / H
-    if H / w * math.log(x + math.sqrt(x ^ 2 + 1)) + H * L / (2 * EA) > L / 2 then high = H else low = H end
+    return H / w * math.log(x + math.sqrt(x ^ 2 + 1)) + H * L / (2 * EA)
   end
+  local H = root(function(H) return half(H) - L / 2 end, 1, 1e7)
   return H, w * L ^ 2 / (8 * EA) + H / w * (math.sqrt(1 + (w * L / 2 / H) ^ 2) - 1)
 end
 

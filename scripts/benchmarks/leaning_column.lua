@@ -6,6 +6,7 @@
 -- Expect  load P on the cantilever, Q on the leaning column, both h high: tan u / u = 1 + P / Q, u^2 = P h^2 / EI;
 --         without P: Q = 3 EI / h^2
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, h, I = 200e9, 10, 1e-6
 local steel = hinge.material { E = E }
@@ -40,13 +41,8 @@ end
 
 -- (P + Q) h^2 / EI of tan u / u = 1 + P / Q.
 local function exact(part)
-  local ratio = 1 / part
-  local low, high = 1e-6, math.pi / 2 - 1e-12
-  for _ = 1, 60 do
-    local u = (low + high) / 2
-    if math.tan(u) / u < ratio then low = u else high = u end
-  end
-  return low ^ 2 / (1 - part)
+  local u = root(function(v) return math.tan(v) / v - 1 / part end, 1e-6, math.pi / 2 - 1e-12)
+  return u ^ 2 / (1 - part)
 end
 
 return hinge.benchmark {

@@ -57,10 +57,7 @@ return hinge.benchmark {
         series = { { x = found[name].x, y = found[name].y, name = "NIST, monotonic with wear" },
           { x = t.x, y = t.y, name = "test, first cycles", style = "points" } } }
     end
-    local function row(what, computed, reference, unit, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance,
-        elements = elements, steps = steps }
-    end
+    local row = b:rows_with { elements = elements, steps = steps }
     row("C0, greatest moment", column.most(found.C0), 396.9, "kN m", 0.3)
     row("C3, greatest moment", column.most(found.C3), 317.1, "kN m", 0.3)
     row("C3, work in 8 cycles", found.C3.energies[16], 121.3, "kN m", 0.04)

@@ -104,20 +104,17 @@ return hinge.benchmark {
   source = "run of OpenSees's input (opensees-gallery, MRF_Pushover, concentrated hinges)",
   run = function(b, job)
     local T1, T2 = periods()
-    local function row(what, computed, reference, unit, tolerance, steps)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 18,
-        steps = steps }
-    end
-    row("first period", T1, 0.8236, "s", 8e-3, 1)
-    row("second period", T2, 0.2118, "s", 4e-3, 1)
+    local row = b:rows_with { elements = 18, steps = 200 }
+    row("first period", T1, 0.8236, "s", 8e-3, { steps = 1 })
+    row("second period", T2, 0.2118, "s", 4e-3, { steps = 1 })
     local drift, V = push_over(200)
     local x = { 0.25, 0.49, 0.74, 0.99, 1.48, 2.01, 2.5, 2.99, 4.01, 5, 7, 10 }
     local y = { 0.0893, 0.1787, 0.2499, 0.2819, 0.2806, 0.2792, 0.2779, 0.2736, 0.2520, 0.2278, 0.1786, 0.1053 }
     local peak = 0
     for _, value in ipairs(V) do peak = value == value and math.max(peak, value) or value end
-    row("largest V / W", peak, 0.2819, "", 5e-4, 200)
+    row("largest V / W", peak, 0.2819, "", 5e-4)
     for _, i in ipairs { 9, 11, 12 } do
-      row(("V / W at a drift of %g %%"):format(x[i]), V[math.floor(x[i] * 20 + 1.5)], y[i], "", 5e-3, 200)
+      row(("V / W at a drift of %g %%"):format(x[i]), V[math.floor(x[i] * 20 + 1.5)], y[i], "", 5e-3)
     end
     job:plot({ series = { { x = drift, y = V, name = "hinge" }, { x = x, y = y, name = "OpenSees", style = "points" } },
       x_label = "drift of the roof (%)", y_label = "base shear / weight", title = "Two storeys pushed over" },

@@ -5,6 +5,7 @@
 --         elements are 14 % too low, and the error falls with the square of their number
 -- Expect  q L^3 / EI = 7.8373: J_(-1/3)(2/3 sqrt(q L^3 / EI)) = 0
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, L, I, A = 200e9, 10, 1e-6, 1e-2
 local section = hinge.section.general { area = A, Ix = I, Iy = 10 * I, J = I, shear_area_x = 0.1, shear_area_y = 0.1 }
@@ -20,12 +21,7 @@ local function exact()
     end
     return total
   end
-  local low, high = 1, 20
-  for _ = 1, 60 do
-    local middle = (low + high) / 2
-    if sum(middle) > 0 then low = middle else high = middle end
-  end
-  return low
+  return root(sum, 1, 20)
 end
 
 -- q L^3 / EI at which the column becomes unstable.

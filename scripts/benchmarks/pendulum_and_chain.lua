@@ -8,16 +8,10 @@
 -- by 0.08 % under its weight.
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local hinge = require "hinge"
+local elliptic = require "hinge.library.numeric".elliptic
 local frequency = require "vibration".frequency
 
 local E, density, L, g = 206e9, 7850, 1, 9.80665
-
--- Complete elliptic integral of the first kind, by the arithmetic-geometric mean.
-local function K(k2)
-  local a, b = 1, math.sqrt(1 - k2)
-  for _ = 1, 12 do a, b = (a + b) / 2, math.sqrt(a * b) end
-  return math.pi / (2 * a)
-end
 
 -- Lets a stiff rod swing from the angle `from` off the vertical. Returns its period and the closed form.
 local function pendulum(from)
@@ -28,7 +22,7 @@ local function pendulum(from)
   model:member { pin, tip, section = hinge.section.solid { width = side, depth = side },
     material = hinge.material { E = E, density = density } }
   model:gravity { 0, 0, -g }
-  local T = 4 * K(math.sin(from / 2) ^ 2) * math.sqrt((L ^ 2 / 3 + side ^ 2 / 12) / (g * L / 2))
+  local T = 4 * elliptic(math.sin(from / 2) ^ 2) * math.sqrt((L ^ 2 / 3 + side ^ 2 / 12) / (g * L / 2))
   local run = model:dynamic { dt = T / 2000, duration = 2 * T, integrator = "energy-momentum", record = false }
   local passes, last = {}, nil
   run:on_step(function(r)

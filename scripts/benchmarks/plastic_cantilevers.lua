@@ -33,9 +33,7 @@ end
 return hinge.benchmark {
   title = "Plastic cantilevers, eq 14", kind = "inelastic", fast = true, source = "closed forms: eq 14 at the root",
   run = function(b)
-    local function row(what, computed, reference)
-      b:row { what, computed = computed, reference = reference, unit = "N", tolerance = 4e-5, elements = 2, steps = 20 }
-    end
+    local row = b:rows_with { unit = "N", tolerance = 4e-5, elements = 2, steps = 20 }
     local F, angle = 1.5 * Mp / L, math.rad(30)
     row("push at 30 degrees to an axis", F * limit { 0, F * math.cos(angle), F * math.sin(angle) }, Mp / L)
     row("push beside N = N0 / 2", F * limit({ 0, 0, F }, { N0 / 2, 0, 0 }), Mp / L * math.sqrt(3 / 4))

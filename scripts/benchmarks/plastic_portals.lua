@@ -48,10 +48,7 @@ return hinge.benchmark {
   title = "Plastic portals", kind = "inelastic", fast = true,
   source = "closed forms: mechanisms by virtual work, eq 14 for N",
   run = function(b)
-    local function row(what, computed, reference, unit, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 8,
-        steps = 40 }
-    end
+    local row = b:rows_with { elements = 8, steps = 40 }
     local limit, u, factor = frame(1, 0, { to = 0.04 })
     row("fixed feet, H alone: limit load", limit, 4 * Mp, "N", 1e-6)
     -- Mp at all four ends of the columns: their bending, Mp h^2 / 6 EI, and the beam's end rotation times h

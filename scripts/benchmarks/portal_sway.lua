@@ -4,6 +4,7 @@
 -- Shows   buckling of a frame with two elements a member, on pinned and on clamped feet
 -- Expect  pinned feet: u tan u = 6, clamped feet: u / tan u = -6, with u^2 = P h^2 / EI; columns and beam are alike
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, h, I = 200e9, 10, 1e-6
 local section = hinge.section.general { area = 1e-2, Ix = I, Iy = 10 * I, J = I, shear_area_x = 0.1,
@@ -24,15 +25,6 @@ local function buckling(foot, expected, elements)
   for i = 2, 3 do model:load { node = n[i], force = { 0, 0, -P } } end
   local run = model:static { steps = 10, to_limit = true }:finish()
   return 1.5 * expected * run.instability.factor
-end
-
--- Where f changes its sign between low and high.
-local function root(f, low, high)
-  for _ = 1, 60 do
-    local middle = (low + high) / 2
-    if (f(middle) > 0) == (f(high) > 0) then high = middle else low = middle end
-  end
-  return low
 end
 
 return hinge.benchmark {

@@ -49,10 +49,7 @@ return hinge.benchmark {
   source = "problem: Simo and Vu-Quoc, Comp. Meth. Appl. Mech. Eng. 66 (1988); values computed apart",
   run = function(b, job)
     local elbow, tip, energy, run = cantilever(10, 0.05)
-    local function row(what, computed, wanted, unit, tolerance)
-      b:row { what, computed = computed, reference = wanted, unit = unit, tolerance = tolerance, elements = 20,
-        steps = run.index }
-    end
+    local row = b:rows_with { elements = 20, steps = run.index }
     row("elbow, first swing", extreme(elbow, 3.10), reference.elbow[1][2], "m", 2e-4)
     row("elbow, greatest swing", extreme(elbow, 25.25), reference.elbow[3][2], "m", 5e-3)
     row("tip, first swing", extreme(tip, 7.45), reference.tip[1][2], "m", 1.5e-3)

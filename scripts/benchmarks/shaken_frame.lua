@@ -92,10 +92,7 @@ return hinge.benchmark {
     local a = record()
     local floors, times = modal(a, 10)
     local probes, shear, run = shaken(a)
-    local function row(what, computed, reference, unit, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance, elements = 12,
-        steps = run.index }
-    end
+    local row = b:rows_with { elements = 12, steps = run.index }
     row("roof against the ground", 1e3 * greatest(probes[3].value), 1e3 * greatest(floors[3]), "mm", 1e-4)
     row("drift of the first storey", 1e3 * greatest(probes[1].value), 1e3 * greatest(floors[1]), "mm", 5e-4)
     row("drift of the third storey", 1e3 * greatest(probes[3].value, probes[2].value),

@@ -5,6 +5,7 @@
 -- Expect  a load on the top alone: tan u tan 2u = 2, so u = atan(1 / sqrt 2), P = 4 u^2 EI_1 / L^2.
 --         Three quarters of the load at the step: P_1 = 4 P_2, and k = sqrt(P / EI) is the same in both halves
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, L, I1, I2 = 200e9, 10, 4e-6, 1e-6
 local steel = hinge.material { E = E }
@@ -43,14 +44,9 @@ local function determinant(P1, part)
 end
 
 local function lowest(part)
-  local low, high = 0.01, 0.02
-  while (determinant(high, part) > 0) == (determinant(low, part) > 0) do high = high + 0.01 end
-  low = high - 0.01
-  for _ = 1, 60 do
-    local middle = (low + high) / 2
-    if (determinant(middle, part) > 0) == (determinant(high, part) > 0) then high = middle else low = middle end
-  end
-  return low
+  local high = 0.02
+  while (determinant(high, part) > 0) == (determinant(0.01, part) > 0) do high = high + 0.01 end
+  return root(function(u) return determinant(u, part) end, high - 0.01, high)
 end
 
 return hinge.benchmark {

@@ -45,17 +45,14 @@ return hinge.benchmark {
   title = "Rod struck by a mass", kind = "dynamics", fast = true, source = "closed form: St Venant's waves in a rod",
   run = function(b, job)
     local times, at_wall, at_end, run = strike()
-    local function row(what, computed, reference, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = "E A v/c", tolerance = tolerance,
-        elements = elements, steps = run.index }
-    end
+    local row = b:rows_with { unit = "E A v/c", elements = elements, steps = run.index }
     local index = 2 * elements -- of the time L / c
-    row("struck end at L / c", at_end[index], math.exp(-1), 8e-3)
-    row("wall at 2 L / c", at_wall[2 * index], 2 * math.exp(-1), 8e-3)
+    row("struck end at L / c", at_end[index], math.exp(-1), nil, 8e-3)
+    row("wall at 2 L / c", at_wall[2 * index], 2 * math.exp(-1), nil, 8e-3)
     local peak = 0
     for i, t in ipairs(times) do if t > 2.5 and at_wall[i] > peak then peak = at_wall[i] end end
-    row("wall, second arrival", peak, 2 + 2 * math.exp(-2), 8e-3)
-    row("wall at 3.3 L / c", at_wall[3.3 * index // 1 | 0], closed(3.3), 4e-3)
+    row("wall, second arrival", peak, 2 + 2 * math.exp(-2), nil, 8e-3)
+    row("wall at 3.3 L / c", at_wall[3.3 * index // 1 | 0], closed(3.3), nil, 4e-3)
     local wanted = {}
     for i, t in ipairs(times) do wanted[i] = closed(t) end
     job:plot({ series = { { x = times, y = at_wall, name = "wall" }, { x = times, y = at_end, name = "struck end" },

@@ -8,6 +8,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "support/?.lua;" .. package.path
 local column = require "column"
 local hinge = require "hinge"
+local value_at = require "hinge.library.numeric".value_at
 
 -- W14X53, cantilever, braced at its head; measured sizes and yield stress, mean by area. The fillets are for h / tw
 -- alone.
@@ -23,16 +24,6 @@ local test = { name = "test", style = "points",
   y = { 190, 379, 443, 490, 508, 514, 525, 540, 552, 563, 575, 562, 543, 522, 496, 477, 343, 311, 281, 259, 232, 202,
     175, 151, 115, 79 } }
 
--- The value of a curve at x, straight between its points.
-local function at(curve, x)
-  for i = 2, #curve.x do
-    if curve.x[i] >= x then
-      local part = (x - curve.x[i - 1]) / (curve.x[i] - curve.x[i - 1])
-      return curve.y[i - 1] + part * (curve.y[i] - curve.y[i - 1])
-    end
-  end
-end
-
 return hinge.benchmark {
   title = "Column pushed to its end, Suzuki 2021", kind = "test", fast = true,
   source = "Suzuki and Lignos, J. Struct. Eng. 147(4), 2021: W-6-34-M-C, by the collection "
@@ -43,15 +34,12 @@ return hinge.benchmark {
       elements = elements, backbone = hinge.backbone.nist { kind = "column", section = with_fillets, material = steel,
         shear_span = L, unbraced_length = L, axial_ratio = P / (section.area * steel.yield_stress),
         interaction = "exact", wear = false } }
-    local function row(what, computed, reference, unit, tolerance)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance,
-        elements = elements, steps = steps }
-    end
-    row("moment at 0.0137 rad", at(curve, 0.0137), 508, "kN m", 0.01)
+    local row = b:rows_with { elements = elements, steps = steps }
+    row("moment at 0.0137 rad", value_at(curve, 0.0137), 508, "kN m", 0.01)
     row("greatest moment", column.most(curve), 575, "kN m", 0.15)
     row("rotation at 80 %", column.fallen_to(curve, 0.8), 0.070, "rad", 0.23)
-    row("moment at 0.11 rad", at(curve, 0.11), 343, "kN m", 0.12)
-    row("moment at 0.13 rad", at(curve, 0.13), 281, "kN m", 0.05)
+    row("moment at 0.11 rad", value_at(curve, 0.11), 343, "kN m", 0.12)
+    row("moment at 0.13 rad", value_at(curve, 0.13), 281, "kN m", 0.05)
     job:plot({ series = { { x = curve.x, y = curve.y, name = "NIST, monotonic" }, test },
       x_label = "rotation of the chord (rad)", y_label = "moment at the foot (kN m)",
       title = "W-6-34-M-C, pushed once" }, "suzuki_column.png")

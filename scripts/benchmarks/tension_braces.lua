@@ -8,6 +8,7 @@
 --         catenary: its sag and the pull at its ends are those of y = a cosh(x / a), but for what it stretches and for
 --         the bending of its 20 straight parts.
 local hinge = require "hinge"
+local root = require "hinge.library.numeric".root
 
 local E, fy, area = 206e9, 300e6, 2e-4
 local steel = hinge.material { E = E, yield_stress = fy }
@@ -61,12 +62,8 @@ end
 -- a of the catenary of a length over a span: 2 a sinh(span / 2 a) = length.
 local function catenary(span, length)
   local function sinh(x) return (math.exp(x) - math.exp(-x)) / 2 end
-  local low, high = span / 20, 100 * span
-  for _ = 1, 80 do
-    local a = (low + high) / 2
-    if 2 * a * sinh(span / 2 / a) > length then low = a else high = a end
-  end
-  return low, low * (math.sqrt(1 + sinh(span / 2 / low) ^ 2) - 1)
+  local a = root(function(x) return 2 * x * sinh(span / 2 / x) - length end, span / 20, 100 * span)
+  return a, a * (math.sqrt(1 + sinh(span / 2 / a) ^ 2) - 1)
 end
 
 return hinge.benchmark {

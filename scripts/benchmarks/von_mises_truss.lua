@@ -5,6 +5,7 @@
 -- Expect  the largest load 2 EA (1 - cos^(2/3) t)^(3/2), tan t = h / a, where the bars' angle s has cos^3 s = cos t, so
 --         that the top has come down by h - a sqrt(cos^(-2/3) t - 1); the same load upwards below the level line
 local hinge = require "hinge"
+local turn = require "hinge.library.numeric".turn
 
 local E, A, a, h = 206e9, 1e-3, 1, 0.1
 local steel = hinge.material { E = E }
@@ -23,14 +24,6 @@ local function truss(load)
   model:member { right, follower, section = bar, material = steel }
   model:load { node = top, force = { 0, 0, -load } }
   return model, top
-end
-
--- Where the parabola through three points turns.
-local function turn(p, q, r)
-  local slope = (q.y - p.y) / (q.x - p.x)
-  local bend = ((r.y - q.y) / (r.x - q.x) - slope) / (r.x - p.x)
-  local x = (p.x + q.x) / 2 - slope / (2 * bend)
-  return x, p.y + (x - p.x) * (slope + bend * (x - q.x))
 end
 
 return hinge.benchmark {

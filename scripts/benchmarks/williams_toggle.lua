@@ -4,6 +4,7 @@
 -- Shows   snap-through with bending; the higher toggle has a limit load, the lower one softens and hardens again
 -- Expect  rise 0.386 in: limit 33.87 lb at 0.2322 in, least load 31.28 lb at 0.3916 in; rise 0.32 in: no limit load
 local hinge = require "hinge"
+local turn = require "hinge.library.numeric".turn
 
 local inch, lb, psi = hinge.units.inch, hinge.units.lbf, hinge.units.psi
 local span = 12.943 -- half of it, in
@@ -24,14 +25,6 @@ local function toggle(rise, EA, EI, elements)
   model:member { top, right, section = section, material = steel }
   model:load { node = top, force = { 0, 0, -lb } }
   return model, top
-end
-
--- Where the parabola through three points turns.
-local function turn(p, q, r)
-  local a = (q.y - p.y) / (q.x - p.x)
-  local b = ((r.y - q.y) / (r.x - q.x) - a) / (r.x - p.x)
-  local x = (p.x + q.x) / 2 - a / (2 * b)
-  return x, p.y + (x - p.x) * (a + b * (x - q.x))
 end
 
 -- The turns of the load on the way down to 0.7 in: { { w, P }, ... }, and the path.

@@ -54,9 +54,7 @@ return hinge.benchmark {
   run = function(b)
     build()
     model:static { steps = 1 }:finish()
-    local function row(what, computed, reference, unit)
-      b:row { what, computed = computed, reference = reference, unit = unit, tolerance = 5e-5, elements = 26 }
-    end
+    local row = b:rows_with { tolerance = 5e-5, elements = 26 }
     row("u at the left corner", at["0,240"]:displacement() / inch, -1.1384, "in")
     row("u of the left column at 12 ft", at["0,144"]:displacement() / inch, -1.5903, "in")
     row("u of the right corner", at["504,144"]:displacement() / inch, -0.65758, "in")

@@ -47,6 +47,22 @@ function Benchmark:row(options, ...)
   return row
 end
 
+--- A function that adds rows which have fields in common: see words/benchmark.d.lua.
+function Benchmark:rows_with(shared, ...)
+  local where = "benchmark:rows_with"
+  check.no_more(where, ...)
+  check.value(where, "options", shared, { "table" })
+  return function(what, computed, reference, unit, tolerance, more)
+    local row = { what, computed = computed, reference = reference, unit = unit, tolerance = tolerance }
+    for _, from in ipairs { more or {}, shared } do
+      for name, value in pairs(from) do
+        if row[name] == nil then row[name] = value end
+      end
+    end
+    return self:row(row)
+  end
+end
+
 -- The rows that a benchmark has found, as results of a scenario.
 local function results_of(self, o)
   local rows = {}

@@ -2,6 +2,8 @@
 --
 -- profile.of(section) returns { shape = "h", "box", "pipe", "rectangle" or "round", b =, d =, tw =, tf =, r =, ...,
 -- made = "rolled", "welded", "hot", "cold" or "solid" }; or nil and the reason why the section is not known.
+local root = require "hinge.library.numeric".root
+
 local profile = {}
 
 local near = 1e-6 -- of the property that is compared
@@ -37,15 +39,6 @@ local function as_pipe(s)
   if not same(math.pi * (D ^ 4 - inner ^ 4) / 64, s.Ix) then return nil end
   local made = s.kind:find "^CHS" and "hot" or "cold"
   return { shape = "pipe", made = made, b = D, d = D, tw = (D - inner) / 2, tf = (D - inner) / 2 }
-end
-
--- The root of a function that rises between two numbers.
-local function root(f, low, high)
-  for _ = 1, 200 do
-    local middle = (low + high) / 2
-    if f(middle) < 0 then low = middle else high = middle end
-  end
-  return (low + high) / 2
 end
 
 -- Second moment of area, about x, of a box with walls of one thickness and rounded corners.

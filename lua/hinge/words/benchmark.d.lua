@@ -54,6 +54,19 @@ local benchmark = {}
 ---@return hinge.benchmark_result row
 function benchmark:row(options) end
 
+---A function that adds rows which have fields in common, such as the elements and the steps of one run.
+---```lua
+---local bent = hinge.benchmark { title = "Tip", kind = "elastic", source = "closed form", run = function(b)
+---  local _, _, uz, _, ry = tip:displacement(model:static { steps = 1 }:finish())
+---  local row = b:rows_with { elements = 2, tolerance = 1e-4 }
+---  row("slope", ry, 1000 / (2 * steel.E * square.Ix), "rad")
+---  row("deflection", -uz, 1000 / (3 * steel.E * square.Ix), "m", 0.01) -- without shear
+---end }
+---```
+---@param shared table fields of a row
+---@return function row takes the quantity, computed, reference, unit, tolerance, and a table of further fields
+function benchmark:rows_with(shared) end
+
 ---@class hinge.benchmark_row
 ---the quantity, in a few words. With "observed order" in it, or "order" at its beginning, it is an order of
 ---convergence, which all.lua leaves out of the median and the largest error

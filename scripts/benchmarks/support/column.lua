@@ -16,11 +16,11 @@ function column.turns(sizes)
 end
 
 -- Moment at the foot (kN m) over the rotation of the chord (rad). `peaks` (kN m) and `energies` (kN m, the work of that
--- moment so far) have a value for each turn. Options: section; material; L: length, m; P: axial
--- force, N; clamped: true where the head does not rotate; backbone; turns: rotations of the chord, rad; steps: between
--- two turns; elements; stop_at: part of the greatest moment at which the run is over, default none.
+-- moment so far) have a value for each turn. Options: section; material; L: length, m; P: axial force, N; clamped: true
+-- where the head does not rotate; backbone; turns: rotations of the chord, rad; steps: between two turns; elements;
+-- interaction, default "exact"; stop_at: part of the greatest moment at which the run is over, default none.
 function column.bent(o)
-  local model = hinge.model { interaction = "exact" }
+  local model = hinge.model { interaction = o.interaction or "exact" }
   local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, o.L }
   local member = model:member { foot, head, section = o.section, material = o.material, up = { 1, 0, 0 },
     elements = o.elements, backbone = o.backbone }

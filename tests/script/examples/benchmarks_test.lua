@@ -26,7 +26,8 @@ local function benchmark(title, kind, statements, more)
   return head:format(title, kind) .. (more or "") .. body:format(statements)
 end
 local right = "b:row { 'right', computed = 1.001, reference = 1, tolerance = 0.002, elements = 2, unit = 'm' } "
-local order = "b:row { 'observed order, 2 to 4', computed = 2.2, reference = 2, tolerance = 0.2, elements = 4 } "
+local order = "b:rows_with { elements = 2, unit = 'm', tolerance = 0.2 }('observed order, 2 to 4', 2.2, 2, '', nil, "
+  .. "{ elements = 4 }) "
 
 -- A folder of benchmarks: by name, what is in them.
 local function folder_of(texts)
