@@ -77,14 +77,6 @@ local function spread(load, a, b, length, put)
   end
 end
 
--- Whether forces act where nodes are declared and not where they are now: small displacement.
-local function acts_as_declared(run)
-  for _, effect in ipairs(run.effects) do
-    if effect.name == "large displacement" then return not effect.active end
-  end
-  return false
-end
-
 -- Puts the nodes of pieces back to where they are declared.
 local function set_declared(pieces, model)
   local list, count, index = model:members(), {}, {}
@@ -167,7 +159,7 @@ function base.of_run(run, options, ...)
     gravity = { "numbers", unit = "m/s^2", count = 3, optional = true },
     about = { "numbers", unit = "m", count = 3, default = { 0, 0, 0 } }, units = source.rules.units }, { "model" })
   local model = source.model(where, run, o)
-  local declared = acts_as_declared(run)
+  local declared = not source.is_large(run)
   local rows, sum, idle = reactions(run, model, o.about, declared)
   local pieces = core.pieces(run)
   if declared then set_declared(pieces, model) end

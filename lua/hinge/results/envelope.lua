@@ -46,11 +46,7 @@ end
 
 --- Adds the state that a run has now. name: what the state is called; default: its time, or its loads.
 function Envelope:add(run, name, ...)
-  local where = "envelope:add"
-  check.no_more(where, ...)
-  source.must_be_run(where, run)
-  local when = source.state(run, name)
-  if name ~= nil then check.value(where, "name", name, { "string" }) end
+  local when = source.begin("envelope:add", run, name, ...)
   self.list = self.list or source.members(self.where, run, self.o)
   for _, member in ipairs(self.list) do
     local row, along = row_of(self, member), run:along(member, self.parts)
@@ -59,10 +55,7 @@ function Envelope:add(run, name, ...)
     if #along == 0 then row.remark = "broken" end
   end
   joints.widen(self.joints, joints.read(run, self.where, source.by_index(self.list)))
-  self.states = self.states + 1
-  local failed = source.failed(run, name)
-  if failed then self.notes[#self.notes + 1] = failed end
-  return self
+  return source.ended(self, run, name)
 end
 
 -- Plot ----------------------------------------------------------------------------------------------------------------

@@ -2,7 +2,7 @@
 -- hinges.csv.
 local core = require "hinge.core"
 local check = require "hinge.library.check"
-local quote = require "hinge.library.quote"
+local output = require "hinge.library.output"
 
 local hinges = {}
 local levels = { "IO", "LS", "CP" } -- immediate occupancy, life safety, collapse prevention
@@ -270,43 +270,16 @@ local columns = { "storey", "member", "group", "element", "end", "at", "node", "
   "first_kind", "before", "broken", "limit", "ratio", "level", "joint", "axis", "rotation_z", "moment",
   "largest_moment", "force", "largest_force", "stiffness", "strength", "capacity", "yielded", "failed" }
 
-local function field(value)
-  if value == nil then return "" end
-  if type(value) == "string" then return quote.csv(value) end
-  if type(value) == "userdata" then return tostring(value.index) end
-  if type(value) == "boolean" then return value and "1" or "0" end
-  return math.type(value) == "integer" and tostring(value) or ("%.9g"):format(value)
-end
-
-local function csv(list)
-  local lines = { table.concat(columns, ",") }
-  for _, hinge in ipairs(list) do
-    local row = {}
-    for i, name in ipairs(columns) do row[i] = field(hinge[name]) end
-    lines[#lines + 1] = table.concat(row, ",")
-  end
-  return table.concat(lines, "\n") .. "\n"
-end
-
 local written = {} -- paths that scripts have written lists to
-
-local function path_of(filename)
-  local folder = core.out_dir()
-  return folder == "." and filename or folder .. "/" .. filename
-end
 
 --- Writes the list into the output folder; the default name is that which the page of hinge report looks for.
 function List:write(filename, ...)
   local where = "hinges:write"
   check.no_more(where, ...)
-  filename = filename == nil and "hinges.csv" or check.value(where, "filename", filename, { "string" })
-  if not filename:match "^[%w._ -]+%.csv$" then
-    check.fail("%s: filename is '%s'; must be a plain name ending in .csv (it goes into the output folder)", where,
-      filename)
-  end
+  local path = output.path(output.name(where, filename == nil and "hinges.csv" or filename, "csv"))
   if core.planning() then return self end
-  written[path_of(filename)] = true
-  core.write_text(path_of(filename), csv(self))
+  written[path] = true
+  core.write_text(path, output.csv(columns, self))
   return self
 end
 
@@ -318,11 +291,11 @@ end
 
 --- At the end of a program's run: the hinges of the last run go to hinges.csv, unless the script has written that.
 function hinges.leave()
-  local path = path_of "hinges.csv"
+  local path = output.path "hinges.csv"
   if written[path] and is_there(path) then return end
   local run = core.last_run()
   local list = run and of_run(run) or {}
-  if #list > 0 then core.write_text(path, csv(list)) elseif is_there(path) then os.remove(path) end
+  if #list > 0 then core.write_text(path, output.csv(columns, list)) elseif is_there(path) then os.remove(path) end
 end
 
 -- Pictures ------------------------------------------------------------------------------------------------------------

@@ -68,10 +68,7 @@ function members.columns(rows, with_time)
         when = with_time and key .. "_when" or nil, minor = largest <= none * size[kind] }
     end
   end
-  columns[#columns + 1] = { key = "remark", head = "remark", kind = "text", minor = true }
-  for _, row in ipairs(rows) do
-    if row.remark then columns[#columns].minor = false end
-  end
+  columns[#columns + 1] = Table.remarks(rows)
   return columns
 end
 

@@ -128,6 +128,30 @@ function source.failed(run, name)
   return ("the run %s failed: %s"):format(tostring(source.state(run, name)), run.reason)
 end
 
+--- Begins a method add(run, name) of a collector; returns what the state is called.
+function source.begin(where, run, name, ...)
+  check.no_more(where, ...)
+  source.must_be_run(where, run)
+  if name ~= nil then check.value(where, "name", name, { "string" }) end
+  return source.state(run, name)
+end
+
+--- Ends it: counts the state, and notes a run that failed.
+function source.ended(collector, run, name)
+  collector.states = collector.states + 1
+  local failed = source.failed(run, name)
+  if failed then collector.notes[#collector.notes + 1] = failed end
+  return collector
+end
+
+--- Whether forces are in the axes of the deformed members, and act where nodes are now.
+function source.is_large(run)
+  for _, effect in ipairs(run.effects) do
+    if effect.name == "large displacement" then return effect.active end
+  end
+  return false
+end
+
 -- One run of a collector: what has ended is read now, the rest after its steps.
 local function follow(where, collector, run, name, every)
   if run.verdict ~= "running" then

@@ -125,14 +125,6 @@ local function bars_of(pieces)
   return of
 end
 
--- Whether forces are in the axes of the deformed members.
-local function is_large(run)
-  for _, effect in ipairs(run.effects) do
-    if effect.name == "large displacement" then return effect.active end
-  end
-  return false
-end
-
 -- The vector along a bar: now, or as declared in small displacement.
 local function along_bar(member, bar, pieces, large)
   if not large then return { member.b.x - member.a.x, member.b.y - member.a.y, member.b.z - member.a.z } end
@@ -233,13 +225,10 @@ end
 
 --- Adds the state that a run has now. name: what the state is called; default: its time, or its loads.
 function Storeys:add(run, name, ...)
-  local where = "storeys:add"
-  check.no_more(where, ...)
-  source.must_be_run(where, run)
-  if name ~= nil then check.value(where, "name", name, { "string" }) end
+  local when = source.begin("storeys:add", run, name, ...)
   if not self.levels then open(self, run) end
-  local when, pieces = source.state(run, name), core.pieces(run)
-  local bars, large = bars_of(pieces), is_large(run)
+  local pieces = core.pieces(run)
+  local bars, large = bars_of(pieces), source.is_large(run)
   for _, row in ipairs(self.rows) do
     local drift, line = drift_of(run, row.pairs, row.height)
     local shear = shear_of(run, row.cut, pieces, bars, large)
@@ -252,10 +241,8 @@ function Storeys:add(run, name, ...)
       keep_largest(row, "shear_" .. axis, shear[i], when)
     end
   end
-  self.states, self.moves = self.states + 1, self.moves or run.kind == "dynamic"
-  local failed = source.failed(run, name)
-  if failed then self.notes[#self.notes + 1] = failed end
-  return self
+  self.moves = self.moves or run.kind == "dynamic"
+  return source.ended(self, run, name)
 end
 
 -- Columns: a direction in which next to nothing happens is minor.
@@ -282,11 +269,7 @@ function Storeys:all_columns()
       minor = minor "shear" }
     list[#list + 1] = { key = shear .. "_last", head = "at the end", kind = "force", minor = true }
   end
-  local remark = { key = "remark", head = "remark", kind = "text", minor = true }
-  for _, row in ipairs(self.rows) do
-    if row.remark then remark.minor = false end
-  end
-  list[#list + 1] = remark
+  list[#list + 1] = Table.remarks(self.rows)
   return list
 end
 

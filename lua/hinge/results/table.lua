@@ -8,6 +8,7 @@
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local in_columns = require "hinge.library.columns".lines
+local output = require "hinge.library.output"
 local units = require "hinge.results.units"
 local quote = require "hinge.library.quote"
 
@@ -247,30 +248,11 @@ local function fields_of(v)
   return list
 end
 
-local function csv_cell(value, unit)
-  if value == nil then return "" end
-  if math.type(value) == "integer" and not unit then return tostring(value) end
-  if type(value) == "number" then return ("%.9g"):format(value * (unit and unit.factor or 1)) end
-  return quote.csv(tostring(value))
-end
-
---- The folder of a run's output, and a plain name in it.
-function Table.path(where, filename, endings)
-  check.value(where, "filename", filename, { "string" })
-  local ending = filename:match "^[%w._ -]+%.(%l+)$"
-  if not ending or not endings[ending] then
-    check.fail("%s: filename is '%s'; must be a plain name ending in .%s (it goes into the output folder)", where,
-      filename, table.concat(check.keys(endings), " or ."))
-  end
-  local folder = core.out_dir()
-  return (folder == "" or folder == ".") and filename or folder .. "/" .. filename
-end
-
 --- Writes the table as a CSV file into the output folder. Heads are the names of fields, with their units.
 function Table:csv(filename, options, ...)
   local where = "table:csv"
   check.no_more(where, ...)
-  local path = Table.path(where, filename, { csv = true })
+  local path = output.path(output.name(where, filename, "csv"))
   local v = view(self, where, options, true)
   local fields, head = fields_of(v), {}
   for i, field in ipairs(fields) do
@@ -279,7 +261,7 @@ function Table:csv(filename, options, ...)
   local lines = { table.concat(head, ",") }
   for _, row in ipairs(v.rows) do
     local list = {}
-    for i, field in ipairs(fields) do list[i] = csv_cell(row[field.key], field.unit) end
+    for i, field in ipairs(fields) do list[i] = output.field(row[field.key], field.unit and field.unit.factor) end
     lines[#lines + 1] = table.concat(list, ",")
   end
   if not core.planning() then core.write_text(path, table.concat(lines, "\n") .. "\n") end
@@ -289,6 +271,15 @@ end
 -- Classes of tables ---------------------------------------------------------------------------------------------------
 
 function Table:all_columns() return self.columns end
+
+--- The column of remarks, which is shown where a row has one.
+function Table.remarks(rows)
+  local column = { key = "remark", head = "remark", kind = "text", minor = true }
+  for _, row in ipairs(rows) do
+    if row.remark then column.minor = false end
+  end
+  return column
+end
 
 --- Draws a plot of hinge.plot into the output folder: by a job, or by the script's own output.
 function Table.draw(where, plot, job, filename)

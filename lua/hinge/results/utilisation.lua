@@ -186,11 +186,7 @@ end
 
 --- Adds the state that a run has now. name: what the state is called; default: its time, or its loads.
 function Utilisation:add(run, name, ...)
-  local where = "utilisation:add"
-  check.no_more(where, ...)
-  source.must_be_run(where, run)
-  if name ~= nil then check.value(where, "name", name, { "string" }) end
-  local when = source.state(run, name)
+  local when = source.begin("utilisation:add", run, name, ...)
   self.list = self.list or source.members(self.where, run, self.o)
   for _, member in ipairs(self.list) do
     local row = row_of(self, member)
@@ -202,10 +198,7 @@ function Utilisation:add(run, name, ...)
     set_remark(row)
   end
   check_joints(self, joints.read(run, self.where, source.by_index(self.list)), when)
-  self.states = self.states + 1
-  local failed = source.failed(run, name)
-  if failed then self.notes[#self.notes + 1] = failed end
-  return self
+  return source.ended(self, run, name)
 end
 
 local others = { "Mx", "My", "Mz", "Qx", "Qy" }
@@ -292,10 +285,9 @@ function Utilisation:all_columns()
     { key = "check", head = "check", kind = "text" }, { key = "x", head = "at x", kind = "length" },
     { key = "when", head = "when", kind = "text" }, { key = "law", head = "√f_y", kind = "number", decimals = 3 },
     { key = "slenderness", head = "plates", kind = "number", decimals = 3 },
-    { key = "remark", head = "remark", kind = "text", minor = true },
+    Table.remarks(self.rows),
   }
   for _, row in ipairs(self.rows) do
-    if row.remark then columns[10].minor = false end
     if row.joint then columns[3].minor = false end
   end
   for _, name in ipairs(names_of(self.rows)) do

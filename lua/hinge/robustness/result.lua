@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.library.check"
 local columns = require "hinge.library.columns"
 local job = require "hinge.program.job"
+local output = require "hinge.library.output"
 local quote = require "hinge.library.quote"
 local ufc = require "hinge.standards.ufc_4_023_03.factors"
 
@@ -84,23 +85,9 @@ end
 
 -- Files -----------------------------------------------------------------------------------------------------------
 
-local function plain_name(where, filename, default, endings)
-  filename = filename == nil and default or check.value(where, "filename", filename, { "string" })
-  local ending = filename:match "^[%w._ -]+%.(%l+)$"
-  if not ending or not endings[ending] then
-    check.fail("%s: filename is '%s'; must be a plain name ending in .%s (it goes into the output folder)", where,
-      filename, table.concat(check.keys(endings), " or ."))
-  end
-  return filename
-end
-
-local function path_in(folder, filename)
-  return (folder == "" or folder == ".") and filename or folder .. "/" .. filename
-end
-
 local function folder_of(result)
   local out = core.out_dir()
-  return result.folder and path_in(out, result.folder) or out == "." and "" or out
+  return result.folder and output.path(result.folder, out) or out == "." and "" or out
 end
 
 local fields = { "case", "name", "group", "x", "y", "z_low", "z_high", "procedure", "verdict", "reason", "span",
@@ -110,25 +97,12 @@ local fields = { "case", "name", "group", "x", "y", "z_low", "z_high", "procedur
   "run_verdict", "energy_error", "seconds", "joint_rotation", "joint_ratio", "joint_dcr", "joints_broken",
   "joints_unrated", "pins", "pin_rotation", "worst_joint" }
 
-local function field(value)
-  if value == nil then return "" end
-  if type(value) == "string" then return quote.csv(value) end
-  if type(value) == "boolean" then return value and "1" or "0" end
-  return math.type(value) == "integer" and tostring(value) or ("%.9g"):format(value)
-end
-
 --- Writes the rows with all their numbers into the study's folder.
 function Result:csv(filename, ...)
   check.no_more("result:csv", ...)
-  filename = plain_name("result:csv", filename, "robustness.csv", { csv = true })
-  local lines = { table.concat(fields, ",") }
-  for _, row in ipairs(self.rows) do
-    local list = {}
-    for i, name in ipairs(fields) do list[i] = field(row[name]) end
-    lines[#lines + 1] = table.concat(list, ",")
-  end
+  filename = output.name("result:csv", filename == nil and "robustness.csv" or filename, "csv")
   if not core.planning() then
-    core.write_text(path_in(folder_of(self), filename), table.concat(lines, "\n") .. "\n")
+    core.write_text(output.path(filename, folder_of(self)), output.csv(fields, self.rows))
   end
   return self
 end
@@ -139,14 +113,20 @@ local colours = { holds = "green", ["exceeds the limit of rotation"] = "orange",
   ["loses members"] = "purple", ["loses joints"] = "purple", collapses = "red", failed = "black",
   ["not allowed"] = "grey", ["not rated"] = "grey" }
 
+-- From where to where the structure reaches along an axis.
+local function extent(outline, axis)
+  local low, high = math.huge, -math.huge
+  for _, line in ipairs(outline) do
+    for _, node in ipairs(line) do low, high = math.min(low, node[axis]), math.max(high, node[axis]) end
+  end
+  return low, high
+end
+
 -- Horizontal and vertical axis of the picture: a plan, or the elevation of a plane frame.
 local function axes_of(outline)
   local size = {}
   for _, axis in ipairs { "x", "y" } do
-    local low, high = math.huge, -math.huge
-    for _, line in ipairs(outline) do
-      low, high = math.min(low, line[1][axis], line[2][axis]), math.max(high, line[1][axis], line[2][axis])
-    end
+    local low, high = extent(outline, axis)
     size[axis] = high - low
   end
   if size.y <= 1e-3 * size.x then return "x", "z" end
@@ -230,10 +210,7 @@ local function view_of(result)
   local h, v = axes_of(result.outline)
   local view, seen = { h = h, v = v, verdicts = {} }, {}
   for name, axis in pairs { x_range = h, y_range = v } do
-    local low, high = math.huge, -math.huge
-    for _, line in ipairs(result.outline) do
-      for _, node in ipairs(line) do low, high = math.min(low, node[axis]), math.max(high, node[axis]) end
-    end
+    local low, high = extent(result.outline, axis)
     local margin = math.max(0.12 * (high - low), 0.5)
     view[name] = { low - margin, high + margin }
   end
@@ -270,7 +247,7 @@ end
 --- Draws the plan, or the elevation of a plane frame: a mark by verdict for each column, a panel for each procedure.
 function Result:picture(filename, ...)
   check.no_more("result:picture", ...)
-  filename = plain_name("result:picture", filename, "robustness.png", { png = true, svg = true, pdf = true })
+  filename = output.name("result:picture", filename == nil and "robustness.png" or filename, "pdf", "png", "svg")
   draw(self, job.new(folder_of(self)), filename)
   return self
 end
@@ -329,7 +306,7 @@ function Result:report(...)
     check.count(self.cases, "case"), check.count(#self.rows, "row"), self.seconds), "", counts_text(self), "",
     method_text(self), "", self:markdown(), table.concat(lines, "\n"), "", "![Verdicts](robustness.png)", "", sources },
     "\n") .. warnings_text(self)
-  if not core.planning() then core.write_text(path_in(folder_of(self), "report.md"), text) end
+  if not core.planning() then core.write_text(output.path("report.md", folder_of(self)), text) end
   return self
 end
 
