@@ -178,6 +178,12 @@ local function series(M, k)
   return 1 - (s / fall) ^ 2, 1 - s / fall
 end
 
+--- Whether a run warns of elements that are too few, and why: "bending wave" or "between the nodes".
+local function too_few(run)
+  local text = table.concat(run.warnings, "\n")
+  return text:match "bending wave" or text:match "struck (between the nodes)"
+end
+
 --- The same by elements; third, whether the run warns of too few.
 local function by_elements(M, k, n)
   local model, r = hinge.model { mass = "cubic" }, 0.02
@@ -197,9 +203,8 @@ local function by_elements(M, k, n)
   while not over and run.time < 0.02 - 1e-9 do run:step() end
   local _, _, v1 = p:velocity()
   local _, _, v2 = q:velocity()
-  local left, few = -(v1 + v2) / 2 / fall, false
-  for _, warning in ipairs(run.warnings) do few = few or warning:find("bending wave", 1, true) ~= nil end
-  return 1 - left ^ 2, 1 - left, few
+  local left = -(v1 + v2) / 2 / fall
+  return 1 - left ^ 2, 1 - left, too_few(run) == "bending wave"
 end
 
 case("a blow passes energy and momentum of the modal series, or the run says that elements are too few", function()
@@ -221,14 +226,6 @@ end)
 -- What a blow gives to a member, with twice the elements ----------
 
 local yields = hinge.material { E = 206e9, density = 7850, yield_stress = 275e6 }
-
---- Whether a run warns of elements that are too few, and why: "bending wave" or "between the nodes".
-local function too_few(run)
-  for _, warning in ipairs(run.warnings) do
-    local why = warning:match "bending wave" or warning:match "struck (between the nodes)"
-    if why then return why end
-  end
-end
 
 --- A beam falls at 15 m/s across one that is clamped; returns the parts of its momentum and energy that are gone.
 local function beams(n)

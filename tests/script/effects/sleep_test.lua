@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/effects/sleep_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "sleep"
@@ -12,10 +13,8 @@ local largest_of = support.largest_of
 local expect, equal = checks.expect, checks.equal
 
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }
-local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+local elastic, with = scenes.elastic, scenes.with
 local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
-
-local function with(base, changes) return impact.with(base or {}, changes or {}) end
 
 -- A portal 3 m wide and high at each of the places `at` (m along y), and a bar thrown along y at its beam from `gap`
 -- before it. Returns the model, a corner of each portal, and a node of the bar.
@@ -23,8 +22,7 @@ local function thrown(o)
   local model, corners = hinge.model {}, {}
   for i, y in ipairs(o.at or { 0 }) do
     local a, b, c, d = model:node { 0, y, 0 }, model:node { 0, y, 3 }, model:node { 3, y, 3 }, model:node { 3, y, 0 }
-    model:fix(a)
-    model:fix(d)
+    model:fix { a, d }
     for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do
       model:member { ends[1], ends[2], section = bar, material = steel }
     end
@@ -101,8 +99,6 @@ for what, o in pairs {
     expect(b.moved[1] and a.touched and b.moved[1] < a.touched,
       "%s: with rest = false it is computed from the start", what)
     local apart = difference(lazy, full)
-    print(("at rest, %s: energies differ by %.1e; %d element updates, %d with rest = false")
-      :format(what, apart, lazy.counts.element_updates, full.counts.element_updates))
     expect(apart < 1e-10, "%s: energies differ by %g of the initial", what, apart)
     expect(lazy.energy.plastic > 0.1 * lazy.energy.initial, "%s: no impact to speak of", what)
     for i in ipairs(corners) do
@@ -137,7 +133,6 @@ for what, o in pairs {
   end)
 end
 
--- One after the other: the bar drives the first portal into a second one close behind it.
 case("a bar that drives one portal into another wakes them one after the other", function()
   local model, corners = thrown { gap = 0.41, gravity = true, at = { 0, 0.2 } }
   local loaded = completed(model:static { fixed_group = "missile", record = false }, "one after the other")
@@ -148,8 +143,6 @@ case("a bar that drives one portal into another wakes them one after the other",
   for _, w in ipairs(lazy.state_changes) do
     if w.effect == "body" and w.awake then times[#times + 1] = w.time end
   end
-  print(("at rest, one after the other: woken at %s s, energies differ by %.1e")
-    :format(table.concat(times, ", "), difference(lazy, full)))
   expect(#times == 2 and times[1] < times[2], "one after the other: %d changes", #times)
   expect(times[2] and a.moved[2] and a.moved[2] > times[2] and a.moved[2] < times[2] + 3 * base.dt,
     "one after the other: the second moves from %s s", a.moved[2])
@@ -187,7 +180,6 @@ case("bodies under a changing load, out of balance or under way do not rest", fu
   end
 end)
 
--- A frame whose only load is a moment rests once a static run has brought it to equilibrium.
 case("a frame under a moment rests once statics has brought it to equilibrium", function()
   local model, corners = thrown { gap = 1, declare = function(m, at)
     m:load { node = at[1], moment = { 0, 1000, 0 } }
@@ -202,7 +194,6 @@ case("a frame under a moment rests once statics has brought it to equilibrium", 
   expect(math.abs(start[5]) > 1e-5, "a moment in equilibrium: the corner has rotated by %g", start[5])
 end)
 
--- A beam at rest on three posts loses the middle one: it wakes, and falls as if it had never rested.
 case("a beam that loses a support wakes and falls as if it had never rested", function()
   local function robbed(rest)
     local model = hinge.model {}
@@ -268,8 +259,6 @@ for what, c in pairs {
     end
     local lazy, full = go(nil), go(false)
     local fewer = full.counts.pair_tests / lazy.counts.pair_tests
-    print(("contact, %s: %d touches, %d released, %d broken; %.1f times fewer pair tests")
-      :format(what, lazy.contacts.bound, lazy.contacts.released, lazy:count { state = "broken" }, fewer))
     equal(lazy.hash, full.hash, what .. ": hash")
     expect(lazy.contacts.bound > 0 and lazy.contacts.released > 0, "contact, %s: %d touches, %d released", what,
       lazy.contacts.bound, lazy.contacts.released)
@@ -278,7 +267,6 @@ for what, c in pairs {
   end)
 end
 
--- Wakes when bodies come near, sleeps when they have parted.
 case("contact wakes when bodies come near and sleeps when they have parted", function()
   local run = completed(thrown { gap = 0.41 }:dynamic { dt = 1e-5, duration = 0.02, record = false },
     "contact's changes of state")
@@ -329,9 +317,6 @@ case("dt = auto takes long steps in free flight and short ones at a touch", func
     if not fine_touched and fine.contacts.bound > 0 then fine_touched = fine.time end
   end
   local apart, energy_error = difference(run, fine), math.abs(run.energy.energy_error) / run.energy.initial
-  print(("auto: %d steps of %d planned, energies differ by %.3f %% from a quarter of the step, energy error %.4f %%, "
-    .. "touched %.2f steps apart")
-    :format(run.index, planned, 100 * apart, 100 * energy_error, math.abs(touched - fine_touched) / shortest))
   expect(run.index < 0.7 * planned, "auto: %d steps of %d planned", run.index, planned)
   expect(apart < 0.005, "auto: energies differ by %.3f %%", 100 * apart)
   expect(energy_error < 0.0002, "auto: energy error %.4f %%", 100 * energy_error)
@@ -339,7 +324,6 @@ case("dt = auto takes long steps in free flight and short ones at a touch", func
     "auto: touched at %g s, with finer steps at %g s", touched, fine_touched)
 end)
 
--- Before a touch the long steps end once, and are not tried again at every step up to it.
 case("before a touch the long steps end once", function()
   for _, rule in ipairs { "surface", "gap" } do
     local run = thrown { gap = 3, contact = { rule = rule } }:dynamic { dt = "auto", duration = 0.06, record = false }
@@ -352,7 +336,6 @@ case("before a touch the long steps end once", function()
 end)
 
 case("with contact declared and nothing near, dt = auto flies as a rigid body", function()
-  -- Contact is on, and nothing is near: the flight is that of a rigid body.
   local model, _, low = thrown { gap = 50 }
   local run = completed(model:dynamic { dt = "auto", duration = 0.1, record = false }, "flight")
   local x, y, z, rx, ry, rz = run:displacement(low)
@@ -382,8 +365,6 @@ case("dt = auto takes no long step across the beginning or end of a load", funct
     end
     local run, z, planned = pushed "auto"
     local even, wanted = pushed(0.02 / planned)
-    print(("a load comes, %s: %d steps of %d, work differs by %.1e, displacement by %.1e, of %g m")
-      :format(what, run.index, planned, run.energy.work / even.energy.work - 1, z / wanted - 1, wanted))
     expect(run.index < 0.7 * planned, "a load comes, %s: %d steps of %d", what, run.index, planned)
     expect(math.abs(run.energy.work / even.energy.work - 1) < 5e-3,
       "a load comes, %s: work %g J, in short steps %g J", what, run.energy.work, even.energy.work)
@@ -392,7 +373,6 @@ case("dt = auto takes no long step across the beginning or end of a load", funct
   end
 end)
 
--- A cantilever that vibrates has no use for long steps.
 case("dt = auto takes no long steps for a cantilever that vibrates", function()
   for _, displacement in ipairs { "small", "large" } do
     local function cantilever(dt)
@@ -416,8 +396,6 @@ case("dt = auto takes no long steps for a cantilever that vibrates", function()
     for i, t in ipairs(tip.time) do
       worst = largest_of(worst, math.abs(value[i] - values[math.floor(t / 0.1 * planned + 0.5) + 1]))
     end
-    print(("cantilever, %s displacement: %d steps of %d, %d changes of step, tip off by %.1e of its swing")
-      :format(displacement, run.index, planned, #run.state_changes, worst / -even.min))
     expect(even.min < -0.01, "cantilever: it swings to %g m", even.min)
     expect(worst < -1e-3 * even.min,
       "cantilever, %s displacement: tip off by %g of its swing", displacement, worst / -even.min)
@@ -432,9 +410,9 @@ end)
 local function corner(options)
   local model = hinge.model {}
   local a, b, c = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }, model:node { 1, 0, 1 }
-  local thin = hinge.section.solid { width = 0.05, depth = 0.05 }
-  model:member { a, b, section = thin, material = elastic, group = "corner" }
-  model:member { b, c, section = thin, material = elastic, group = "corner" }
+  for _, ends in ipairs { { a, b }, { b, c } } do
+    model:member { ends[1], ends[2], section = scenes.square, material = elastic, group = "corner" }
+  end
   model:velocity("corner", { 0, 3, 0 }, { 10, 20, 30 })
   local run = model:dynamic(with({ dt = 1e-5, duration = 0.02, record = false }, options))
   local tip = run:probe { node = c, "uz" }
@@ -446,8 +424,6 @@ for what, go in pairs { ["Case I"] = case_one, ["a corner that rotates"] = corne
     local usual, fresh, double = go {}, go { internals = { rebuild_angle = 1e-9 } }, go { precision = "double" }
     local apart, fewer, rounding = difference(usual, fresh), fresh.counts.element_builds / usual.counts.element_builds,
       difference(usual, double)
-    print(("%s: with angle 1e-9 energies differ by %.1e, %.0f times as many builds; in double precision by %.1e")
-      :format(what, apart, fewer, rounding))
     expect(apart < 1e-7, "%s: rebuild_angle = 1e-9 changes the energies by %g", what, apart)
     expect(fewer > 5, "%s: rebuild_angle = 1e-9 builds only %.1f times as many elements", what, fewer)
     expect(rounding < 1e-8, "%s: double precision changes the energies by %g", what, rounding)
@@ -459,7 +435,6 @@ case("double precision moves the tip of a corner that rotates by less than 1e-6 
   expect(single.hash ~= double.hash, "precision = 'double' changes nothing")
   local a, b, worst = tip.value, exact.value, 0
   for i = 1, #a do worst = largest_of(worst, math.abs(a[i] - b[i])) end
-  print(("a corner that rotates: in double precision its tip differs by %.1e m"):format(worst))
   expect(exact.max - exact.min > 0.1 and worst < 1e-6,
     "double precision: the tip differs by %g m, moving by %g m", worst, exact.max - exact.min)
 end)
