@@ -14,13 +14,11 @@ local folder = support.temporary_folder()
 -- consistent mass it is one too, its mass a third of the bar's instead of half.
 local E, A, L, rho = 1e6, 1e-2, 1, 7800
 local function bar(options)
-  local model = hinge.model { displacement = options.displacement or "small", elements_per_member = 1,
-    formulation = "conventional" }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(wall)
-  model:fix(tip, "yz" )
-  model:member { wall, tip, section = hinge.section.solid { width = 0.1, depth = 0.1 },
-    material = hinge.material { E = E, nu = 0.3, density = rho, yield_stress = options.yield }, group = "bar" }
+  local model, tip = scenes.cantilever { length = L, model = { displacement = options.displacement or "small",
+    elements_per_member = 1, formulation = "conventional" }, member = { group = "bar",
+    section = hinge.section.solid { width = 0.1, depth = 0.1 },
+    material = hinge.material { E = E, nu = 0.3, density = rho } } }
+  model:fix(tip, "yz")
   return model, tip
 end
 local function omega_of(explicit) return math.sqrt(E * A / L / (rho * A * L * (explicit and 0.5 or 1 / 3))) end

@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/effects/fracture_limits_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "fracture limits"
 local case, expect, equal = checks.case, checks.expect, checks.equal
@@ -22,24 +23,18 @@ case("a bar breaks at the strain of each limit and not just below it", function(
   -- Takes the bar to its strain by statics and from there through one step; returns whether it broke. `strong`: by how
   -- much its fully plastic resultants are above what acts; without it the bar is elastic.
   local function breaks(load, sign, rule, strong)
-    local model = hinge.model { displacement = "small" }
     local s = strong or 1
     local section = hinge.section.general { area = area, Ix = Ix, Iy = Iy, J = 1e-5, shear_area_x = 0.003,
       shear_area_y = 0.003, N0 = strong and s * N, Mx0 = strong and s * M_x, My0 = strong and s * M_y,
       Mz0 = strong and 1e6 }
-    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:member { a, b, section = section, material = hinge.material { E = E, nu = 0.3, density = 7850 },
-      up = { 0, 0, 1 } }
-    model:fix(a)
-    local signed = { node = b }
+    local signed = {}
     for name, v in pairs(acting[load]) do signed[name] = { sign * v[1], sign * v[2], sign * v[3] } end
-    model:load(signed)
+    local model = scenes.cantilever(scenes.with(signed, { model = { displacement = "small" },
+      member = { section = section, up = { 0, 0, 1 } } }))
     model:fracture(rule)
-    local start = model:static { steps = 1 }
-    start:finish()
+    local start = model:static({ steps = 1 }):finish()
     equal(start.verdict, "completed", "statics under " .. load)
-    local run = model:dynamic { from = start, dt = 1e-6, duration = 1e-6, rest = false, record = false }
-    run:finish()
+    local run = model:dynamic({ from = start, dt = 1e-6, duration = 1e-6, rest = false, record = false }):finish()
     equal(run.verdict, "completed", "the step under " .. load)
     return run:count { state = "broken" } == 1
   end

@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/effects/hinge_limits_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "hinge limits"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -212,11 +213,9 @@ end)
 -- A cantilever with a blow at its tip: yields at its foot and swings.
 local function struck(rule, o)
   o = o or {}
-  local model = hinge.model { elements_per_member = o.elements or 2, p_delta = o.p_delta }
-  local foot, tip_node = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(foot)
-  local member = model:member { foot, tip_node, section = bar, material = o.material or steel, up = { 0, 0, 1 },
-    group = "bar" }
+  local model, tip_node, member = scenes.cantilever { length = L,
+    model = { elements_per_member = o.elements or 2, p_delta = o.p_delta },
+    member = { section = bar, material = o.material or steel, up = { 0, 0, 1 }, group = "bar" } }
   model:mass { node = tip_node, mass = 20 }
   model:velocity(tip_node, { 0, 0.3, -(o.speed or 3) })
   if rule then model:fracture(rule) end
@@ -268,11 +267,8 @@ case("other options go with the limits", function()
 end)
 
 case("a hinge that has turned too far in statics breaks in the first step of dynamics", function()
-  local model = hinge.model { elements_per_member = 4 }
-  local foot, end_node = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(foot)
-  model:member { foot, end_node, section = bar, material = steel, up = { 0, 0, 1 } }
-  model:load { node = end_node, force = { 0, 0, -100 } }
+  local model, end_node = scenes.cantilever { length = L, model = { elements_per_member = 4 },
+    member = { section = bar, material = steel, up = { 0, 0, 1 } }, force = { 0, 0, -100 } }
   model:fracture { hinge_rotation_x = theta }
   local rest = model:static { steps = 40, control = { node = end_node, "uz", to = -0.15 } }:finish()
   equal(rest.verdict, "completed", "statics: " .. tostring(rest.reason))

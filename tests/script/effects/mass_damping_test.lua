@@ -3,12 +3,13 @@
 -- Run: lua5.4 tests/script/effects/mass_damping_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "damping of point masses"
 local case, equal, near = checks.case, checks.equal, checks.near
 local folder = support.temporary_folder()
 
-local section = hinge.section.solid { width = 0.05, depth = 0.05 }
+local section = scenes.square
 local function steel(density) return hinge.material { E = 206e9, nu = 0.3, density = density or 7850 } end
 local function done(run, what)
   run:finish()
@@ -20,10 +21,7 @@ case("a heavy mass on a light cantilever is damped as a single degree of freedom
   -- the mean over four periods of the logarithm of the energy falls by 8 z w T
   local stiffness = 3 * 206e9 * section.Ix / (1 + 3 * 206e9 * section.Ix / (206e9 / 2.6 * section.shear_area_y))
   local function on_cantilever(options)
-    local model = hinge.model {}
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = section, material = steel(785), up = { 0, 0, 1 } }
+    local model, tip = scenes.cantilever { member = { material = steel(785), up = { 0, 0, 1 } } }
     model:mass { node = tip, mass = 200, inertia = options.inertia, offset = options.offset }
     local T = 2 * math.pi * math.sqrt(200 / stiffness)
     model:damping(options.damping(T))

@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
+local scenes = require "scenes"
 local checks = support.checks "hinges"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
@@ -120,10 +121,8 @@ end)
 
 -- In time: when it first yielded, over a checkpoint and over a chain of runs.
 local function struck(from, duration)
-  local model = hinge.model {}
-  local foot, tip = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
-  model:fix(foot)
-  model:member { foot, tip, section = bar, material = steel, group = "posts" }
+  local model, tip = scenes.cantilever { along = { 0, 0, 1 },
+    member = { section = bar, material = steel, group = "posts" } }
   model:mass { node = tip, mass = 50 }
   if from then return model end
   model:velocity(tip, { 20, 3, 0 })

@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/results/results_storeys_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local results = require "hinge.results"
 local checks = support.checks "storeys and base"
@@ -13,6 +14,7 @@ local joined = support.joined
 local E, nu = 210e9, 0.3
 local steel = hinge.material { E = E, nu = nu, density = 7850 }
 local heb = hinge.section.named "HEB 200"
+local of_heb = { section = heb, material = steel }
 
 -- What a table draws.
 local function drawing(table_, options)
@@ -91,11 +93,9 @@ case("in large displacement a cut has the force at the head of a column that ben
   local across = { 0.3, 1, 0.2 }
   for _, r in ipairs { { { 0, 0 }, 0, across }, { { 0.8, -0.5 }, 60, across }, { { -0.4, 1.1 }, -80, across },
     { { 0.8, -0.5 }, 0, { 1, 0, 0 } } } do
-    local model = hinge.model { elements_per_member = 6 } -- the cut is within an element
-    local foot, head = model:node { 0, 0, 0 }, model:node { r[1][1], r[1][2], 4 }
-    model:fix(foot)
-    model:member { foot, head, section = soft, material = steel, up = r[3] }
-    model:load { node = head, force = { 600, -400, -1500 }, moment = { 0, 0, r[2] } }
+    local model, head = scenes.cantilever { model = { elements_per_member = 6 }, -- the cut is within an element
+      along = { r[1][1], r[1][2], 4 }, member = { section = soft, material = steel, up = r[3] },
+      force = { 600, -400, -1500 }, moment = { 0, 0, r[2] } }
     local run = model:static { steps = 10 }:finish()
     expect(math.abs((run:displacement(head))) > 0.1, "it bends far")
     local row = results.storeys(run, { model = model, levels = { 0, 3 } }).rows[1]
@@ -160,12 +160,8 @@ case("levels are those of level members and the lowest node; drifts are over the
     end
   end
   for rise, level in pairs { [0.009] = true, [0.011] = false } do
-    local frame = hinge.model()
-    local p, q = frame:node { 0, 0, 0 }, frame:node { 0, 0, 3 }
-    frame:fix(p)
-    frame:member { p, q, section = heb, material = steel }
+    local frame, q = scenes.cantilever { length = 3, along = { 0, 0, 1 }, member = of_heb, force = { 1, 0, 0 } }
     frame:member { q, frame:node { 5, 0, 3 + 5 * rise }, section = heb, material = steel }
-    frame:load { node = q, force = { 1, 0, 0 } }
     local good, floors = pcall(results.storeys, frame:static { steps = 1 }:finish(), { model = frame })
     equal(good, level, "a rise of " .. rise)
     if good then near(floors.rows[1].to, 3 + 2.5 * rise, 1e-9, "the floor is at the middle of its beam") end
@@ -317,11 +313,7 @@ case("the table of storeys has heights, drifts, shear forces and states; of dyna
     .. "drift x|number|drift_x_when|5; at the end|number||5; shear x|force|shear_x_when|; at the end|force||; "
     .. "drift y|number|drift_y_when|5; at the end|number||5; shear y|force|shear_y_when|; at the end|force||; "
     .. "remark|text||", "their heads")
-  local few = hinge.model()
-  local a, b = few:node { 0, 0, 0 }, few:node { 3, 0, 4 }
-  few:fix(a)
-  few:member { a, b, section = heb, material = steel }
-  few:load { node = b, force = { 1, 0, 0 } }
+  local few = scenes.cantilever { along = { 3, 0, 4 }, member = of_heb, force = { 1, 0, 0 } }
   local leaning = results.storeys(few:static { steps = 1 }:finish(), { model = few, levels = { 0, 4 } })
   equal(shown(leaning), "storey to shear_x remark", "without a line of nodes")
   checks.refused("no member is cut at half the height of storey 2, z = 4.5 m;", results.storeys,
@@ -415,12 +407,9 @@ end)
 
 case("what is not in balance says by how much, and what may hold the model", function()
   local function loaded(on_step)
-    local model = hinge.model { displacement = "small" }
-    local foot, head = model:node { 0, 0, 0 }, model:node { 0, 0, 4 }
-    model:fix(foot)
-    model:member { foot, head, section = heb, material = steel }
+    local model, head = scenes.cantilever { model = { displacement = "small" }, length = 4, along = { 0, 0, 1 },
+      member = of_heb, force = { 10e3, 0, -20e3 } }
     if on_step then model:mass { node = head, mass = 1e3 } end
-    model:load { node = head, force = { 10e3, 0, -20e3 } }
     return model, head
   end
   local model, head = loaded(true)
