@@ -37,6 +37,7 @@ local folder = arg[0]:match "^(.*)[/\\]" or "."
 package.path = folder .. "/?.lua;" .. package.path
 local hinge = require "hinge"
 local core = require "hinge.core"
+local values = require "hinge.library.values"
 local scenes = require "random_scenes"
 package.path = folder .. "/../script/?.lua;" .. package.path
 local largest_of = require("support").largest_of
@@ -171,19 +172,7 @@ local function line_of(scene, out)
 end
 
 local function read_line(line)
-  local fields = {}
-  local at = 1
-  while at <= #line + 1 do
-    local text, after
-    if line:sub(at, at) == '"' then
-      text, after = line:match('^"([^"]*)"(),?', at)
-    else
-      text, after = line:match("^([^,]*)(),?", at)
-    end
-    if not text then return nil end
-    fields[#fields + 1] = text
-    at = after + 1
-  end
+  local fields = values.csv_fields(line)
   local row = {}
   for i, name in ipairs(columns) do
     row[name] = fields[i]
