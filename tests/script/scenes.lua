@@ -17,15 +17,16 @@ function scenes.with(...)
 end
 
 --- A cantilever along x. `options`: model = of hinge.model, member = of model:member (section, material, up, ...),
---- length (1), along (the direction, { 1, 0, 0 }), flipped (the member goes from the tip to the support), force,
---- moment = on the tip.
+--- length (1), along (the direction, { 1, 0, 0 }), flipped (the member goes from the tip to the support), foot ("all",
+--- what is fixed there, or false), head (nothing, what is fixed there), force, moment = on the tip.
 --- Returns the model, its tip, the member and the support.
 function scenes.cantilever(options)
   options = options or {}
   local model, length, along = hinge.model(options.model or {}), options.length or 1, options.along or { 1, 0, 0 }
   local wall = model:node { 0, 0, 0 }
   local tip = model:node { length * along[1], length * along[2], length * along[3] }
-  model:fix(wall)
+  if options.foot ~= false then model:fix(wall, options.foot or "all") end
+  if options.head then model:fix(tip, options.head) end
   local member = model:member(scenes.with({ section = scenes.square, material = scenes.elastic }, options.member,
     options.flipped and { tip, wall } or { wall, tip }))
   if options.force or options.moment then
