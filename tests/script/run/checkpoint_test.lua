@@ -4,11 +4,12 @@
 -- Run: lua5.4 tests/script/run/checkpoint_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "checkpoint"
-local case = checks.case
-local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+local case, expect, equal, refused = checks.case, checks.expect, checks.equal, checks.refused
+local quote, run, with = support.quote, support.run, scenes.with
 
 local folder = support.temporary_folder()
 local function path(name) return folder .. "/" .. name end
@@ -48,13 +49,6 @@ end
 ]]
 local impact_run = assert(load(scene .. "return impact"))()
 
-local function with(options, more)
-  local result = {}
-  for field, value in pairs(options) do result[field] = value end
-  for field, value in pairs(more) do result[field] = value end
-  return result
-end
-
 -- The same bits -------------------------------------------------------------------------------------------------------
 
 local function same(what, resumed, whole)
@@ -85,7 +79,7 @@ local function goes_on(name, options, times)
         resumed_from = resumed_from + 1
         watched:checkpoint(path "one.checkpoint")
         local threads = 1 + resumed_from % 2
-        local other = impact_run(with(options, { run = with(options.run or {}, { threads = threads }) }))
+        local other = impact_run(with(options, { run = with(options.run, { threads = threads }) }))
           :resume(path "one.checkpoint")
         equal(other.hash, watched.hash, ("%s: state at step %d"):format(name, step.index))
         other:finish()
@@ -128,7 +122,7 @@ goes_on("rules of the script's own", {
 }, 4)
 
 case("a run that fails goes on from a checkpoint to the same failure", function()
-  -- A run that fails, and goes back to a state from before the checkpoint.
+  -- it goes back to a state from before the checkpoint
   local strict = { run = { energy_tolerance = 1e-3, step_control = 0 } }
   local failed = impact_run(strict)
   failed:finish()
@@ -167,24 +161,12 @@ end)
 
 -- What is refused -----------------------------------------------------------------------------------------------------
 
-local function refused(what, message, f, ...)
-  local ok, failure = pcall(f, ...)
-  if expect(not ok, "%s: nothing was raised", what) then
-    expect(support.says(tostring(failure), message), "%s\n    says   %s\n    wanted %s", what,
-      tostring(failure), message)
-  end
-end
-
 local function small(dt, more)
-  local model = hinge.model { elements_per_member = 2 }
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a)
-  local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
-  model:member { a, b, section = bar, material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
+  local model, b = scenes.cantilever { force = { 0, 0, -10 } }
   if more then
-    model:member { b, model:node { 2, 0, 0 }, section = bar, material = hinge.material { E = 206e9, density = 7800 } }
+    model:member { b, model:node { 2, 0, 0 }, section = scenes.square,
+      material = hinge.material { E = 206e9, density = 7800 } }
   end
-  model:load { node = b, force = { 0, 0, -10 } }
   return model:dynamic { dt = dt, duration = 1e-2 }, b
 end
 
@@ -196,42 +178,41 @@ local bytes = support.read(file)
 local victim = small(1e-4)
 case("every byte that is changed and every length that is cut is noticed", function()
   local before = victim.hash
-  local quiet = { expect = 0 }
   -- A file of its own each time: some file systems write to the disk at once what replaces the content of a file.
   local function write_anew(text)
     os.remove(file)
     support.write(file, text)
   end
+  local unseen = 0
   for i = 1, #bytes do -- every byte
     local flipped = (i % 2 == 0) and 255 or 1 << (i % 8)
     write_anew(bytes:sub(1, i - 1) .. string.char(bytes:byte(i) ~ flipped) .. bytes:sub(i + 1))
     local ok, failure = pcall(victim.resume, victim, file)
     if ok or not tostring(failure):find("checkpoint " .. file .. " is ", 1, true) or victim.hash ~= before
       or victim.index ~= 0 then
-      quiet.expect = i
+      unseen = i
       break
     end
   end
-  equal(quiet.expect, 0, "byte changed that was not noticed")
+  equal(unseen, 0, "byte changed that was not noticed")
   for length = 0, #bytes - 1 do -- every length
     write_anew(bytes:sub(1, length))
     local ok, failure = pcall(victim.resume, victim, file)
     if ok or not tostring(failure):find("is cut short", 1, true) or victim.hash ~= before then
-      quiet.expect = length + 1
+      unseen = length + 1
       break
     end
   end
-  equal(quiet.expect, 0, "cut short, not noticed, at byte")
+  equal(unseen, 0, "cut short, not noticed, at byte")
 end)
 
 case("a byte too many, another file, no file and another version are refused", function()
   support.write(file, bytes .. "\0")
-  refused("a byte more", "checkpoint " .. file .. " is damaged: ...", victim.resume, victim, file)
+  refused("checkpoint " .. file .. " is damaged: ", victim.resume, victim, file)
   support.write(file, "speed,height\n" .. bytes)
-  refused("another file", "checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume,
-    victim, file)
-  refused("no file", "cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume,
-    victim, path "none")
+  refused("checkpoint " .. file .. " is no checkpoint of hinge; is it the right file?", victim.resume, victim, file)
+  refused("cannot read " .. path "none" .. ": No such file or directory; check the name", victim.resume, victim,
+    path "none")
 
   -- Another version: the checksum (CRC-32 of all behind it) is right.
   local function crc(text)
@@ -245,70 +226,49 @@ case("a byte too many, another file, no file and another version are refused", f
   local own = string.unpack("<I4", bytes, 13)
   local newer = string.pack("<I4", own + 1) .. "9.8.7" .. ("\0"):rep(11) .. bytes:sub(33)
   support.write(file, bytes:sub(1, 8) .. string.pack("<I4", crc(newer)) .. newer)
-  refused("another version",
-    ("checkpoint %s is of format %d, written by hinge 9.8.7; this is hinge %s, which reads format %d: go on with the "
-      .. "hinge that wrote it, or start the run anew"):format(file, own + 1, hinge.version, own), victim.resume, victim,
-    file)
+  refused({ ("checkpoint %s is of format %d, written by hinge 9.8.7"):format(file, own + 1),
+    ("this is hinge %s, which reads format %d: go on with the hinge that wrote it, or start the run anew")
+      :format(hinge.version, own) }, victim.resume, victim, file)
 end)
 
 case("a checkpoint of another model, step or set of probes is refused", function()
   support.write(file, bytes)
-  refused("other dt",
-    "...checkpoint " .. file .. " is of another run, which differs in dt...; give the script and parameters ...",
-    function() small(5e-5):resume(file) end)
-  refused("another model",
-    "...is of another run, which differs in nodes (2 there, 3 here), members (1 there, 2 here), "
-      .. "materials (1 there, 2 here), " ..
-    "sections (1 there, 2 here), groups and velocities (2 there, 3 here); give...",
-    function() small(1e-4, true):resume(file) end)
-  refused("other probes",
-    "...is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on",
-    function()
-    local r, tip = small(1e-4)
-    r:probe { node = tip, "uz", name = "tip" }
-    r:resume(file)
-  end)
-  refused("begun",
-    "...run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step",
-    function() first:resume(file) end)
-  refused("in a step",
-    "...run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step...",
-    function()
-    impact_run({ declare = function(model, corner)
-      model:load { node = corner, force = function(_, r) r:checkpoint(file) return 0, 0, 0 end }
-    end }):step()
-  end)
-  refused("no name",
-    "...run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'",
-    function() first:checkpoint() end)
-  refused("static",
-    "...run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew",
-    function()
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(a)
-    model:member { a, b,
-      section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hinge.material { E = 1e9 } }
-    model:static {}:checkpoint(file)
-  end)
+  local probed, tip = small(1e-4)
+  probed:probe { node = tip, "uz", name = "tip" }
+  local in_step = impact_run { declare = function(model, corner)
+    model:load { node = corner, force = function(_, r) r:checkpoint(file) return 0, 0, 0 end }
+  end }
+  for _, row in ipairs {
+    { { "checkpoint " .. file .. " is of another run, which differs in dt", "; give the script and parameters " },
+      function() small(5e-5):resume(file) end },
+    { "is of another run, which differs in nodes (2 there, 3 here), members (1 there, 2 here), materials (1 there, 2 "
+      .. "here), sections (1 there, 2 here), groups and velocities (2 there, 3 here); give",
+      function() small(1e-4, true):resume(file) end },
+    { "is of a run with other probes (there: none; here: tip); ask for the same ones before the run goes on",
+      function() probed:resume(file) end },
+    { "run:resume: the run has begun (step 7, t = 0.0007 s); resume before its first step",
+      function() first:resume(file) end },
+    { "run:checkpoint: called from a function in the middle of a step; call it between steps, or in run:on_step",
+      in_step.step, in_step },
+    { "run:checkpoint: the file is nil; give its name, such as 'case1.checkpoint'", function() first:checkpoint() end },
+    { "run:checkpoint: the run is static; checkpoints are for dynamic runs, a static one is done anew",
+      function() scenes.cantilever():static {}:checkpoint(file) end },
+  } do refused(row[1], row[2], row[3]) end
 end)
 
 case("wrong checkpoint options of model:dynamic are refused", function()
   local itself = {}
   itself.t = itself
   for given, message in pairs {
-    [7] = "field 'checkpoint' is 7...; must be a file name, or { file =, every = s, keep = table }",
-    [{}] = "field 'checkpoint' is a table; must be a file name, or { file =, every = s, keep = table }",
-    [{ file = "x", keep = 3 }] = "checkpoint: field 'keep' is 3...; must be a table, whose values are kept with the "
-    .. "run",
+    [7] = { "field 'checkpoint' is 7", "must be a file name, or { file =, every = s, keep = table }" },
+    [{}] = { "field 'checkpoint' is a table", "must be a file name, or { file =, every = s, keep = table }" },
+    [{ file = "x", keep = 3 }] = { "checkpoint: field 'keep' is 3", "must be a table, whose values are kept" },
     [{ file = "x", keep = { list = { 1, print } } }] =
-      "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept",
-    [{ file = "x", keep = itself }] = "checkpoint: keep.t....t is nested too deep to be kept; does a table hold "
-      .. "itself?",
-    [{ file = "x", every = -1 }] = "checkpoint: field 'every' is -1 s; must be ...",
+      { "checkpoint: keep.list[2] is a function; only booleans, numbers, strings and tables of them can be kept" },
+    [{ file = "x", keep = itself }] = { "checkpoint: keep.t.", "is nested too deep to be kept; does a table hold it" },
+    [{ file = "x", every = -1 }] = { "checkpoint: field 'every' is -1 s; must be " },
   } do
-    refused("a wrong plan", "...model:dynamic..." .. message, function() impact_run { run = { checkpoint =
-      given } } end)
+    refused(message, impact_run, { run = { checkpoint = given } })
   end
 end)
 
@@ -320,16 +280,10 @@ case("a run that refused checkpoints resumes the right one with the same bits", 
 end)
 
 case("what a script gathers in keep goes on with the run", function()
-  -- What the script itself gathers.
   local function gathers(keep)
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(a)
-    model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-      material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
-    model:load { node = b, force = { 0, 0, -10 } }
-    local r = model:dynamic { dt = 1e-4, duration = 1e-2, checkpoint = { file = path "gathers.checkpoint", keep =
-      keep } }
+    local model, b = scenes.cantilever { force = { 0, 0, -10 } }
+    local r = model:dynamic { dt = 1e-4, duration = 1e-2,
+      checkpoint = { file = path "gathers.checkpoint", keep = keep } }
     return r, function(step)
       keep.list[#keep.list + 1], keep.last, keep[1.5] = r:displacement(b), step.index % 2 == 0,
         { n = step.index, s = "a\0b" }
@@ -357,8 +311,7 @@ end)
 local program = quote(arg[1] .. "/hinge")
 support.write(path "impact.lua", scene .. [[
 return hinge.scenario {
-  parameters = { duration = 0.1, every = 0.005, checkpoint = "impact.checkpoint", threads = 1, slow = 0,
-    stall = 0 },
+  parameters = { duration = 0.1, every = 0.005, checkpoint = "impact.checkpoint", threads = 1, slow = 0, stall = 0 },
   run = function(p)
     local plan = p.checkpoint ~= "none" and { file = p.checkpoint, every = p.every } or nil
     local run = impact { run = { duration = p.duration, threads = p.threads, checkpoint = plan } }
@@ -388,7 +341,6 @@ case("a run with a checkpoint completes", function()
 end)
 
 case("a run ended by SIGTERM writes a checkpoint and goes on with --resume", function()
-  -- A signal: the step ends, the checkpoint is written, and the same command goes on.
   local status, _, complaint = run(command("ended", "slow=1234"))
   equal(status, 3, "status after SIGTERM")
   local at = complaint:match "after step 1234, (t = %S+ s); written" -- some steps before it were halved
@@ -420,8 +372,7 @@ case("a run without a checkpoint that SIGTERM ends says that it starts anew", fu
   local _, told = run(program .. " history " .. quote(path "unkept"))
   expect(told:find("  no summary: the script has not ended, or stumbled; hinge ", 1, true), "without: %s", told)
   expect(complaint:find("names no checkpoint (checkpoint = 'FILE' in model:dynamic) and starts anew next time", 1,
-    true),
-    "without: %s", complaint)
+    true), "without: %s", complaint)
   -- the heading, step 0, and one in ten
   equal(select(2, history "unkept":gsub("\n", "")), 12, "rows of the history that SIGTERM left")
 end)
@@ -439,15 +390,11 @@ case("--resume starts anew where there is no checkpoint and refuses that of anot
     "anew after one that is over: %s %s", status, complaint)
   equal(run(command("again", "slow=50")), 3, "status after SIGTERM")
   status, _, complaint = run(command("again", "duration=0.004"))
-  expect(status == 0
-    and complaint:find("is of a run that is not over, and kept as " .. path "again/impact.checkpoint.before", 1, true),
-    "anew: %s %s", status, complaint)
+  expect(status == 0 and complaint:find("is of a run that is not over, and kept as "
+    .. path "again/impact.checkpoint.before", 1, true), "anew: %s %s", status, complaint)
 end)
 
 case("a run killed 50 times and resumed has the same bits and files", function()
-  local complaint
-  -- kill -9 at 50 random moments, each time going on from what is there; whenever a run came
-  -- to its end it is the same one.
   support.write(path "kill.sh", ([[
 RANDOM=11 kills=0 ends=0
 while [ $kills -lt 50 ]; do
@@ -463,8 +410,7 @@ done
 echo "kills $kills ends $ends"
 ]]):format(command("killed", "duration=0.05 every=0 --resume"), path "log", path "killed/impact.checkpoint",
     path "log", path "killed/history.csv", path "killed/history.csv"))
-  local killed, printed
-  killed, printed, complaint = run("bash " .. quote(path "kill.sh"))
+  local killed, printed, complaint = run("bash " .. quote(path "kill.sh"))
   expect(killed == 0 and printed:find "kills 50", "kill -9: %s %s", printed, complaint)
   print("kill -9: " .. printed:gsub("\n", ""))
   equal(run(command("killed", "duration=0.05 --resume")), 0, "after the last kill")
@@ -475,8 +421,7 @@ echo "kills $kills ends $ends"
 end)
 
 case("a killed run without a checkpoint leaves its history, its events and a report", function()
-  -- kill -9 of a run that names no checkpoint, and is slow towards its end: events.csv has all that happened up to the
-  -- last row of history.csv, and hinge report tells of it.
+  -- it is slow towards its end; events.csv has all that happened up to the last row of history.csv
   local function lines_of(name)
     local lines = {}
     for line in (support.read(name) or ""):gmatch "[^\n]+" do lines[#lines + 1] = line end
@@ -512,7 +457,6 @@ end)
 
 case("a full disk keeps the checkpoint before and the run goes on", function()
   local status, _, complaint
-  -- A full disk: a tiny file system where one can be mounted, else a limit on the size of files.
   local tiny = path "tiny"
   os.execute("mkdir " .. quote(tiny))
   local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=200k tmpfs %s && %%s'"):format(tiny)
@@ -533,11 +477,9 @@ case("a full disk keeps the checkpoint before and the run goes on", function()
 end)
 
 case("a checkpoint in a folder that cannot be written to is refused before the first step", function()
-  local status, _, complaint
-  -- A folder that cannot be written to is noticed before the first step.
   for name, message in pairs { ["/proc/hinge/x.checkpoint"] = "cannot make folder /proc/hinge",
     ["/proc/x.checkpoint"] = "cannot write /proc/x.checkpoint" } do
-    status, _, complaint = run(command("nowhere", "checkpoint=" .. name))
+    local status, _, complaint = run(command("nowhere", "checkpoint=" .. name))
     expect(status == 1 and complaint:find(message, 1, true), "unwritable: %s %s", status, complaint)
   end
 end)
