@@ -4,6 +4,7 @@
 -- Run: LUA_CPATH="build/?.so" lua5.4 tests/script/run/starts_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "starts"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -60,10 +61,8 @@ end)
 case("heat that leaves the range of its properties takes the step back, with each integrator", function()
   for _, settings in ipairs { { dt = 1e-3 }, { integrator = "explicit", dt = 2e-5 },
     { dt = 1e-3, step_control = 1e-2 } } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-    model:fix(a)
-    local post = model:member { a, b, section = square, material = steel }
+    local model, _, post = scenes.cantilever { length = 3, along = { 0, 0, 1 },
+      member = { section = square, material = steel } }
     model:heat { member = post, temperature = 20, across_x = { { 0, 0 }, { 0.2, 300 } } }
     settings.duration, settings.record = 0.2, false
     local run = model:dynamic(settings)
@@ -179,10 +178,8 @@ end)
 case("small displacement: the weight of an offset mass does work on its node's rotation", function()
   local M, arm, H, g = 200, 0.3, 3, 9.81
   local function post(offset, displacement)
-    local model = hinge.model { displacement = displacement }
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, H }
-    model:fix(a)
-    model:member { a, b, section = square, material = hinge.material { E = 210e9, density = 7850 } }
+    local model, b = scenes.cantilever { model = { displacement = displacement }, length = H, along = { 0, 0, 1 },
+      member = { section = square, material = steel } }
     model:mass { node = b, mass = M, offset = offset }
     model:gravity { 0, 0, -g }
     return model, b
@@ -236,9 +233,8 @@ end)
 -- A thin bar of short elements let go high above its origin: the first steps have 1e-12 J.
 local function let_go(z, settings)
   local model = hinge.model {}
-  local material = hinge.material { E = 206e9, density = 7850, yield_stress = 300e6 }
   local a, b = model:node { 0, 0, z }, model:node { 0.2, 0, z }
-  model:member { a, b, section = hinge.section.round { diameter = 0.003 }, material = material, elements = 4 }
+  model:member { a, b, section = hinge.section.round { diameter = 0.003 }, material = scenes.steel, elements = 4 }
   model:gravity { 0, 0, -9.80665 }
   model:ground { point = { 0, 0, z - 0.02 } }
   settings.duration, settings.record = 2e-4, false
@@ -266,16 +262,14 @@ end)
 
 -- What has come far begins anew at rest: a step control of it would see the rounding of the way.
 local function far_away(settings, far)
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 0.2, 0, 0 }
-  local bar = model:member { a, b, section = hinge.section.round { diameter = 0.003 }, material = steel, elements = 4 }
+  local model, b, bar = scenes.cantilever { length = 0.2, foot = false, member = {
+    section = hinge.section.round { diameter = 0.003 }, material = steel, elements = 4 } }
   model:velocity(bar, { 0, 0, far * 1e4 })
   local up = model:dynamic { dt = 1e-6, duration = 1e-4, record = false }:finish()
   near(select(3, b:displacement(up)) / far, 1, 1e-9, "the way")
   model:gravity { 0, 0, -9.80665 }
   model:velocity(bar, { 0, 0, 0 })
-  return model:dynamic { from = up, duration = 1e-3, dt = settings.dt, step_control = settings.step_control,
-    integrator = settings.integrator, record = false }:finish()
+  return model:dynamic(scenes.with(settings, { from = up, duration = 1e-3, record = false })):finish()
 end
 
 case("a body that has come far is let go alike: an error below rounding is none", function()
@@ -297,12 +291,9 @@ case("dt = \"auto\" takes twelve to forty-eight steps for a wave to cross the sh
     for _, yield_stress in ipairs { false, 1200e6 } do
       for _, diameter in ipairs { 0.3, 0.1, 0.03, 0.01, 0.003 } do
         for _, elements in ipairs { 2, 8 } do
-          local model = hinge.model {}
-          local a, b = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
-          model:fix { a, b }
-          model:member { a, b, section = hinge.section.round { diameter = diameter }, carries = carries,
-            elements = elements, material = hinge.material { E = 206e9, density = 7850,
-              yield_stress = yield_stress or nil } }
+          local model = scenes.cantilever { length = 6, head = "all", member = { carries = carries, elements = elements,
+            section = hinge.section.round { diameter = diameter },
+            material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress or nil } } }
           local run = model:dynamic { dt = "auto", duration = 1e-2, record = false }
           local steps = 6 / elements / c / run.dt
           expect(steps >= 12 - 1e-9 and steps <= (yield_stress and 48 or 12.2),
@@ -316,13 +307,9 @@ end)
 case("a slender bar that yields takes the steps of dt = \"auto\" to the result of short ones", function()
   local plastic = {}
   for _, dt in ipairs { "auto", 4e-6 } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-    model:fix(a)
     local d = 0.03
-    model:member { a, b, section = hinge.section.round { diameter = d },
-      material = hinge.material { E = 206e9, density = 7850, yield_stress = 300e6 } }
-    model:load { node = b, force = { 0, 0, -300e6 * d ^ 3 / 6 } }
+    local model = scenes.cantilever { length = 2, force = { 0, 0, -235e6 * d ^ 3 / 6 },
+      member = { section = hinge.section.round { diameter = d }, material = scenes.steel } }
     local run = model:dynamic { dt = dt, duration = 0.1, record = false }:finish()
     equal(run.verdict, "completed", run.reason)
     near(run.energy_error, 0, 1e-4, "energy error with dt = " .. dt)
@@ -334,12 +321,9 @@ end)
 -- A bar that is clamped at both ends and hot, or prestressed, from the start.
 local function hot_bar(set, yield_stress, of)
   of = of or {}
-  local model = hinge.model { elements_per_member = of.elements }
-  local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
-  model:fix { a, b }
-  local bar = model:member { a, b,
-    section = of.section or hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.01 },
-    material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress or 275e6, rate = of.rate } }
+  local model, _, bar = scenes.cantilever { model = { elements_per_member = of.elements }, length = 3, head = "all",
+    member = { section = of.section or hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.01 },
+      material = hinge.material { E = 206e9, density = 7850, yield_stress = yield_stress or 275e6, rate = of.rate } } }
   set(model, bar)
   return model, bar
 end
@@ -452,10 +436,8 @@ case("stress below yield, and members that go slack, begin without plastic work 
   local run = model:dynamic { dt = 1e-5, duration = 1e-4, record = false }:finish()
   equal(run.energy.plastic, 0, "120 degrees")
   equal(told_of_yield(run), nil, "120 degrees")
-  model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
-  model:fix { a, b }
-  model:member { a, b, section = hinge.section.round { diameter = 0.01 }, carries = "tension", material = steel }
+  model = scenes.cantilever { length = 3, head = "all",
+    member = { section = hinge.section.round { diameter = 0.01 }, carries = "tension", material = steel } }
   model:heat { temperature = 300 }
   run = model:dynamic { dt = 1e-5, duration = 1e-3, record = false }:finish()
   equal(run.verdict, "completed", run.reason)
