@@ -3,9 +3,10 @@
 -- Run: lua5.4 tests/script/advice/findings_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "findings"
-local case, expect, equal = checks.case, checks.expect, checks.equal
+local case, expect, equal, refused = checks.case, checks.expect, checks.equal, checks.refused
 
 local steel = hinge.material { E = 210e9, density = 7850, yield_stress = 355e6 }
 local elastic = hinge.material { E = 210e9, density = 7850 }
@@ -32,11 +33,9 @@ end
 local through = "passed through each other"
 
 -- A bar that flies at another one, along an axis; o: axis (1 to 3), run (options), contact (rule), beam and car
--- (groups), elements, speed, angle (between the two, rad), duration.
+-- (groups), material, elements, speed, angle (between the two, rad), aside, above (m), duration, begins (no step yet).
 local function flight(o)
-  local options_of_model = { elements_per_member = o.elements or 2 }
-  for field, value in pairs(o.model or {}) do options_of_model[field] = value end
-  local model = hinge.model(options_of_model)
+  local model = hinge.model(scenes.with({ elements_per_member = o.elements }, o.model))
   local function turned(x, y, z)
     local p = { x, y, z }
     return { p[(0 - o.axis + 1) % 3 + 1], p[(1 - o.axis + 1) % 3 + 1], p[(2 - o.axis + 1) % 3 + 1] }
@@ -44,17 +43,16 @@ local function flight(o)
   local angle = o.angle or math.pi / 2
   local a, b = model:node(turned(0, 0, 0)), model:node(turned(0, 0, 3))
   model:fix { a, b }
-  model:member { a, b, section = bar, material = steel, group = o.beam or "beam" }
+  model:member { a, b, section = bar, material = o.material or steel, group = o.beam or "beam" }
   local y, z = math.sin(angle), math.cos(angle)
-  local c = model:node(turned(-1 + (o.aside or 0), -y, 1.5 - z))
-  local d = model:node(turned(-1 + (o.aside or 0), y, 1.5 + z))
-  model:member { c, d, section = bar, material = steel, group = o.car or "car" }
+  local x, height = -1 + (o.aside or 0), 1.5 + (o.above or 0)
+  local c, d = model:node(turned(x, -y, height - z)), model:node(turned(x, y, height + z))
+  model:member { c, d, section = bar, material = o.material or steel, group = o.car or "car" }
   if o.contact then model:contact(o.contact) end
   model:velocity(o.car == o.beam and o.car and c or "car", turned(o.speed or 20, 0, 0))
   if o.car == o.beam and o.car then model:velocity(d, turned(o.speed or 20, 0, 0)) end
-  local options = { dt = 1e-4, duration = o.duration or 0.1, record = false }
-  for field, value in pairs(o.run or {}) do options[field] = value end
-  return model:dynamic(options):finish()
+  local run = model:dynamic(scenes.with({ dt = 1e-4, duration = o.duration or 0.1, record = false }, o.run))
+  return o.begins and run or run:finish()
 end
 
 case("members of two bodies that pass through each other are told, along any axis, by any integrator", function()
@@ -105,10 +103,7 @@ case("members that pass through each other are told in small displacement, and i
   none(flight { axis = 1, contact = {}, model = { displacement = "small" } }, through, "small, with contact")
   -- an arm whose end is lowered through a beam below it, and one that is lowered beside it
   local function lowered(o)
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 4, 0, 0 }
-    model:fix { a, b }
-    model:member { a, b, section = bar, material = steel }
+    local model = scenes.cantilever { length = 4, head = "all", member = { section = bar, material = steel } }
     local c, d = model:node { o.x or 2, o.y or -0.5, 1 }, model:node { o.x or 2, 3, 1 }
     model:fix(d)
     model:member { c, d, section = bar, material = elastic, elements = 8 }
@@ -129,14 +124,7 @@ case("bars that pass beside each other, or have not met yet, are not told", func
   none(flight { axis = 1, aside = -3 }, through, "too far to come there")
   none(flight { axis = 1, duration = 0.04 }, through, "not there yet")
   one(flight { axis = 1, duration = 0.0485 }, through, "just there, between two looks")
-  -- 0.15 m beside the end of the beam
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-  model:fix { a, b }
-  model:member { a, b, section = bar, material = steel }
-  local c, d = model:node { -1, -1, 3.15 }, model:node { -1, 1, 3.15 }
-  model:velocity(model:member { c, d, section = bar, material = steel }, { 20, 0, 0 })
-  none(model:dynamic { dt = 1e-4, duration = 0.1, record = false }:finish(), through, "beside the end")
+  none(flight { axis = 1, above = 1.65 }, through, "0.15 m beside the end")
 end)
 
 case("members that share a node, are linked or overlap from the start are not told, however far they move", function()
@@ -200,9 +188,7 @@ local function drop(o)
   if o.gravity ~= false then model:gravity(place(0, -9.81)) end
   if o.ground then model:ground(o.ground) end
   model:velocity("debris", place(0, o.speed or 0))
-  local options = { dt = 1e-3, duration = 1, record = false }
-  for field, value in pairs(o.run or {}) do options[field] = value end
-  return model:dynamic(options):finish()
+  return model:dynamic(scenes.with({ dt = 1e-3, duration = 1, record = false }, o.run)):finish()
 end
 
 case("a body that fell below the lowest support is told where no ground is for it", function()
@@ -249,11 +235,8 @@ case("a column that falls over to below its support is told, along any axis; one
   end
 end)
 case("what lies on members that sag below their supports has not fallen", function()
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 8, 0, 0 }
-  model:fix(a)
-  model:fix(b)
-  model:member { a, b, section = bar, material = elastic, elements = 8, group = "floor" }
+  local model = scenes.cantilever { length = 8, head = "all",
+    member = { section = bar, material = elastic, elements = 8, group = "floor" } }
   local c, d = model:node { 4, -0.5, 0.101 }, model:node { 4, 0.5, 0.101 }
   model:member { c, d, section = bar, material = steel, up = { 0, 0, 1 } }
   model:mass { node = c, mass = 9000 }
@@ -280,14 +263,10 @@ local stress = "declares no yield stress"
 
 case("an elastic stress that no material bears is told where no yield stress is declared", function()
   local function pull(strain, material, o)
-    local model = hinge.model(o and o.model or {})
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-    model:fix(a)
-    model:fix(b, "xy rx ry rz")
-    model:member { a, b, section = bar, material = material, carries = o and o.carries }
-    model:load { node = b, force = { 0, 0, strain * material.E * bar.area } }
-    local run = model:static { steps = 2 }:finish()
-    return run
+    local model = scenes.cantilever { model = o and o.model, length = 3, along = { 0, 0, 1 }, head = "xy rx ry rz",
+      member = { section = bar, material = material, carries = o and o.carries },
+      force = { 0, 0, strain * material.E * bar.area } }
+    return model:static { steps = 2 }:finish()
   end
   local _, text = one(pull(0.05, elastic), stress, "5 %")
   expect(text:find("an elastic stress of 10 GPa, a strain of 5 %", 1, true) or text:find("11 GPa", 1, true)
@@ -306,33 +285,22 @@ case("an elastic stress in torsion that no material bears is told", function()
   local sections = { bar, hinge.section.pipe { diameter = 0.2, thickness = 0.01 }, hinge.section.named "HEB 200" }
   for i, section in ipairs(sections) do
     for part, told in pairs { [0.8] = false, [1.2] = true } do
-      local model = hinge.model {}
-      local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-      model:fix(a)
-      model:fix(b, "xyz rx ry")
-      model:member { a, b, section = section, material = elastic }
       -- largest shear stress over Mz / J: that of a square is Mz / (0.208 a^3), J is 0.1406 a^4; the radius of a pipe,
       -- the thickness of the flanges of an H
       local arm = ({ 0.1406 / 0.208 * 0.1, 0.1, 0.015 })[i]
-      model:load { node = b, moment = { 0, 0, part * 0.01 * 210e9 / math.sqrt(3) * section.J / arm } }
-      local run = model:static { steps = 8 }:finish()
-      if told then one(run, stress, section.kind) else none(run, stress, section.kind) end
+      local model = scenes.cantilever { length = 3, along = { 0, 0, 1 }, head = "xyz rx ry",
+        member = { section = section, material = elastic },
+        moment = { 0, 0, part * 0.01 * 210e9 / math.sqrt(3) * section.J / arm } }
+      local says = told and one or none
+      says(model:static { steps = 8 }:finish(), stress, section.kind)
     end
   end
 end)
 
 case("a blow on an elastic frame is told by its stress, in dynamics by both methods", function()
   for _, options in ipairs { { dt = 2e-5 }, { dt = "auto", integrator = "explicit" } } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-    model:fix { a, b }
-    model:member { a, b, section = bar, material = elastic, group = "frame" }
-    local c, d = model:node { -0.3, -1, 1.5 }, model:node { -0.3, 1, 1.5 }
-    model:member { c, d, section = bar, material = elastic, group = "car" }
-    model:velocity("car", { 40, 0, 0 })
-    model:contact { between = { "frame", "car" } }
-    local run = model:dynamic { dt = options.dt, integrator = options.integrator, duration = 0.03, record = false }
-    run:finish()
+    local run = flight { axis = 1, material = elastic, aside = 0.7, speed = 40, contact = {}, run = options,
+      duration = 0.03 }
     local _, text = one(run, stress, options.integrator or "newmark")
     expect(text:find "at t = 0%.0%d+ s", "text: %s", text)
   end
@@ -340,15 +308,12 @@ end)
 
 case("a member that is stretched to more than 1.6 times its length is told", function()
   for stretch, told in pairs { [0.55] = false, [0.65] = true } do
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
-    model:fix(a)
-    model:fix(b, "xyz rx ry rz")
-    model:member { a, b, section = bar, material = steel }
+    local model, b = scenes.cantilever { along = { 0, 0, 1 }, head = "xyz rx ry rz",
+      member = { section = bar, material = steel } }
     model:move { node = b, z = { { 0, 0 }, { 0.1, stretch } } }
     local run = model:dynamic { dt = 1e-4, duration = 0.1, record = false }:finish()
-    local text = "times its length"
-    if told then one(run, text, "by 65 %") else none(run, text, "by 55 %") end
+    local says = told and one or none
+    says(run, "times its length", ("by %g"):format(stretch))
   end
 end)
 
@@ -356,15 +321,11 @@ end)
 case("a member of few elements that is struck between its joints and yields is told", function()
   local few = "was struck between its joints and yielded"
   local function blow(elements, o)
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }
-    model:fix(a)
-    model:fix(b)
-    model:member { a, b, section = hinge.section.named "HEB 200", material = o.material or steel, group = "beam",
-      elements = elements }
+    local model = scenes.cantilever { length = 6, head = "all", member = { section = hinge.section.named "HEB 200",
+      material = o.material or steel, group = "beam", elements = elements } }
     local x = o.at or 2
     local c, d = model:node { x, -0.2, 0.151 }, model:node { x, 0.2, 0.151 }
-    model:member { c, d, section = bar, material = hinge.material { E = 210e9, density = 7850 }, group = "mass" }
+    model:member { c, d, section = bar, material = elastic, group = "mass" }
     model:mass { node = c, mass = 1000 }
     model:mass { node = d, mass = 1000 }
     model:velocity("mass", { 0, 0, -(o.speed or 6) })
@@ -389,15 +350,7 @@ end)
 -- Nothing to say ------------------------------------------------------------------------------------------------------
 case("warnings change no bit, and a run goes on from a checkpoint with them", function()
   local file = support.temporary_folder() .. "/a.checkpoint"
-  local function make()
-    local model = hinge.model {}
-    local a, b = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
-    model:fix { a, b }
-    model:member { a, b, section = bar, material = elastic }
-    local c, d = model:node { -1, -1, 1.5 }, model:node { -1, 1, 1.5 }
-    model:velocity(model:member { c, d, section = bar, material = elastic }, { 20, 0, 0 })
-    return model:dynamic { dt = 1e-4, duration = 0.1, record = false }
-  end
+  local function make() return flight { axis = 1, material = elastic, begins = true } end
   local whole = make():finish()
   local asked = make()
   for step in asked:steps() do
@@ -477,9 +430,8 @@ case("a member that would move the point about which its group turns is refused,
   model:member { n[0], n[1], section = bar, material = steel, group = "rod" }
   model:member { n[1], n[2], section = bar, material = steel, group = "rod" }
   model:velocity("rod", { 0, 0, 1 }, { 0, 3, 0 })
-  local ok, message = pcall(model.member, model, { n[2], n[3], section = bar, material = steel, group = "rod" })
-  expect(not ok and tostring(message):find("group 'rod' has an angular velocity, given at", 1, true), "message: %s",
-    tostring(message))
+  refused("group 'rod' has an angular velocity, given at", model.member, model,
+    { n[2], n[3], section = bar, material = steel, group = "rod" })
   equal(#model:members(), 2, "members")
   model:member { n[0], n[2], section = bar, material = steel, group = "rod" } -- brings no joint
   model:member { n[2], n[3], section = bar, material = steel, group = "other" }
