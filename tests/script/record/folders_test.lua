@@ -15,24 +15,28 @@ local function hinge(words, before, after)
   return support.run(("cd %s; %s %s %s %s"):format(quote(folder), before or "", program, words, after or ""))
 end
 
--- Says that it has begun, and waits until it may go on.
-support.write(path "waits.lua", [[
+local cantilever = [[
 local hinge = require "hinge"
-return hinge.scenario { parameters = { wait = 0, x = 1, sleep = 0 }, run = function(p)
+local function cantilever()
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
   model:fix(a)
   model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
     material = hinge.material { E = 1e9, density = 1000 } }
   model:load { node = b, force = { 0, 0, -1 } }
-  local run = model:dynamic { dt = 1e-5, duration = 1e-4, record = 1 }
+  return model
+end
+]]
+-- Says that it has begun, and waits until it may go on.
+support.write(path "waits.lua", cantilever .. [[
+return hinge.scenario { parameters = { wait = 0, x = 1 }, run = function(p)
+  local run = cantilever():dynamic { dt = 1e-5, duration = 1e-4, record = 1 }
   for step in run:steps() do
     if step.index == 5 and p.wait > 0 then
       io.open("begun", "w"):close()
       os.execute "for i in $(seq 500); do test -e go && break; sleep 0.02; done"
     end
   end
-  if p.sleep > 0 then os.execute("sleep " .. p.sleep) end
   return { x2 = p.x ^ 2 }
 end }
 ]])
@@ -51,7 +55,6 @@ local function beside(first, f)
   return status, said
 end
 
--- A second run is refused, and names the first; the first is not disturbed by it; afterwards the folder is free.
 local status, _, complaint
 case("a second run into a folder in use is refused and names the first", function()
   local ended, said = beside("run waits.lua wait=1 --out one", function()
@@ -74,7 +77,6 @@ case("a second run into a folder in use is refused and names the first", functio
 end)
 
 case("a killed run does not lock its folder", function()
-  -- Nor does a kill leave it.
   beside("run waits.lua wait=1 --out one", function()
     local process = select(3, hinge "run waits.lua --out one"):match "%(process (%d+)"
     expect(process, "no process is named")
@@ -84,7 +86,7 @@ case("a killed run does not lock its folder", function()
 end)
 
 case("a second study into a folder in use is refused", function()
-  -- Studies: the same, and --restart does not clear the folder under the first one's feet.
+  -- and --restart does not clear the folder under the first one's feet
   local ended, said = beside("study waits.lua wait=1 x=1,2,3 -j 1 --out many", function()
     for _, more in ipairs { "", "--resume", "--restart", "--case 3", "--collect" } do
       status, _, complaint = hinge("study waits.lua wait=1 x=1,2,3 --out many " .. more)
@@ -101,8 +103,7 @@ case("a second study into a folder in use is refused", function()
 end)
 
 case("tasks of a job array share a folder", function()
-  -- Tasks of a job array: others at the same time, --collect beside them; the same case twice is refused, and no whole
-  -- study comes between.
+  -- --collect goes on beside them; the same case twice is refused, and no whole study comes between
   local ended, said = beside("study waits.lua wait=1 x=1,2,3 --case 1 --out array", function()
     os.execute("touch " .. quote(path "go"))
     equal(hinge "study waits.lua wait=1 x=1,2,3 --case 2-3 --out array", 0, "another task")
@@ -111,8 +112,7 @@ case("tasks of a job array share a folder", function()
   ended = beside("study waits.lua wait=1 x=1,2,4 --case 3 --out array", function()
     equal(hinge "study waits.lua wait=1 x=1,2,4 --collect --out array", 0, "--collect beside a task")
     status, _, complaint = hinge "study waits.lua wait=1 x=1,2,4 --case 3 --out array"
-    expect(status == 1
-      and complaint:find "case 3 wrong: another run or study writes to array/cases/00003 %(process %d+",
+    expect(status == 1 and complaint:find "case 3 wrong: another run or study writes to array/cases/00003 %(process %d",
       "a task with the same case: %s %s", status, complaint)
     for _, more in ipairs { "--resume", "--restart" } do
       status, _, complaint = hinge("study waits.lua wait=1 x=1,2,4 --out array " .. more)
@@ -127,17 +127,10 @@ case("tasks of a job array share a folder", function()
 end)
 
 case("a full disk ends a run and a study with a message", function()
-  -- A full disk: what could not be written makes the job fail, without a word of its physics; also with -q.
-  support.write(path "draws.lua", [[
-local hinge = require "hinge"
+  -- without a word of its physics; also with -q
+  support.write(path "draws.lua", cantilever .. [[
 return hinge.scenario { parameters = { x = 1 }, run = function(p, job)
-  local model = hinge.model()
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a)
-  model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
-    material = hinge.material { E = 1e9, density = 1000 } }
-  model:load { node = b, force = { 0, 0, -1 } }
-  local run = model:static { steps = 1 }:finish()
+  local run = cantilever():static { steps = 1 }:finish()
   local x, y = {}, {}
   for i = 1, 5000 do x[i], y[i] = i, math.sin(i) end
   for i = 1, 3 do job:plot({ series = { { x = x, y = y } } }, "plot" .. i .. ".svg") end
@@ -160,27 +153,23 @@ end }
 end)
 
 case("standard output that takes nothing ends with a message", function()
-  -- Standard output that takes nothing.
   status, _, complaint = hinge("run waits.lua --out room2", "", ">/dev/full")
   expect(status == 1 and complaint:find "cannot write to standard output: No space left on device",
     "stdout is full: %s %s", status, complaint)
 end)
 
 case("results and parameters named as the table's own columns are kept apart", function()
-  -- Results and parameters with the names of the table's own columns.
   support.write(path "names.lua", [[
 local hinge = require "hinge"
 return hinge.scenario { parameters = { x = 1, name = "verdict", steps = 1, number = 1 },
-  run = function(p)
-    return { [p.name] = p.x, steps2 = 2 * p.steps }
-  end }
+  run = function(p) return { [p.name] = p.x, steps2 = 2 * p.steps } end }
 ]])
   for _, name in ipairs { "verdict", "reason", "number", "case", "steps", "energy_error" } do
     status, _, complaint = hinge(("study names.lua x=1 name=%s --out names-%s"):format(name, name))
     equal(status, 1, name .. ": status")
     expect(complaint:find(("case 1 wrong: names.lua:3: the result '%s' has the name of a column that results.csv has "
       .. "of its own; choose another name than case, energy_error, number, reason, steps, verdict\n"):format(name), 1,
-      true),    "a result named %s: %s", name, complaint)
+      true), "a result named %s: %s", name, complaint)
     equal(hinge(("run names.lua name=%s --out names"):format(name)), 0, "hinge run with a result named " .. name)
   end
   status, _, complaint = hinge "study names.lua name=x x=1,2 --out same"
@@ -196,9 +185,8 @@ return hinge.scenario { parameters = { x = 1, name = "verdict", steps = 1, numbe
   expect(not support.is_there(path "number"), "a parameter named number: a folder was made")
   support.write(path "other.lua", (support.read(path "names.lua"):gsub("= p.x, ", "= p.x + 1, ")))
   status, _, complaint = hinge "study other.lua name=x x=1,2 --out other_study"
-  expect(status == 1 and complaint:find("the result 'x' is 2, and the study varies a parameter of that name, which "
-    .. "is 1",
-    1, true), "a result that is not the parameter of that name: %s", complaint)
+  expect(status == 1 and complaint:find("the result 'x' is 2, and the study varies a parameter of that name, which is "
+    .. "1", 1, true), "a result that is not the parameter of that name: %s", complaint)
 end)
 
 checks.done()

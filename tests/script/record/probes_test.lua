@@ -4,22 +4,12 @@
 -- Run: lua5.4 tests/script/record/probes_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
+local scenes = require "scenes"
 local support = require "support"
 local checks = support.checks "probes"
-local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
+local case, expect, equal, near, refused = checks.case, checks.expect, checks.equal, checks.near, checks.refused
 
-local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
-local bar = hinge.section.solid { width = 0.04, depth = 0.06 }
-
-local function refused(message, call)
-  local ok, complaint = pcall(call)
-  if not expect(not ok, "no complaint; wanted: %s", message) then return end
-  local line, text = tostring(complaint):match "probes_test%.lua:(%d+): (.*)$"
-  local f = debug.getinfo(call, "S")
-  line = math.tointeger(line)
-  expect(line and line >= f.linedefined and line <= f.lastlinedefined, "not at its line: %s", tostring(complaint))
-  expect(support.says(text or "", message), "\n    says   %s\n    wanted %s", text or tostring(complaint), message)
-end
+local steel, bar = scenes.elastic, hinge.section.solid { width = 0.04, depth = 0.06 }
 
 -- A post of two storeys.
 local function post(options)
@@ -75,11 +65,9 @@ case("probes of a post of two storeys read what the run reads", function()
 end)
 
 case("a probe of rotations follows a body that spins through many turns", function()
-  -- Rotations of a body that spins: against a node of the same body there is none, however far it has turned.
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = bar, material = steel, group = "bar" }
-  model:velocity("bar", { 0, 0, 0 }, { 0, 0, 2 })
+  -- against a node of the same body there is none, however far it has turned
+  local model, b, member, a = scenes.cantilever { foot = false, member = { section = bar } }
+  model:velocity(member, { 0, 0, 0 }, { 0, 0, 2 })
   local run = model:dynamic { dt = 1e-3, duration = 0.5 }
   local own, against = run:probe { node = a, "rz" }, run:probe { node = a, relative_to = b, "rz" }
   run:finish()
@@ -90,35 +78,26 @@ end)
 case("a probe of a reaction, a force and an energy reads what the run has", function()
   local model, foot, floor, roof = post()
   local run = model:static { steps = 2 }
-  local function probe(options)
-    return function() run:probe(options) end
+  for _, row in ipairs {
+    { "field 'relative_to' is missing; 'drift_x' takes a node of the floor below", { node = roof, "drift_x" } },
+    { "field 'relative_to' is given beside 'fx'; a reaction", { node = foot, relative_to = roof, "fx" } },
+    { "field 'relative_to' is the same node; must be another one", { node = roof, relative_to = roof, "ux" } },
+    { "field 'height' is 3 m; belongs to drift_x and drift_y",
+      { node = roof, relative_to = floor, "ux", height = 3 } },
+    { "field 'height' is 0 m; must be above 0 m", { node = roof, relative_to = floor, "drift_y", height = 0 } },
+    { "field 'relative_to'", { node = roof, relative_to = 3, "ux" } },
+    { { "quantity is 'drift'; must be one of", "drift_x drift_y" }, { node = roof, relative_to = floor, "drift" } },
+  } do
+    expect(refused(row[1], function() run:probe(row[2]) end):find "^run:probe: ", "says which call")
   end
-  refused("run:probe: field 'relative_to' is missing; 'drift_x' takes a node of the floor below",
-    probe { node = roof, "drift_x" })
-  refused("run:probe: field 'relative_to' is given beside 'fx'; a reaction is of one node; ...",
-    probe { node = foot, relative_to = roof, "fx" })
-  refused("run:probe: field 'relative_to' is the same node; must be another one than 'node'",
-    probe { node = roof, relative_to = roof, "ux" })
-  refused("run:probe: field 'height' is 3 m; belongs to drift_x and drift_y",
-    probe { node = roof, relative_to = floor, "ux", height = 3 })
-  refused("run:probe: field 'height' is 0 m; must be above 0 m",
-    probe { node = roof, relative_to = floor, "drift_y", height = 0 })
-  refused("run:probe: field 'relative_to' ...", probe { node = roof, relative_to = 3, "ux" })
-  refused("run:probe: quantity is 'drift'; must be one of ... drift_x drift_y...",
-    probe { node = roof, relative_to = floor, "drift" })
-  local beam = hinge.model {}
-  local p, q = beam:node { 0, 0, 3 }, beam:node { 4, 0, 3 }
-  beam:fix(p)
-  beam:member { p, q, section = bar, material = steel }
-  beam:load { node = q, force = { 0, 0, -1 } }
+  local beam, q, _, p = scenes.cantilever { force = { 0, 0, -1 } }
   local level = beam:static { steps = 1 }
-  refused("run:probe: both nodes are 3 m high, so 'drift_x' has no height to divide by; give height = m",
+  refused("run:probe: both nodes are 0 m high, so 'drift_x' has no height to divide by; give height = m",
     function() level:probe { node = q, relative_to = p, "drift_x" } end)
   equal(#run.probes, 0, "what was refused is no probe")
 end)
 
 case("probes go on over a checkpoint", function()
-  -- Over a checkpoint.
   local function make(height)
     local model, _, floor, roof = post()
     local run = model:dynamic { dt = 1e-3, duration = 0.02 }
@@ -130,11 +109,10 @@ case("probes go on over a checkpoint", function()
     if step.index == 10 then run:checkpoint(file) end
   end
   local second, resumed = make()
-  second:resume(file)
-  second:finish()
+  second:resume(file):finish()
   equal(table.concat(resumed.value, " "), table.concat(whole.value, " "), "after a resume")
   local other = make(5)
-  refused("...of a run with other probes...", function() other:resume(file) end)
+  refused("of a run with other probes", function() other:resume(file) end)
 end)
 
 -- Lists ---------------------------------------------------------------------------------------------------------------
@@ -162,24 +140,17 @@ case("lists of probes give drifts, sums and largest values", function()
   collectgarbage "restart"
   expect(kilobytes < 1000, "2000 reads of a list of %d took %.0f kB", n, kilobytes) -- 16 bytes an item made 300 MB
   expect(sum == sum, "the sum is a number")
-
   local value = probe.value
   local plain = table.move(value, 1, #value, 1, {})
   equal(rawlen(plain), n, "table.move")
   local most, counted = -math.huge, 0
-  for i, v in ipairs(value) do
-    most, counted = support.largest_of(most, v), counted + 1
-    if v ~= plain[i] then expect(false, "ipairs: item %d", i) end
-  end
+  for i, v in ipairs(value) do most, counted = support.largest_of(most, v), counted + (v == plain[i] and 1 or 0) end
   equal(counted, n, "ipairs")
   equal(most, probe.max, "the largest")
   equal(select("#", table.unpack(value, 1, 100)), 100, "table.unpack")
   equal(table.concat(value, ",", 1, 3), table.concat(plain, ",", 1, 3), "table.concat")
   counted = 0
-  for k, v in pairs(probe.value) do
-    counted = counted + 1
-    if v ~= plain[k] then expect(false, "pairs: item %d", k) end
-  end
+  for k, v in pairs(probe.value) do counted = counted + (v == plain[k] and 1 or 0) end
   equal(counted, n, "pairs")
   local sorted = probe.value
   table.sort(sorted)
@@ -213,7 +184,6 @@ case("lists of probes give drifts, sums and largest values", function()
 end)
 
 case("probes in a program head columns of history.csv and stand in probes.json", function()
-  -- In a program: columns, results, plots.
   local hinge_on, folder = support.scenes(arg[1])
   local status, _, complaint = hinge_on("run -q", [=[
 local hinge = require "hinge"

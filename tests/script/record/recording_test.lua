@@ -3,6 +3,7 @@
 -- Run: lua5.4 tests/script/record/recording_test.lua BUILD, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "recording"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -12,12 +13,8 @@ local build = arg[1]
 -- The first value of a reaction: what statics has come to, or what holds under the load that is there at once.
 case("the first value of a reaction is that of the state the run begins in", function()
   local function loaded()
-    local model = hinge.model {}
-    local foot, tip = model:node { 0, 0, 0 }, model:node { 3, 0, 0 }
-    model:fix(foot)
-    model:member { foot, tip, section = hinge.section.solid { width = 0.1, depth = 0.1 },
-      material = hinge.material { E = 206e9, density = 7850 } }
-    model:load { node = tip, force = { 200, 0, -1000 } }
+    local model, _, _, foot = scenes.cantilever { length = 3, force = { 200, 0, -1000 },
+      member = { section = hinge.section.solid { width = 0.1, depth = 0.1 } } }
     return model, foot
   end
   local function begins(run, foot, name)
@@ -58,11 +55,8 @@ for i, c in ipairs { "fx", "fy", "fz", "mx", "my", "mz" } do quantities[c] = { "
 case("every recorded quantity of a bent cantilever is that of its step", function()
   -- A bent cantilever under a load that changes, so that nothing stays what it was from one step to the next.
   local function cantilever(is_static)
-    local model = hinge.model {}
-    local foot, tip = model:node { 0, 0, 0 }, model:node { 1, 0.1, 0.2 }
-    model:member { foot, tip, section = hinge.section.solid { width = 0.04, depth = 0.06 },
-      material = hinge.material { E = 206e9, nu = 0.3, density = 7850 } }
-    model:fix(foot)
+    local model, tip, _, foot = scenes.cantilever { along = { 1, 0.1, 0.2 },
+      member = { section = hinge.section.solid { width = 0.04, depth = 0.06 } } }
     model:velocity(tip, { 1, -2, 3 }, { 3, 2, 1 })
     model:load { node = tip, force = { 300, 400, -500 }, moment = { 7, 8, 9 },
       history = not is_static and function(t) return math.cos(3e3 * t) end or nil }
@@ -85,8 +79,7 @@ case("every recorded quantity of a bent cantilever is that of its step", functio
         local times, values = probe.time, probe.value
         local n = steps + 1
         if not (#times == n and #values == n and times[n] == at and values[n] == now) then
-          return expect(false, "%s: %s after step %d has %d values, the last %.17g at %.17g; the state is %.17g at "
-            .. "%.17g",
+          return expect(false, "%s: %s after step %d has %d values, the last %.17g at %.17g; it is %.17g at %.17g",
             what, name, steps, #values, values[#values], times[#times], now, at)
         end
         last[name] = last[name] or {}
@@ -120,12 +113,9 @@ case("every recorded quantity of a bent cantilever is that of its step", functio
 end)
 
 case("recorded forces follow the closed form", function()
-  -- Against a closed form: a bar that flies freely is at v t.
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-    material = hinge.material { E = 206e9, density = 7850 }, group = "bar" }
-  model:velocity("bar", { 0, 3, 0 })
+  -- a bar that flies freely is at v t
+  local model, b, bar = scenes.cantilever { foot = false }
+  model:velocity(bar, { 0, 3, 0 })
   local run = model:dynamic { dt = 1e-4, duration = 1e-2, record = false }
   local probe = run:probe { node = b, "uy" }
   run:finish()
@@ -137,9 +127,9 @@ case("recorded forces follow the closed form", function()
 end)
 
 case("rows of history.csv come at the interval that is asked for", function()
-  -- Rows of history.csv: what the script itself read at that time.
-  local folder = support.temporary_folder()
-  support.write(folder .. "/scene.lua", [[
+  -- they are what the script itself read at that time
+  local hinge_on, folder = support.scenes(build)
+  local status, _, complaint = hinge_on("run", [[
 local hinge = require "hinge"
 local model = hinge.model {}
 local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
@@ -149,17 +139,13 @@ model:fix(a)
 model:velocity(b, { 1, 2, -3 })
 local run = model:dynamic { dt = 1e-5, duration = 3e-4, record = 4 }
 run:probe { node = b, "uz", name = "tip" }
-local file = assert(io.open(]] .. ("%q"):format(folder .. "/seen.csv") .. [[, "w"))
+local file = assert(io.open("seen.csv", "w"))
 run:on_step(function(r)
   file:write(("%.9g,%.9g,%.9g\n"):format(r.time, r.energy.kinetic, (select(3, r:displacement(b)))))
 end)
-
 run:finish()
 file:close()
-]])
-  local quote = support.quote
-  local status, _, complaint = support.run(("%s run %s --out %s"):format(quote(build .. "/hinge"),
-    quote(folder .. "/scene.lua"), quote(folder .. "/out")))
+]], "--out out")
   equal(status, 0, "status of the program, " .. tostring(complaint))
   local seen, rows = {}, 0
   for line in io.lines(folder .. "/seen.csv") do
