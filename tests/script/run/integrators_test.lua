@@ -3,22 +3,17 @@
 -- Run: lua5.4 tests/script/run/integrators_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "integrators"
-local case = checks.case
-local largest_of = support.largest_of
-local expect = checks.expect
+local case, expect, largest_of = checks.case, checks.expect, support.largest_of
 
 -- One free degree of freedom: the end of a bar of one element along its axis, k = EA / L, m = rho A L / 3.
 local E, density, length = 206e9, 7850, 2
 local frequency = math.sqrt(3 * E / density) / length
 local function spring(phase_a_step, steps, options)
-  local model = hinge.model { displacement = "small", formulation = "conventional", elements_per_member = 1 }
-  local a, b = model:node { 0, 0, 0 }, model:node { length, 0, 0 }
-  model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 },
-    material = hinge.material { E = E, density = density } }
-  model:fix(a)
-  model:fix(b, "yz")
+  local model, b = scenes.cantilever { model = { displacement = "small", formulation = "conventional" },
+    length = length, head = "yz", member = { elements = 1 } }
   model:velocity(b, { 1, 0, 0 })
   options.dt, options.record, options.energy_tolerance = phase_a_step / frequency, false, 0
   options.duration = steps * options.dt
@@ -44,7 +39,7 @@ case("steps far beyond the frequency's period stay stable", function()
 end)
 
 case("two periods have an error of second order in velocity", function()
-  -- Second order in velocity over two periods; the default keeps all energy, the others take out less and less.
+  -- the default keeps all energy, the others take out less and less
   for _, rho in ipairs { 1, 0.8, 0.5 } do
     local off, taken = {}, {}
     for i, steps in ipairs { 80, 160, 320 } do
@@ -56,8 +51,7 @@ case("two periods have an error of second order in velocity", function()
       taken[i] = (run.energy.numerical - first_period) / run.energy.initial
       expect(math.abs(run.energy.energy_error) < 1e-7 * run.energy.initial, "rho_infinity %g: energy error %g", rho,
         run.energy.energy_error / run.energy.initial)
-      expect(rho == 1 and taken[i] == 0 or rho < 1 and taken[i] > 0,
-        "rho_infinity %g: %g of the energy taken out", rho, taken[i])
+      expect(rho == 1 and taken[i] == 0 or rho < 1 and taken[i] > 0, "rho_infinity %g: %g taken out", rho, taken[i])
     end
     print(("rho_infinity %g: off by %.2e %.2e %.2e, of the energy taken out by the second period %.1e %.1e %.1e")
       :format(rho, off[1], off[2], off[3], taken[1], taken[2], taken[3]))
@@ -73,12 +67,11 @@ case("two periods have an error of second order in velocity", function()
 end)
 
 case("a body in flight that rotates keeps its momenta and its energy, whatever rho_infinity", function()
-  -- A body in flight that rotates keeps its momenta and its energy, whatever rho_infinity.
   local model = hinge.model {}
   local a, b, c = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, model:node { 1, 0.4, 0.2 }
-  local section, steel = hinge.section.solid { width = 0.05, depth = 0.05 }, hinge.material { E = E, density = density }
-  model:member { a, b, section = section, material = steel, group = "body" }
-  model:member { b, c, section = section, material = steel, group = "body" }
+  for _, ends in ipairs { { a, b }, { b, c } } do
+    model:member { ends[1], ends[2], section = scenes.square, material = scenes.elastic, group = "body" }
+  end
   model:velocity("body", { 3, 2, 1 }, { 5, 20, 10 })
   local run = model:dynamic { dt = 1e-4, duration = 0.3, rho_infinity = 0.7, record = false }
   local before = run:momentum()
@@ -96,23 +89,17 @@ case("a body in flight that rotates keeps its momenta and its energy, whatever r
 end)
 
 case("initial stress changes the frequency as theory has it, with every solver", function()
-  -- Initial stress in the operator: a wire of one element under tension N, whose end swings across it. Its stiffness
-  -- across is (GA + N) / L, of which geometric = false leaves N / L out of the operator, not out of the forces. One
-  -- degree of freedom again, so that each step can be taken by hand.
+  -- A wire of one element under tension N, whose end swings across it. Its stiffness across is (GA + N) / L, of which
+  -- geometric = false leaves N / L out of the operator, not out of the forces. One degree of freedom again, so that
+  -- each step can be taken by hand.
   for _, geometric in ipairs { true, false } do
     local GA, N, area, wire = 1e3, 1e5, 0.1, 2
-    local model = hinge.model { formulation = "conventional", elements_per_member = 1 }
-    local a, b = model:node { 0, 0, 0 }, model:node { wire, 0, 0 }
-    local steel = hinge.material { E = E, nu = 0.3, density = density }
-    model:member { a, b, material = steel, section = hinge.section.general { area = area, Ix = 1e-4, Iy = 1e-4, J =
-      1e-4,
-      shear_area_x = GA / steel.G, shear_area_y = GA / steel.G } }
-    model:fix(a)
-    model:fix(b, "y,rx,ry,rz")
-    model:load { node = b, force = { N, 0, 0 } }
+    local shear_area = GA / scenes.elastic.G
+    local model, b = scenes.cantilever { model = { formulation = "conventional" }, length = wire, head = "y,rx,ry,rz",
+      force = { N, 0, 0 }, member = { elements = 1, section = hinge.section.general { area = area, Ix = 1e-4, Iy = 1e-4,
+        J = 1e-4, shear_area_x = shear_area, shear_area_y = shear_area } } }
     model:velocity(b, { 0, 0, 1e-4 })
-    local start = model:static { steps = 1 }
-    start:finish()
+    local start = model:static { steps = 1 }:finish()
     local m, k = density * area * wire / 3, (GA + N) / wire
     local dt, beta = 1 / math.sqrt(k / m), 0.25
     local run = model:dynamic { from = start, dt = dt, duration = 40 * dt, beta = beta, iterations = 1,
