@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/run/path_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "path"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -15,17 +16,14 @@ local yielding = hinge.material { E = E, nu = 0.3, density = 7850, yield_stress 
 -- Bars that bend out --------------------------------------------------------------------------------------------------
 
 local held = { x = "yz", y = "xz", z = "xy" } -- at the end that may move along the bar
+local function axis(d, size) return { d == "x" and size or 0, d == "y" and size or 0, d == "z" and size or 0 } end
 
 --- A bowed bar of 6 m along an axis, its far end free along it. Returns the model, its ends and Euler's load.
 local function bowed(o)
   local section, L, d = hinge.section.named(o.section), 6, o.along or "z"
-  local model = hinge.model { elements_per_member = 8 }
-  local a = model:node { 0, 0, 0 }
-  local b = model:node { d == "x" and L or 0, d == "y" and L or 0, d == "z" and L or 0 }
-  model:fix(a, "xyz r" .. d)
-  model:fix(b, held[d])
-  local bar = model:member { a, b, section = section, material = o.material or elastic,
-    up = d == "z" and { 1, 0, 0 } or { 0, 0, 1 } }
+  local model, b, bar, a = scenes.cantilever { model = { elements_per_member = 8 }, length = L, along = axis(d, 1),
+    foot = "xyz r" .. d, head = held[d],
+    member = { section = section, material = o.material or elastic, up = d == "z" and { 1, 0, 0 } or { 0, 0, 1 } } }
   model:imperfection { bow = o.bow or 1 / 500, axis = "x" }
   return { model = model, a = a, b = b, bar = bar, axis = d, section = section, L = L,
     euler = math.pi ^ 2 * E * section.Iy / L ^ 2 }
@@ -36,8 +34,7 @@ local function completes(o, options, what)
   options.record = false
   local run = o.model:static(options):finish()
   expect(run.verdict == "completed" and run.factor > 1 - 1e-12 and not run.limit and not run.instability,
-    "%s: %s at %.17g, limit %s, %s", what, run.verdict, run.factor,
-    run.limit, run.instability and "unstable at " .. run.instability.factor or run.reason)
+    "%s: %s at %.17g, limit %s, %s", what, run.verdict, run.factor, run.limit, run.reason)
   return run
 end
 
@@ -52,8 +49,7 @@ case("a bowed strut beside a strong spring has no limit load, with any steps, al
         local o = bowed(of)
         local k, P = 0.3 * E * o.section.area / o.L, 20 * o.euler
         o.model:connector { o.b, ground = true, stiffness = { [o.axis] = k } }
-        o.model:load { node = o.b, force = { o.axis == "x" and -P or 0, o.axis == "y" and -P or 0,
-          o.axis == "z" and -P or 0 } }
+        o.model:load { node = o.b, force = axis(o.axis, -P) }
         options.steps = steps
         local what = ("%s, %d steps, %s"):format(of.section, steps, options.to_limit and "to_limit" or "continue")
         local run = completes(o, options, what)
@@ -120,12 +116,10 @@ case("a straight bar that is held and lengthens is unstable at Euler's strain, w
   for _, along in ipairs { "x", "y", "z" } do
     for _, steps in ipairs { 1, 25 } do
       local section, L = hinge.section.named "SHS 100x100x5", 6
-      local model = hinge.model { elements_per_member = 8 }
-      local a = model:node { 0, 0, 0 }
-      local b = model:node { along == "x" and L or 0, along == "y" and L or 0, along == "z" and L or 0 }
-      for _, n in ipairs { a, b } do model:fix(n, "xyz r" .. along) end
-      local strain = math.pi ^ 2 * section.Ix / section.area / L ^ 2
-      model:prestress { member = model:member { a, b, section = section, material = elastic }, strain = 5 * strain }
+      local strain, fixed = math.pi ^ 2 * section.Ix / section.area / L ^ 2, "xyz r" .. along
+      local model, _, member = scenes.cantilever { model = { elements_per_member = 8 }, length = L,
+        along = axis(along, 1), foot = fixed, head = fixed, member = { section = section, material = elastic } }
+      model:prestress { member = member, strain = 5 * strain }
       local run = model:static { steps = steps, to_limit = true, record = false }:finish()
       expect(run.limit, "along %s: %s %s", along, run.verdict, run.reason)
       -- the bar is shorter by the strain where it buckles, and shear softens it: 2.6 E I / (G A_s L^2) is 1e-3
@@ -174,17 +168,11 @@ end
 
 --- A portal whose limit is plastic.
 function frames.portal(times)
-  local P = 300e3 * times
-  local model = hinge.model { elements_per_member = 4 }
-  local section = hinge.section.named "HEB 160"
-  local a, b, c, d = model:node { 0, 0, 0 }, model:node { 6, 0, 0 }, model:node { 0, 0, 4 }, model:node { 6, 0, 4 }
-  model:fix { a, b }
-  model:fix({ c, d }, "y rx rz")
-  model:member { a, c, section = section, material = yielding, up = { 1, 0, 0 } }
-  model:member { b, d, section = section, material = yielding, up = { 1, 0, 0 } }
-  model:member { c, d, section = section, material = yielding }
-  model:load { node = c, force = { P / 5, 0, -P } }
-  model:load { node = d, force = { 0, 0, -P } }
+  local P, of = 300e3 * times, { section = hinge.section.named "HEB 160", material = yielding }
+  local model, node = scenes.portal { model = { elements_per_member = 4 }, width = 6, height = 4, heads = "y rx rz",
+    column = scenes.with(of, { up = { 1, 0, 0 } }), beam = of }
+  model:load { node = node[2], force = { P / 5, 0, -P } }
+  model:load { node = node[3], force = { 0, 0, -P } }
   return model
 end
 
@@ -210,14 +198,12 @@ local function wound(o)
   local side = o.side or 0.02
   local section, L = hinge.section.solid { width = side, depth = 0.02 }, 10
   local soft = hinge.material { E = 2e9, nu = 0, density = 1000 }
-  local model = hinge.model { elements_per_member = o.elements }
-  local function along(v, f) return { f * v[1], f * v[2], f * v[3] } end
-  local a, b = model:node { 0, 0, 0 }, model:node(along(o.t, L))
-  model:fix(a)
   local across = { o.axis[2] * o.t[3] - o.axis[3] * o.t[2], o.axis[3] * o.t[1] - o.axis[1] * o.t[3],
     o.axis[1] * o.t[2] - o.axis[2] * o.t[1] }
-  model:member { a, b, section = section, material = soft, up = across }
-  model:load { node = b, moment = along(o.axis, 2 * math.pi * o.turns * 2e9 * section.Ix / L) }
+  local M = 2 * math.pi * o.turns * 2e9 * section.Ix / L
+  local model, b = scenes.cantilever { model = { elements_per_member = o.elements }, length = L, along = o.t,
+    member = { section = section, material = soft, up = across },
+    moment = { M * o.axis[1], M * o.axis[2], M * o.axis[3] } }
   local run = model:static { steps = 20, record = false }:finish()
   local u = { b:displacement(run) }
   -- the arc: sin phi / phi of the length along the bar, (1 - cos phi) / phi across it
@@ -257,18 +243,14 @@ end)
 
 --- A portal of box sections. Returns the model and the tops of its columns.
 local function portal(o)
-  local section = hinge.section.box { width = 0.15, depth = 0.2, thickness = 0.008 }
-  local model = hinge.model { displacement = o.displacement }
-  local a, b, c, d = model:node { 0, 0, 0 }, model:node { 5, 0, 0 }, model:node { 0, 0, 3.5 }, model:node { 5, 0, 3.5 }
-  model:fix { a, b }
-  model:member { a, c, section = section, material = elastic }
-  model:member { b, d, section = section, material = elastic }
-  local beam = model:member { c, d, section = section, material = elastic }
-  if o.temperature then model:heat { member = beam, temperature = o.temperature } end
-  if o.strain then model:prestress { member = beam, strain = o.strain } end
-  if o.settle then model:settle { node = b, z = o.settle } end
-  if o.force then model:load { node = c, force = { o.force, 0, 0 } } end
-  return model, c, d
+  local of = { section = hinge.section.box { width = 0.15, depth = 0.2, thickness = 0.008 }, material = elastic }
+  local model, node, member = scenes.portal { model = { displacement = o.displacement }, width = 5, height = 3.5,
+    column = of, beam = of }
+  if o.temperature then model:heat { member = member[2], temperature = o.temperature } end
+  if o.strain then model:prestress { member = member[2], strain = o.strain } end
+  if o.settle then model:settle { node = node[4], z = o.settle } end
+  if o.force then model:load { node = node[2], force = { o.force, 0, 0 } } end
+  return model, node[2], node[3]
 end
 
 case("heat, prestress and settlements arrive by arc length and displacement where they arrive by load", function()
