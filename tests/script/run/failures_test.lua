@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/run/failures_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "failures"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
@@ -13,24 +14,18 @@ local hostile = { "the load on", "arms; upper", "; ", "a \"quoted\" 'name'", "tw
   "solver = 'direct', more iterations", "rotate about x", "is not finite", "cannot write out: x", "%s %d %1",
   "not enough memory", "the energy balance no longer closes", "limit load", "(a), free", "[[x]] -- y", "ü; ä" }
 
-local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 250e6 }
 local bar = hinge.section.general { area = 1e-3, Ix = 1e-6, Iy = 1e-6, J = 1e-6, Mx0 = 5e3, My0 = 5e3 }
 
 -- A bar whose end turns at 200 rad/s, so that it folds back against itself: 0.0155 s turn it by 3.1 rad.
 local function folding(group)
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-  model:fix(a)
-  model:member { a, b, section = bar, material = steel, group = group }
+  local model, b = scenes.cantilever { length = 2, member = { section = bar, material = scenes.steel, group = group } }
   model:mass { node = b, mass = 5, inertia = { 5, 5, 5 } }
   model:velocity(b, { 0, 0, 0 }, { 0, 200, 0 })
   return model
 end
-local function fold(group, options)
-  options = options or {}
-  options.dt, options.duration, options.record = 0.0155, 0.31, false
-  options.internals = { predictor = "acceleration" }
-  return folding(group):dynamic(options):finish()
+local function fold(group, options, model)
+  return (model or folding(group)):dynamic(scenes.with({ dt = 0.0155, duration = 0.31, record = false,
+    internals = { predictor = "acceleration" } }, options)):finish()
 end
 
 -- The text with another name of the group in it.
@@ -85,8 +80,7 @@ end)
 case("the reason of a run that goes on from a failed one is not cut at a group's name", function()
   local function chain(group)
     local model = folding(group)
-    local one = model:dynamic { dt = 0.0155, duration = 0.31, step_control = 0, record = false,
-      internals = { predictor = "acceleration" } }:finish()
+    local one = fold(group, { step_control = 0 }, model)
     local two = model:dynamic { from = one, dt = 1e-5, duration = 1e-4, record = false }:finish()
     return one, two
   end
@@ -104,23 +98,10 @@ end)
 
 -- Causes --------------------------------------------------------------------------------------------------------------
 
-local function cantilever(yield_stress)
-  local model = hinge.model {}
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }
-  model:fix(wall)
-  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-    material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = yield_stress } }
-  return model, tip
-end
-
 case("statics: an overload has no equilibrium, a compressed column is unstable", function()
-  local steel_235 = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }
-  local model = hinge.model { displacement = "small" }
-  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(wall)
-  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = steel_235 }
   local carries = 235e6 * 0.05 ^ 3 / 4 -- N at the tip
-  model:load { node = tip, force = { 0, 0, -2 * carries } }
+  local model = scenes.cantilever { model = { displacement = "small" }, member = { material = scenes.steel },
+    force = { 0, 0, -2 * carries } }
   local over = model:static { steps = 4 }:finish()
   equal(over.failure.cause, "no_equilibrium", "overload")
   near(over.failure.value, 0.5, 0.01, "load factor") -- halved steps come that near
@@ -128,10 +109,9 @@ case("statics: an overload has no equilibrium, a compressed column is unstable",
   equal(over.failure.node, nil, "node")
   equal(model:static { steps = 4, to_limit = true }:finish().failure, nil, "a limit load that was asked for")
 
-  local column, head = cantilever()
   local euler = math.pi ^ 2 * 206e9 * 0.05 ^ 4 / 12 / 16 -- clamped at the foot, free at the head: l_k = 2 l
-  column:load { node = head, force = { 0, 0, -2 * euler } }
-  local run = column:static { steps = 10 }:finish()
+  local run = scenes.cantilever { length = 2, along = { 0, 0, 1 }, force = { 0, 0, -2 * euler } }
+    :static { steps = 10 }:finish()
   equal(run.failure.cause, "unstable", "column")
   near(run.failure.value, 0.5, 0.01, "load factor before it") -- two elements have Euler's load to 0.1 %
   equal(run.failure.node, run.instability.node, "node")
@@ -139,11 +119,8 @@ case("statics: an overload has no equilibrium, a compressed column is unstable",
 end)
 
 case("dynamics: the energy balance, a load that is no number, the run before", function()
-  local pendulum = hinge.model {}
-  local pin, free = pendulum:node { 0, 0, 0 }, pendulum:node { 2, 0, 0 }
-  pendulum:fix(pin, "xyz rx rz")
-  pendulum:member { pin, free, section = hinge.section.solid { width = 0.02, depth = 0.02 },
-    material = hinge.material { E = 210e9, density = 7850 }, group = "not finite" }
+  local pendulum = scenes.cantilever { length = 2, foot = "xyz rx rz",
+    member = { section = hinge.section.solid { width = 0.02, depth = 0.02 }, group = "not finite" } }
   pendulum:gravity { 0, 0, -9.81 }
   local swing = pendulum:dynamic { dt = 5e-3, duration = 20, record = false }:finish()
   equal(swing.failure.cause, "energy_error", "pendulum in long steps")
@@ -154,7 +131,7 @@ case("dynamics: the energy balance, a load that is no number, the run before", f
   local accepted = pendulum:dynamic { from = swing, dt = 1e-3, duration = 2e-3, record = false, allow_failed = true }
   equal(accepted:finish().failure, nil, "a run after it that accepts that")
 
-  local model, tip = cantilever(235e6)
+  local model, tip = scenes.cantilever { length = 2, along = { 0, 0, 1 }, member = { material = scenes.steel } }
   model:load { node = tip, force = { 1e308, 0, 0 }, history = { { 0, 0 }, { 1e-3, 10 } } } -- beyond 1.8e308 at 0.18 ms
   for _, control in ipairs { false, 0.01 } do
     local run = model:dynamic { dt = 1e-4, duration = 1e-2, record = false, step_control = control or nil }:finish()
@@ -167,15 +144,19 @@ end)
 -- Programs ------------------------------------------------------------------------------------------------------------
 
 local hinge_does, folder = support.scenes(arg[1])
-local overload = [[
+local cantilever = [[
 local hinge = require "hinge"
-local model = hinge.model { displacement = "small" }
-local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-model:fix(wall)
-model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-  material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }, group = "not enough memory" }
-model:load { node = tip, force = { 0, 0, -3 * 235e6 * 0.05 ^ 3 / 4 } }
+local function cantilever(times)
+  local model = hinge.model { displacement = "small" }
+  local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
+  model:fix(wall)
+  model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 }, material = hinge.material {
+    E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 }, group = "not enough memory; hinge: x" }
+  model:load { node = tip, force = { 0, 0, -times * 235e6 * 0.05 ^ 3 / 4 } }
+  return model, tip
+end
 ]]
+local overload = cantilever .. "local model, tip = cantilever(3)\n"
 
 case("summary.json has the cause of the verdict", function()
   local status = hinge_does("run", overload .. "model:static { steps = 4 }:finish()\n", "--out out")
@@ -191,33 +172,22 @@ case("a script that reads run.failure has asked how the run went", function()
   local one = overload .. "local run = model:static { steps = 4 }:finish()\nlocal _ = run.%s\n"
     .. "model:load { node = tip, force = { 0, 0, 1e5 } }\nmodel:static { steps = 1, loads = nil }\n"
   for field, status in pairs { failure = 0, verdict = 0, index = 1 } do
-    local text = one:format(field) .. "local other = hinge.model()\nlocal n = other:node { 0, 0, 0 }\nother:fix(n)\n"
-      .. "other:member { n, other:node { 1, 0, 0 }, section = hinge.section.solid { width = 0.05, depth = 0.05 }, "
-      .. "material = hinge.material { E = 206e9 } }\nother:static { steps = 1 }:finish()\n"
+    local text = one:format(field) .. "cantilever(0):static { steps = 1 }:finish()\n"
     equal((hinge_does("run", text, "--out out")), status, field .. ": status")
   end
 end)
 
 case("a study has the cause of a failed case, and what a case prints does not change its verdict", function()
-  local scene = [[
-local hinge = require "hinge"
-return hinge.scenario {
+  local text = cantilever .. [[
+local scenario = hinge.scenario {
   parameters = { times = 0.5 },
   run = function(p)
     print "there is not enough memory left of those days"
-    local model = hinge.model { displacement = "small" }
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 0.05 },
-      material = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 235e6 },
-      group = "not enough memory; hinge: x" }
-    model:load { node = tip, force = { 0, 0, -p.times * 235e6 * 0.05 ^ 3 / 4 } }
+    local model = cantilever(p.times)
     if p.times > 3 then error "hinge: two lines\nof a message" end
     return { factor = model:static { steps = 4 }:finish().factor }
   end,
 }
-]]
-  local text = scene:gsub("return hinge.scenario", "local scenario = hinge.scenario") .. [[
 local study = hinge.study(scenario, { vary = { times = { 0.5, 3, 4 } }, out = "study", pictures = false })
 for i, c in ipairs(study.cases) do print(("case %d|%s|%s|%s|"):format(i, c.verdict, c.cause, c.reason)) end
 ]]
