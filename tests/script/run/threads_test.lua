@@ -4,17 +4,12 @@
 -- Run: lua5.4 tests/script/run/threads_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local building = require "hinge.models.ten_storey"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "threads"
 local case = checks.case
-
-local function options(base, threads)
-  local o = { threads = threads, record = false }
-  for k, v in pairs(base) do o[k] = v end
-  return o
-end
 
 -- Takes a run with each number of threads to its end; all must come to the same bits.
 local function compare(what, numbers, run_with)
@@ -46,7 +41,9 @@ case("a frame has the same bits on one, two and three threads", function()
     ["frame, implicit, double precision"] = { dt = 1e-5, duration = 2e-4, precision = "double" },
     ["frame, explicit"] = { dt = "auto", duration = 4e-3, integrator = "explicit" },
   } do
-    local hash = compare(what, { 1, 2, 3 }, function(threads) return frame():dynamic(options(base, threads)) end)
+    local hash = compare(what, { 1, 2, 3 }, function(threads)
+      return frame():dynamic(scenes.with(base, { threads = threads, record = false }))
+    end)
     checks.expect(not seen[hash], "%s differs from another way", what)
     seen[hash] = true
   end
@@ -59,14 +56,10 @@ case("Case I has the same bits on one and two threads", function()
   } do
     local run
     compare(what, { 1, 2 }, function(threads)
-      local q = impact.parameters()
       local model = hinge.model {}
-      local _, plane = impact.add(model, q)
-      local loaded = model:static { fixed_group = plane, record = false }
-      loaded:finish()
-      local o = options(base, threads)
-      o.from, o.duration = loaded, 300 * o.dt
-      run = model:dynamic(o)
+      local _, plane = impact.add(model, impact.parameters())
+      run = model:dynamic(scenes.with(base, { threads = threads, record = false, duration = 300 * base.dt,
+        from = model:static { fixed_group = plane, record = false }:finish() }))
       return run
     end)
     local bound, yielded = run.contacts.bound, run:count { state = "yielded" }

@@ -36,11 +36,9 @@ end
 local model = hinge.model {}
 local _, plane = impact.add(model, impact.parameters { design = "heavy" })
 case("Case I from its rest costs as many operations as stored", function()
-  local loaded = model:static { fixed_group = plane, record = false }
-  loaded:finish()
+  local loaded = model:static { fixed_group = plane, record = false }:finish()
   local steps = 500
-  local run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, beta = 0.4, record = false }
-  run:finish()
+  local run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, beta = 0.4, record = false }:finish()
   equal(run.index, steps, "Case I: steps")
   expect(run.contacts.bound > 0 and run:count { state = "yielded" } > 0,
     "Case I: no contact or no hinge within these steps")
@@ -52,7 +50,7 @@ case("Case I from its rest costs as many operations as stored", function()
 end)
 
 -- An elastic frame of some 1000 elements that moves: one sweep a step and one for the acceleration at the start.
-local elastic = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
+local elastic = require "scenes".elastic
 case("an elastic frame that moves costs as many operations as stored", function()
   model = hinge.model {}
   building.add(model, { design = "heavy", bays = { 4, 4 }, storeys = 8, material = elastic })
@@ -60,8 +58,7 @@ case("an elastic frame that moves costs as many operations as stored", function(
   local elements = model:counts().elements
   expect(elements > 1000, "a frame of %d elements", elements)
   local steps = 50
-  local run = model:dynamic { dt = 1e-5, duration = steps * 1e-5, record = false }
-  run:finish()
+  local run = model:dynamic { dt = 1e-5, duration = steps * 1e-5, record = false }:finish()
   hold("elastic frame", run, {
     element_updates = exactly(elements * (steps + 1)), element_builds = exactly(elements), pair_tests = exactly(0),
     rejected_steps = exactly(0), pair_lists = exactly(0),
@@ -70,13 +67,12 @@ case("an elastic frame that moves costs as many operations as stored", function(
 end)
 
 case("a linear frame under gravity costs as many operations as stored", function()
-  -- A linear frame under gravity: built once and factorised once, however many load steps there are.
+  -- built once and factorised once, however many load steps there are
   model = hinge.model { displacement = "small" }
   building.add(model, { design = "heavy", material = elastic })
   model:gravity { 0, 0, -9.80665 }
   local elements = model:counts().elements
-  local run = model:static { steps = 10, record = false }
-  run:finish()
+  local run = model:static { steps = 10, record = false }:finish()
   hold("linear statics", run, {
     element_updates = exactly(elements * 21), -- two a load step and one where it begins
     element_builds = exactly(elements), pair_tests = exactly(0), rejected_steps = exactly(0), pair_lists = exactly(0),
@@ -85,8 +81,7 @@ case("a linear frame under gravity costs as many operations as stored", function
 end)
 
 case("a frame at rest is assembled once", function()
-  local steps, run
-  -- A frame at rest is swept once, to see that it is in balance; then only the bar that flies by.
+  -- it is swept once, to see that it is in balance; then only the bar that flies by
   model = hinge.model {}
   building.add(model, { design = "heavy", bays = { 1, 1 }, storeys = 2, material = elastic })
   model:gravity { 0, 0, -9.80665 }
@@ -94,21 +89,16 @@ case("a frame at rest is assembled once", function()
     section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = elastic, group = "bar" }
   model:velocity("bar", { 0, 10, 0 })
   model:contact {}
-  local loaded = model:static { fixed_group = "bar", record = false }
-  loaded:finish()
-  local elements = model:counts().elements
-  local flying = 2
+  local loaded = model:static { fixed_group = "bar", record = false }:finish()
+  local elements, flying, steps = model:counts().elements, 2, 100
   for _, integrator in ipairs { "newmark", "explicit" } do
-    steps = 100
-    run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator, record = false }
-    run:finish()
-    equal(run.index, steps, integrator .. ": steps")
-    equal(run.counts.element_updates, elements + flying * steps,
-      ("%s: updates of %d elements, %d of which fly"):format(integrator, elements, flying))
-    run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator, rest = false,
-      record = false }
-    run:finish()
-    equal(run.counts.element_updates, elements * (steps + 1), integrator .. ": updates with rest = false")
+    for rest, updates in pairs { [true] = elements + flying * steps, [false] = elements * (steps + 1) } do
+      local run = model:dynamic { from = loaded, dt = 1e-5, duration = steps * 1e-5, integrator = integrator,
+        rest = rest, record = false }:finish()
+      equal(run.index, steps, integrator .. ": steps")
+      equal(run.counts.element_updates, updates, ("%s, rest = %s: updates of %d elements, %d of which fly"):format(
+        integrator, rest, elements, flying))
+    end
   end
 end)
 
