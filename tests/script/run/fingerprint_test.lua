@@ -5,9 +5,11 @@
 -- Run: lua5.4 tests/script/run/fingerprint_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "fingerprint"
 local case, expect = checks.case, checks.expect
+local merged = scenes.with
 
 local file = support.temporary_folder() .. "/a.checkpoint"
 
@@ -24,10 +26,8 @@ local function scene(o)
   model:fix { n[1], n[4] }
   local members = {}
   for i = 1, 3 do
-    local member = { n[i], n[i + 1], section = o.section or bar(), material = o.material or steel(),
-      group = i == 2 and "beam" or "posts" }
-    for field, value in pairs(i == 1 and o.member or {}) do member[field] = value end
-    members[i] = model:member(member)
+    members[i] = model:member(merged({ n[i], n[i + 1], section = o.section or bar(), material = o.material or steel(),
+      group = i == 2 and "beam" or "posts" }, i == 1 and o.member))
   end
   return model, n, members
 end
@@ -37,13 +37,6 @@ local function without(o, names)
   local rest = {}
   for key, value in pairs(o) do rest[key] = not names:find(key, 1, true) and value or nil end
   return rest
-end
-
-local function merged(a, b)
-  local all = {}
-  for key, value in pairs(a) do all[key] = value end
-  for key, value in pairs(b or {}) do all[key] = value end
-  return all
 end
 
 -- Subjects: `of`: classes of lua/hinge/words whose fields it has; options: what is changed; build(options) returns the
@@ -60,6 +53,12 @@ local function on_scene(declare)
     declare(model, o, n, members)
     return model
   end
+end
+-- A call of the model with the options; with their `of`, "member" or "node", by its number.
+local function declared(call, of)
+  return on_scene(function(model, o, n, m)
+    model[call](model, of and merged(o, { [of] = (of == "node" and n or m)[o[of]] }) or o)
+  end)
 end
 
 subject("model", { of = { "model_options" },
@@ -88,7 +87,7 @@ subject("nodes", { of = {},
   end) })
 
 local function of_material(more)
-  return function(o) return (scene { material = hinge.material(merged(merged({ E = 210e9 }, more), o)) }) end
+  return function(o) return (scene { material = hinge.material(merged({ E = 210e9 }, more, o)) }) end
 end
 subject("material", { of = { "material_options", "hardening", "rate" },
   options = { E = 210e9, nu = 0.3, density = 7850.0, yield_stress = 355e6, rate = { D = 40.4, q = 5.0 },
@@ -177,20 +176,17 @@ subject("joint between nodes", { of = { "node_joint_options" },
 local points = { { 0.0, 0.1 }, { 0.01, 0.5 }, { 0.02, 1.0 } }
 subject("load on a node", { of = { "load_options" },
   options = { node = 2, force = { 1.0, 2.0, 3.0 }, moment = { 1.0, 2.0, 3.0 }, history = points },
-  build = on_scene(function(model, o, n) model:load(merged(o, { node = n[o.node] })) end) })
+  build = declared("load", "node") })
 subject("load along a member", { of = { "load_options" },
   options = { member = 1, q = { a = { 1.0, 2.0, 3.0 }, b = { 1.0, 2.0, 4.0 } }, axes = "global", history = points },
-  other = { axes = "local" },
-  build = on_scene(function(model, o, _, m) model:load(merged(o, { member = m[o.member] })) end) })
+  other = { axes = "local" }, build = declared("load", "member") })
 subject("load along a part of a member", { of = { "load_options" },
-  options = { member = 1, q = { 1.0, 2.0, 3.0 }, from = 0.1, to = 0.6 },
-  build = on_scene(function(model, o, _, m) model:load(merged(o, { member = m[o.member] })) end) })
+  options = { member = 1, q = { 1.0, 2.0, 3.0 }, from = 0.1, to = 0.6 }, build = declared("load", "member") })
 subject("load at a place of a member", { of = { "load_options" },
   options = { member = 1, force = { 1.0, 2.0, 3.0 }, moment = { 1.0, 2.0, 3.0 }, at = 0.3, history = points },
-  build = on_scene(function(model, o, _, m) model:load(merged(o, { member = m[o.member] })) end) })
+  build = declared("load", "member") })
 subject("load on a group", { of = { "load_options" }, options = { group = "beam", q = { 1.0, 2.0, 3.0 },
-    axes = "projected" }, other = { group = "posts", axes = "local" },
-  build = on_scene(function(model, o) model:load(o) end) })
+    axes = "projected" }, other = { group = "posts", axes = "local" }, build = declared "load" })
 subject("load of a case", { of = {}, options = { factor = 1.35, force = { 1.0, 2.0, 3.0 } },
   build = on_scene(function(model, o, n) model:load { node = n[2], force = o.force, case = model:case "live" } end),
   with = function(o) return { loads = { live = o.factor } } end })
@@ -202,8 +198,7 @@ subject("heat of a case", { of = {}, options = { heat = 1.1, prestress = 1.2, gr
   end), with = function(o) return { loads = o } end })
 
 subject("mass", { of = { "mass_options" }, options = { node = 2, mass = 10.0, inertia = { 0.1, 0.2, 0.3 },
-    offset = { 0.1, 0.2, 0.3 } },
-  build = on_scene(function(model, o, n) model:mass(merged(o, { node = n[o.node] })) end) })
+    offset = { 0.1, 0.2, 0.3 } }, build = declared("mass", "node") })
 subject("rigid link", { of = { "rigid_link_options" }, options = { from = 2, to = 5, dofs = "all" },
   other = { dofs = "xyz", from = 3, to = 6 },
   build = on_scene(function(model, o, n)
@@ -227,35 +222,33 @@ subject("moving support", { of = { "move_options" },
     z = { { 0.0, 0.0 }, { 0.01, 1e-4 } }, rx = { { 0.0, 0.0 }, { 0.01, 1e-4 } }, ry = { { 0.0, 0.0 }, { 0.01, 1e-4 } },
     rz = { { 0.0, 0.0 }, { 0.01, 1e-4 } } }, other = { node = 4, ["x.1.2"] = "keep", ["y.1.2"] = "keep",
     ["z.1.2"] = "keep", ["rx.1.2"] = "keep", ["ry.1.2"] = "keep", ["rz.1.2"] = "keep" },
-  build = on_scene(function(model, o, n) model:move(merged(o, { node = n[o.node] })) end) })
+  build = declared("move", "node") })
 subject("fracture", { of = { "fracture_rule" },
   options = { group = "beam", hinge_rotation_x = 0.1, hinge_rotation_y = 0.1, elongation = 0.1, curvature_x = 1.0,
     curvature_y = 1.0, axial_strain = 0.1, shear_strain = 0.1, tension_only = true, strain_measure = "element",
     plastic_only = true },
-  other = { group = "posts", strain_measure = "section" },
-  build = on_scene(function(model, o) model:fracture(o) end) })
+  other = { group = "posts", strain_measure = "section" }, build = declared "fracture" })
 subject("rule of fracture", { of = { "fracture_rule" }, options = { where = "all", keep = { "damage" } },
   other = { where = "yielded", ["keep.1"] = "worst" },
   build = on_scene(function(model, o) model:fracture(merged(o, { rule = function() return false end })) end) })
 subject("removal", { of = { "removal_options" }, options = { member = 1, at = 0.05, over = 0.01 },
-  build = on_scene(function(model, o, _, m) model:remove(merged(o, { member = m[o.member] })) end) })
+  build = declared("remove", "member") })
 subject("removal of a group", { of = { "removal_options" }, options = { group = "beam", at = 0.05 },
-  other = { group = "posts" }, build = on_scene(function(model, o) model:remove(o) end) })
+  other = { group = "posts" }, build = declared "remove" })
 local curve = { { 20.0, 1.0 }, { 1000.0, 0.5 } }
 subject("heat", { of = { "heat_options", "heat_properties" },
   options = { member = 1, temperature = { { 0.0, 30.0 }, { 0.1, 100.0 } }, across_x = { { 0.0, 1.0 }, { 0.1, 10.0 } },
     across_y = { { 0.0, 1.0 }, { 0.1, 10.0 } }, properties = { stiffness = curve, strength = curve,
     elongation = { { 20.0, 0.0 }, { 1000.0, 0.01 } } } },
   other = { ["properties.stiffness.1.1"] = 10.0, ["properties.strength.1.1"] = 10.0,
-    ["properties.elongation.1.1"] = 10.0 },
-  build = on_scene(function(model, o, _, m) model:heat(merged(o, { member = m[o.member] })) end) })
+    ["properties.elongation.1.1"] = 10.0 }, build = declared("heat", "member") })
 subject("heat that stays", { of = { "heat_options" },
   options = { group = "beam", temperature = 100.0, across_x = 10.0, across_y = 10.0 }, other = { group = "posts" },
-  build = on_scene(function(model, o) model:heat(o) end) })
+  build = declared "heat" })
 subject("prestress", { of = { "prestress_options" }, options = { group = "beam", force = 100.0 },
-  other = { group = "posts" }, build = on_scene(function(model, o) model:prestress(o) end) })
+  other = { group = "posts" }, build = declared "prestress" })
 subject("prestress of a member", { of = { "prestress_options" }, options = { member = 1, strain = 1e-4 },
-  build = on_scene(function(model, o, _, m) model:prestress(merged(o, { member = m[o.member] })) end) })
+  build = declared("prestress", "member") })
 subject("contact", { of = { "contact_rule" },
   options = { rule = "surface", groups = { "beam" }, stiffness = 1e8, friction = 0.3, sleep = true },
   other = { rule = "gap", ["groups.1"] = "posts" },
@@ -266,8 +259,7 @@ subject("contact of gaps", { of = { "contact_rule" },
   options = { rule = "gap", between = { "beam", "posts" }, binding_time = 1e-3, release = "time",
     contact_length = 1.8, coplanarity_tolerance = 3e-4, sleep = true, as_printed = true, sign_of_f = "absolute" },
   other = { rule = "keep", release = "parting", sign_of_f = "as printed", ["between.1"] = "posts",
-    ["between.2"] = "beam" },
-  build = on_scene(function(model, o) model:contact(o) end) })
+    ["between.2"] = "beam" }, build = declared "contact" })
 local six = { x = 1e4, y = 1e4, z = 1e4, rx = 1e4, ry = 1e4, rz = 1e4 }
 local six_curves, keep_first = {}, {}
 for _, axis in ipairs { "x", "y", "z", "rx", "ry", "rz" } do
@@ -288,16 +280,14 @@ subject("connector by curves", { of = { "connector_options" },
   end) })
 subject("damping", { of = { "damping_options" },
   options = { ratio = { 0.02, 0.03 }, periods = { 0.2, 0.02 }, group = "beam", joints = true },
-  other = { group = "posts" }, build = on_scene(function(model, o) model:damping(o) end) })
+  other = { group = "posts" }, build = declared "damping" })
 subject("damping by factors", { of = { "damping_options" }, options = { alpha = 1.0, beta = 1e-4 },
-  build = on_scene(function(model, o) model:damping(o) end) })
+  build = declared "damping" })
 subject("ground", { of = { "ground_plane" },
   options = { point = { 0.1, 0.2, -1.0 }, normal = { 0.1, 0.2, 1.0 }, friction = 0.3, layer_stiffness = 1e8,
-    layer_damping = 2e6, group = "beam" }, other = { group = "posts" },
-  build = on_scene(function(model, o) model:ground(o) end) })
+    layer_damping = 2e6, group = "beam" }, other = { group = "posts" }, build = declared "ground" })
 subject("ground of springs", { of = { "ground_plane" },
-  options = { point = { 0.0, 0.0, -1.0 }, stiffness = 1e7, restitution = 0.5 },
-  build = on_scene(function(model, o) model:ground(o) end) })
+  options = { point = { 0.0, 0.0, -1.0 }, stiffness = 1e7, restitution = 0.5 }, build = declared "ground" })
 subject("sway and bow", { of = { "imperfection_options" },
   options = { sway = { sway = 0.005, direction = { 1.0, 0.1, 0.0 }, base = -0.5 },
     bow = { bow = 0.01, axis = "x", sign = "mode", group = "posts" } },
