@@ -318,20 +318,6 @@ case("every recorded quantity of a bent cantilever is that of its step", functio
   hold("statics", model:static { steps = 12 }, foot, tip, "factor")
 end)
 
-case("recorded forces follow the closed form", function()
-  -- a bar that flies freely is at v t
-  local model, b, member = scenes.cantilever { foot = false }
-  model:velocity(member, { 0, 3, 0 })
-  local run = model:dynamic { dt = 1e-4, duration = 1e-2, record = false }
-  local probe = run:probe { node = b, "uy" }
-  run:finish()
-  equal(#probe.time, 101, "values of a flight of 100 steps")
-  for i, t in ipairs(probe.time) do
-    checks.near(t, (i - 1) * 1e-4, 1e-12, "time of step " .. i - 1)
-    checks.near(probe.value[i], 3 * t, 1e-12, "way of a bar that flies at 3 m/s")
-  end
-end)
-
 case("rows of history.csv come at the interval that is asked for", function()
   -- they are what the script itself read at that time
   local hinge_on, folder = support.scenes(arg[1])

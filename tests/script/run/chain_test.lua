@@ -156,14 +156,6 @@ case("a setting of hinge cost whose run goes on from a failed one has no answer"
     "cost: %s", complaint)
 end)
 
-case("plain Lua warns at its end where the script has not asked", function()
-  support.write(folder .. "/plain.lua", scene(3, nil, goes_on:format ""))
-  local _, _, complaint = support.run(("cd %s && LUA_CPATH=%s lua5.4 plain.lua"):format(quote(folder),
-    quote(arg[1] .. "/?.so")))
-  expect(complaint:find "dynamic run 2, made at plain.lua:12, failed: goes on from static run 1", "plain Lua: %s",
-    complaint)
-end)
-
 case("the option is refused without a run to go on from", function()
   for _, call in ipairs { "static { allow_failed = true }", "dynamic { dt = 1, duration = 1, allow_failed = true }" } do
     local status, _, complaint = hinge_run(scene(0.5, nil, "model:" .. call))

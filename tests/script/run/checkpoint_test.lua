@@ -6,7 +6,6 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local scenes = require "scenes"
 local hinge = require "hinge"
-local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "checkpoint"
 local case, expect, equal, refused = checks.case, checks.expect, checks.equal, checks.refused
 local quote, run, with = support.quote, support.run, scenes.with
@@ -131,32 +130,10 @@ case("a run that fails goes on from a checkpoint to the same failure", function(
   local failing = impact_run(strict)
   while failing.verdict == "running" and failing.index < failed.index + 5 do failing:step() end
   failing:checkpoint(path "failing.checkpoint")
-  local fails_too = impact_run(strict):resume(path "failing.checkpoint")
+  local fails_too = hinge.resume(impact_run(strict), path "failing.checkpoint")
   fails_too:finish()
   equal(fails_too.reason, failed.reason, "the reason why it failed")
   same("failed", fails_too, failed)
-end)
-
-case("Case I goes on from a checkpoint with the same bits on two threads", function()
-  -- The aircraft in the ten-storey frame, where contact is at its busiest.
-  local function case_1(threads)
-    local model = hinge.model {}
-    local _, plane = impact.add(model, { gap = 0.1 })
-    local start = model:static { fixed_group = plane }
-    start:finish()
-    local r = model:dynamic { from = start, dt = 1e-5, duration = 0.01, beta = 0.4, threads = threads }
-    r:probe { node = (plane:nodes()[1]), "uy" }
-    return r
-  end
-  local whole = case_1(1)
-  for step in whole:steps() do
-    if step.index == 650 then whole:checkpoint(path "case1.checkpoint") end
-  end
-  expect(whole.contacts.bound > 2 and whole:count { state = "broken" } > 0, "Case I: %d bound, %d broken",
-    whole.contacts.bound, whole:count { state = "broken" })
-  local resumed = hinge.resume(case_1(2), path "case1.checkpoint")
-  resumed:finish()
-  same("Case I on two threads", resumed, whole)
 end)
 
 -- What is refused -----------------------------------------------------------------------------------------------------

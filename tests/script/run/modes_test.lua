@@ -154,14 +154,6 @@ case("unsymmetric stiffness: moments that change nothing, and too many unknowns"
   refused("2400 degrees of freedom", run.modes, run, { n = 1 })
 end)
 
-case("a free bar has six motions of frequency zero, and its own frequencies", function()
-  local modes = scenes.cantilever { model = { elements_per_member = 16, mass = "cubic" }, foot = false,
-    member = { material = steel } }:dynamic({ dt = 1e-3, duration = 1e-3 }):finish():modes { n = 8 }
-  for i = 1, 6 do equal(modes[i].frequency, 0, "rigid motion " .. i) end
-  near(modes[7].frequency, 260.919, 1e-3 * 260.919, "first bending mode")
-  near(modes[8].frequency, 260.919, 1e-3 * 260.919, "in the other plane")
-end)
-
 -- A portal of members that hardly shear, with half of a push at each head; the sway under 100 kN, and its modes.
 local function stiff_portal(shear, options)
   local function of(I)
@@ -203,13 +195,14 @@ end)
 
 case("bodies that move freely have frequency 0 beside parts that are 1e6 times as stiff", function()
   local huge = 1e6 * side ^ 2
-  local model = scenes.cantilever { model = { elements_per_member = 4 }, member = { material = steel,
+  local model = scenes.cantilever { model = { elements_per_member = 16, mass = "cubic" }, member = { material = steel,
     section = hinge.section.general { area = huge, Ix = 1, Iy = 1, J = 1, shear_area_x = huge, shear_area_y = huge } } }
   local a, b = model:node { 0, 5, 0 }, model:node { 0.6, 5.8, 0 } -- oblique
   model:member { a, b, section = square, material = steel }
-  local modes = model:dynamic({ dt = 1e-4, duration = 1e-4 }):finish():modes { n = 7 }
+  local modes = model:dynamic({ dt = 1e-4, duration = 1e-4 }):finish():modes { n = 10 }
   for i = 1, 6 do equal(modes[i].frequency, 0, "rigid motion " .. i) end
   expect(modes[7].frequency > 10, "the seventh vibrates: %g Hz", modes[7].frequency)
+  for i = 9, 10 do near(modes[i].frequency, 260.919, 1e-3 * 260.919, "bending of the free bar, in both planes") end
 end)
 
 case("joints, floors that are rigid in their plane and compression count", function()
@@ -545,24 +538,6 @@ case("a portal on pinned feet, and one with a semi-rigid beam", function()
     equal(#found, 1, "modes")
     local wanted = by_hand(c * 3 / EI)
     near(100 * found[1].factor, wanted, 1e-3 * wanted, "load with joints of " .. joint)
-  end
-end)
-
-case("the factor is that at which statics finds the structure unstable", function()
-  local thick = hinge.section.solid { width = 0.08, depth = 0.08 }
-  local function stepped(load)
-    local model = hinge.model { elements_per_member = 4 }
-    local foot, middle, top = model:node { 0, 0, 0 }, model:node { 0, 0, 2 }, model:node { 0, 0, 3 }
-    model:fix(foot)
-    model:member { foot, middle, section = thick, material = steel }
-    model:member { middle, top, section = square, material = steel }
-    model:load { node = top, force = { 0, 0, -load } }
-    return model
-  end
-  local load = 1e3 * first_factor(stepped(1e3))
-  local run = stepped(1.2 * load):static { steps = 20 }:finish()
-  if expect(run.instability, "the run tells of an instability: %s", run.reason) then
-    near(run.instability.factor, 1 / 1.2, 1e-3, "load factor") -- the column shortens by some 3e-4 up to there
   end
 end)
 
