@@ -1,6 +1,4 @@
 -- What a run shows to be missing: run.warnings says it at the end, where there is something to say and only there.
---
--- Run: lua5.4 tests/script/advice/findings_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -2,8 +2,6 @@
 -- comes to, shear that takes bending strength, perfect structures that nothing but rounding lets buckle. Each is named
 -- by run.warnings, or is an error at its line; beside it a scene that has nothing.
 -- (tests/script/program/check_test.lua has what is seen before a run.)
---
--- Run: lua5.4 tests/script/advice/slips_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

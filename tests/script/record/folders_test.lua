@@ -1,7 +1,5 @@
 -- Output folders: one run or study at a time writes to one, whatever ends it; tasks of a job array share one; what a
 -- full disk costs; results and parameters with the names of the table's own columns.
---
--- Run: lua5.4 tests/script/record/folders_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "folders"

@@ -1,8 +1,6 @@
 -- What a run records: a probe's value at a time is the state's at that time, and so is a row of history.csv. Probes of
 -- two nodes against each other, drifts, and what probe.value and probe.time are: lists that cost nothing to ask for,
 -- and are plain lists to whoever uses them.
---
--- Run: lua5.4 tests/script/record/probes_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- A chain of runs is as good as its weakest: what goes on from a run that did not come to its end has failed too, in
 -- hinge run, hinge study, hinge cost and under plain Lua, unless the script says allow_failed = true.
---
--- Run: lua5.4 tests/script/run/chain_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "chain"

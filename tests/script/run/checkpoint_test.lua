@@ -1,7 +1,5 @@
 -- Long runs survive: a run goes on from its checkpoint with the same bits, whatever it is doing; what is damaged, of
 -- another run or another hinge is refused; killed, stopped, out of disk, nothing that was written is lost.
---
--- Run: lua5.4 tests/script/run/checkpoint_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

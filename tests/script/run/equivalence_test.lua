@@ -1,8 +1,6 @@
 -- The same structure told in other words: other axes, another order, other units, another solver. The answer is the
 -- same to rounding. A dynamic run that goes on from another one of which nothing but the duration has changed is the
 -- whole to the bit; its energies count from its own start, and what has changed since is taken up.
---
--- Run: lua5.4 tests/script/run/equivalence_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- Lumped masses of explicit steps: bodies spin, topple and swing as the continuous bar does, with any number of
 -- elements; what is left of a pair that breaks has its mass, centre and moment of inertia.
---
--- Run: lua5.4 tests/script/run/explicit_mass_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
 local scenes = require "scenes"

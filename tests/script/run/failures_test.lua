@@ -1,7 +1,5 @@
 -- Outcomes are values: what a run, a study or a page does never depends on the text of a failure or of a warning, in
 -- which the names of groups stand. run.failure has the cause as a word.
---
--- Run: lua5.4 tests/script/run/failures_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,8 +1,6 @@
 -- A checkpoint is refused where any quantity of the script has changed. The changes are generated: each number, word
 -- and truth value of the declarations below, one at a time. The list is held against the fields of lua/hinge/words,
 -- so that a field that is new there must come here.
---
--- Run: lua5.4 tests/script/run/fingerprint_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- Elements may wind up, and hinges may turn an end of an element, by any number of turns: in statics and dynamics, in
 -- and out of plane, torn, kept in a checkpoint, taken back. The work of a hinge is its moment times its rotation.
---
--- Run: lua5.4 tests/script/run/fold_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- A script's own functions inside the run: rules of fracture and contact, loads and supports that are functions,
 -- callbacks; what they see, that a step whose function fails is taken back, and that equal rules give equal bits.
---
--- Run: lua5.4 tests/script/run/hooks_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
 local scenes = require "scenes"

@@ -1,8 +1,6 @@
 -- Integrators. The energy-momentum method (integrator = "energy-momentum"): energy and both momenta stay, in rotations
 -- of any size and in long steps; order two; hinges dissipate; loads, damping and what else acts is counted; the same
 -- bits again; what it does not go with is refused. Newmark's method: what it takes out, and initial stress.
---
--- Run: lua5.4 tests/script/run/integrators_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- run:modes and run:buckling: frequencies, shapes, effective masses and buckling loads by closed forms, of loaded
 -- states, with joints and rigid floors; pictures of a shape; wrong input is refused.
---
--- Run: lua5.4 tests/script/run/modes_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

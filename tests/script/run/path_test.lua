@@ -1,7 +1,5 @@
 -- The path of equilibria that statics follows does not depend on its steps: limits that are none, limits that are, and
 -- the same end by load, displacement and arc length where heat, prestress and settlements act.
---
--- Run: lua5.4 tests/script/run/path_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

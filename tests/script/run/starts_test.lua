@@ -1,7 +1,5 @@
 -- Where a run begins, goes on and takes a step back: what it begins with counts in the energy balance, a step that is
 -- taken back leaves the state of the step before, and the place of the origin is no matter.
---
--- Run: LUA_CPATH="build/?.so" lua5.4 tests/script/run/starts_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

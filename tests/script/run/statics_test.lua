@@ -1,7 +1,5 @@
 -- Statics and what it says: where a structure becomes unstable, limit loads, steps that are halved, and why no
 -- equilibrium is found.
---
--- Run: lua5.4 tests/script/run/statics_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

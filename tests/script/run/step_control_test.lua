@@ -1,7 +1,5 @@
 -- A run whose energy balance no longer closes fails, says where, and goes back to its last good state. Step control: a
 -- step that would lose too much is taken back and halved before anything is told of it, and steps grow again.
---
--- Run: lua5.4 tests/script/run/step_control_test.lua BUILD, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

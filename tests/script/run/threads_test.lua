@@ -1,7 +1,5 @@
 -- Any number of threads: the same bits. A frame of some thousand elements that moves, in implicit and in explicit
 -- steps, and the ten-storey impact with contact, hinges and fracture.
---
--- Run: lua5.4 tests/script/run/threads_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"

@@ -1,7 +1,5 @@
 -- How much a run computes: elements swept and built, pairs looked at, iterations. Counts do not depend on how busy the
 -- machine is; seconds do.
---
--- Run: lua5.4 tests/script/run/work_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
