@@ -18,7 +18,16 @@ local function cantilever(elements, force, material, options, section)
     member = { section = section, material = material or steel } }
 end
 
--- A run or a state that statics ends in has these modes.
+-- Up to where a condition holds, between two numbers, by bisection.
+local function last_of(low, high, holds)
+  for _ = 1, 80 do
+    local middle = (low + high) / 2
+    if holds(middle) then low = middle else high = middle end
+  end
+  return low
+end
+
+-- The first mode, and the first factor, of the state in which statics ends.
 local function first_mode(model, options) return model:static(options):finish():modes({ n = 1 })[1] end
 local function first_factor(model, options) return model:static(options):finish():buckling()[1].factor end
 
@@ -406,12 +415,10 @@ case("two elements between stiff semi-rigid ends buckle where the beam-column do
   local rigid = hinge.material { E = E, G = 1e5 * E, density = 7850 }
   local bending, L = E * bar.Ix, 6
   for _, k in ipairs { 1e5, 3e5, 5e5, 1e6, 5e6, 5e7 } do -- 0.46 to 0.998 of the clamped load
-    local low, high = math.pi / 2 + 1e-9, math.pi - 1e-12 -- tan u = -2 u EI / (k L), N = 4 u^2 EI / L^2
-    for _ = 1, 80 do
-      local u = (low + high) / 2
-      if math.tan(u) + 2 * u * bending / (k * L) < 0 then low = u else high = u end
-    end
-    local wanted = 4 * low ^ 2 * bending / L ^ 2
+    local u = last_of(math.pi / 2 + 1e-9, math.pi - 1e-12, function(x) -- tan u = -2 u EI / (k L), N = 4 u^2 EI / L^2
+      return math.tan(x) + 2 * x * bending / (k * L) < 0
+    end)
+    local wanted = 4 * u ^ 2 * bending / L ^ 2
     for _, elements in ipairs { 2, 4 } do
       local joint = hinge.joint { Mx = { stiffness = k }, My = { stiffness = 4 * k } }
       local model, _, member = scenes.cantilever { length = L, along = { 0, 0, 1 }, head = "all", member = {
@@ -518,12 +525,7 @@ end)
 case("a portal on pinned feet, and one with a semi-rigid beam", function()
   -- sway: alpha tan(alpha) = 6 c / EI_c h with the rotational stiffness of the joints c; alpha = h sqrt(P / EI)
   local function by_hand(r)
-    local low, high = 1e-6, math.pi / 2 - 1e-9
-    for _ = 1, 80 do
-      local middle = (low + high) / 2
-      if middle * math.tan(middle) < r then low = middle else high = middle end
-    end
-    return low ^ 2 * EI / 9
+    return last_of(1e-6, math.pi / 2 - 1e-9, function(alpha) return alpha * math.tan(alpha) < r end) ^ 2 * EI / 9
   end
   local rigid = hinge.material { E = E, G = 1e6 * E, density = 7850 } -- in shear
   for _, joint in ipairs { math.huge, 2 * EI } do
@@ -563,12 +565,7 @@ local function elastica(w)
     for _ = 1, 30 do a, b = (a + b) / 2, math.sqrt(a * b) end
     return math.pi / 2 / a
   end
-  local low, high = 0, 0.9
-  for _ = 1, 60 do
-    local k = (low + high) / 2
-    if k / K(k) < w then low = k else high = k end
-  end
-  return (2 * K(low) / math.pi) ^ 2
+  return (2 * K(last_of(0, 0.9, function(k) return k / K(k) < w end)) / math.pi) ^ 2
 end
 
 case("a branch: a straight column buckles to either side and follows the elastica", function()
