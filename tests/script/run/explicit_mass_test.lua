@@ -37,12 +37,9 @@ end
 -- the mean spin that remains over M t / (m L^2 / 12 + rho I L).
 local function spin(elements, axis, across, options)
   local L, T, F = 3, 0.05, 100
-  options = options or {}
-  options.elements_per_member, options.plasticity = elements, false
-  local model = hinge.model(options)
-  local a, b = model:node(times(-L / 2, axis)), model:node(times(L / 2, axis))
-  local up = math.abs(axis[3]) > 0.9 and { 1, 0, 0 } or { 0, 0, 1 }
-  model:member { a, b, section = tube, material = steel, up = up }
+  local model, b, _, a = scenes.cantilever { length = L, along = axis, foot = false,
+    model = scenes.with({ elements_per_member = elements, plasticity = false }, options),
+    member = { section = tube, material = steel, up = math.abs(axis[3]) > 0.9 and { 1, 0, 0 } or { 0, 0, 1 } } }
   local pulse = { { 0, 1 }, { T, 1 }, { T, 0 }, { 1, 0 } }
   model:load { node = a, force = times(-F, across), history = pulse }
   model:load { node = b, force = times(F, across), history = pulse }

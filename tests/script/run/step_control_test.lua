@@ -297,11 +297,6 @@ case("hinges that chatter are stepped through", function()
     return model:dynamic(options):finish()
   end
   local kept, alone, controlled = mechanism { step_control = 0 }, mechanism {}, mechanism { step_control = 0.01 }
-  local function said(r)
-    return ("%s, %d taken back, %d steps, dt %g s"):format(r.verdict, r.counts.rejected_steps, r.index, r.dt)
-  end
-  print(("hinges everywhere: all steps kept %s; by default %s; with step control %s")
-    :format(said(kept), said(alone), said(controlled)))
   equal(controlled.verdict, "completed", "hinges everywhere: " .. controlled.reason)
   -- By default, too, where there are hinges; a run whose steps must all be kept fails, and names what holds.
   equal(alone.verdict, "completed", "hinges everywhere, by default: " .. alone.reason)
