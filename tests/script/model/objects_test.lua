@@ -1,15 +1,15 @@
--- What nodes, members, groups, loads and runs tell: text, identity, lists, the state one by one
--- and in arrays, and what is gone.
+-- What nodes, members, groups, loads and runs tell: text, identity, lists, the state one by one and in arrays; that
+-- they are refused by another model, where there is nothing to read, and when they are gone.
 --
 -- Run: lua5.4 tests/script/model/objects_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local hinge = require "hinge"
 local support = require "support"
+local scenes = require "scenes"
 local checks = support.checks "objects"
 local case = checks.case
 
-local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = 245e6 }
-local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local bar = scenes.square
 local function text(value, wanted)
   checks.expect(support.says(tostring(value), wanted), "text: %s, wanted %s", tostring(value), wanted)
 end
@@ -21,16 +21,15 @@ local function line_of(mark)
   end
 end
 
+-- Rows of a wrong call and words of its message.
+local function refused(rows)
+  for _, row in ipairs(rows) do checks.refused({ table.unpack(row, 2) }, row[1]) end
+end
+
 -- A portal: two posts of one group and a beam of two, held at the feet, pushed at the left corner.
 local function portal()
-  local model = hinge.model()
-  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { 4, 0, 3 }, model:node { 4, 0, 0 } }
-  model:fix { n[1], n[4] }
-  local m = {
-    model:member { n[1], n[2], section = bar, material = steel, group = "posts" },
-    model:member { n[2], n[3], section = bar, material = steel, group = { "beams", "all" }, elements = 4 },
-    model:member { n[4], n[3], section = bar, material = steel, group = "posts" },
-  }
+  local model, n, m = scenes.portal { column = { group = "posts" },
+    beam = { group = { "beams", "all" }, elements = 4 } }
   model:fix(n[2], "y,rx")
   return model, n, m, model:load { node = n[2], force = { 100, 0, 0 }, moment = { 0, 5, 0 } }
 end
@@ -56,7 +55,7 @@ case("handles have texts and compare by identity", function()
     "handles out of lists are the same")
   checks.expect(({ [n[3]] = "corner" })[m[2].b] == "corner", "a handle is the same key wherever it comes from")
   checks.expect(portal() ~= model and select(2, portal())[1] ~= n[1], "equal models are not the same")
-  checks.expect(m[1].section == bar and m[2].material == steel and m[1].material == m[3].material,
+  checks.expect(m[1].section == bar and m[2].material == scenes.steel and m[1].material == m[3].material,
     "section and material of a member")
   local function index_of_new() return model:nodes()[4].index end
   local address = setmetatable({}, { __mode = "k" })
@@ -103,8 +102,7 @@ case("members and nodes read their state from the last run or the one given", fu
       checks.equal(packed(node[name](node, first)), packed(first[name](first, node)),
         ("node:%s of node %d"):format(name, i))
       checks.equal(packed(node[name](node)), packed(second[name](second, node)),
-        ("node:%s of node %d in the latest run")
-        :format(name, i))
+        ("node:%s of node %d in the latest run"):format(name, i))
     end
   end
   checks.expect(packed(n[2]:displacement(first)) ~= packed(n[2]:displacement()), "the latest run is another")
@@ -142,13 +140,73 @@ case("members and nodes read their state from the last run or the one given", fu
   checks.expect(moving:read "vx"[2] ~= 0 and moving:read "ax"[3] ~= 0, "it moves")
 end)
 
+-- What is refused ----------------------------------------------------------------------------------------------------
+
+case("handles of another model are refused by every call that takes one", function()
+  local mine, nodes, members, load = portal()
+  local run, counts = mine:static { steps = 1 }, mine:counts()
+  local group, foreign = model:group "posts", " of another model; use one of this model"
+  local of_group, of_node = "group 'posts'" .. foreign, "node 2" .. foreign
+  refused {
+    { function() mine:fix { n[2] } end, "model:fix: item 1 is " .. of_node },
+    { function() mine:member { nodes[1], nodes[3], section = bar, material = scenes.steel,
+      group = { "posts", group } } end, "model:member: field 'group' is " .. of_group },
+    { function() mine:velocity(group, { 1, 0, 0 }) end, "model:velocity: target is " .. of_group },
+    { function() mine:fracture { curvature_x = 1, group = group } end, "field 'group' is " .. of_group },
+    { function() mine:contact { groups = { group } } end, "model:contact: field 'groups', item 1 is " .. of_group },
+    { function() mine:group(group) end, "model:group: name is " .. of_group },
+    { function() mine:static { fixed_group = group } end, "model:static: field 'fixed_group' is " .. of_group },
+    { function() mine:static { control = { node = n[2], "uz", to = 1 } } end, "control: field 'node' is " .. of_node },
+    { function() run:probe { node = n[2], "ux" } end, "run:probe: field 'node' is " .. of_node },
+    { function() run:count { state = "broken", group = group } end, "run:count: field 'group' is " .. of_group },
+    { function() run:read("N", group) end, "run:read: group is " .. of_group },
+    { function() run:state(m[1]) end, "run:state: member is member 1" .. foreign },
+    { function() nodes[2]:displacement(first) end, "node:displacement: run is the run made at ", foreign },
+    { function() members[1]:forces(first) end, "member:forces: run is the run made at ", foreign },
+  }
+  for what, count in pairs(mine:counts()) do checks.equal(count, counts[what], "afterwards: " .. what) end
+  checks.equal(mine:static { steps = 1 }:finish().hash, run:finish().hash, "the model afterwards")
+  checks.equal(mine:loads()[1], load, "its load")
+end)
+
+case("handles are refused where there is nothing to read", function()
+  local mine, nodes, members = portal()
+  refused {
+    { function() nodes[2]:displacement() end, "node:displacement: no run has been made of this model yet",
+      "make one with model:static{} or model:dynamic{}" },
+    { function() nodes[1]:reaction() end, "node:reaction: no run has been made of this model yet" },
+    { function() members[1]:state() end, "member:state: no run has been made of this model yet" },
+    { function() nodes[2]:displacment() end, "no field or method 'displacment' (did you mean 'displacement'?)" },
+    { function() mine:group "posts":member() end, "group has no field or method 'member' (did you mean 'members'?)" },
+    { function() return mine:loads()[1].forces end, "load has no field or method 'forces' (did you mean 'force'?)" },
+  }
+  local run = mine:static { steps = 1 }
+  local node = mine:node { 5, 5, 5 }
+  local member = mine:member { nodes[3], node, section = bar, material = scenes.steel }
+  refused {
+    { function() nodes[2]:velocity(3) end, "node:velocity: run is 3; must be one that model:static{} or" },
+    { function() run:velocity(node) end, "run:velocity: node is node 5, declared after this run was made" },
+    { function() node:position() end, "node:position: this is node 5, declared after this run was made" },
+    { function() member:forces() end, "member:forces: this is member 4, declared after this run was made" },
+    { function() members[1].state() end, "member:state: called on nil; write object:method(...) on a hinge.member" },
+    { function() run:read "Nx_a" end, "run:read: quantity is 'Nx_a'", "did you mean 'N_a'?" },
+    { function() run:read("ux", "poss") end, "run:read: group: no group 'poss' (did you mean 'posts'?)" },
+  }
+end)
+
 -- What is gone --------------------------------------------------------------------------------------------------------
 
 case("handles of what is gone are refused", function()
   local loads = #model:loads()
   push:remove() -- removed here
   checks.equal(#model:loads(), loads - 1, "loads after one was removed")
-  text(push, "the load on node 2, which was removed at ...objects_test.lua:" .. line_of "%-%- removed here")
+  local gone = "the load on node 2, which was removed at ...objects_test.lua:" .. line_of "%-%- removed here"
+  text(push, gone)
+  local what, place = gone:match "^(.*)%.%.%.(.*)$"
+  refused {
+    { function() push:remove() end, "load:remove: this is " .. what, place },
+    { function() return push.force end, "load.force: this is " .. what, place },
+  }
   model:load { node = n[3], moment = { 1, 0, 0 } }
   local without = model:static { steps = 1 }:finish()
   checks.expect((without:displacement(n[2])) ~= (first:displacement(n[2])),
@@ -160,9 +218,40 @@ case("handles of what is gone are refused", function()
     "a run under way when it was removed: %s", tostring(complaint))
 end)
 
+case("handles of a model that was closed are refused, with the line that closed it", function()
+  local closed, nodes, members, load = portal()
+  local group, early = closed:group "posts", closed:static {}
+  local run = closed:dynamic { dt = 1e-5, duration = 1e-4 }
+  local probe, steps = run:probe { node = nodes[2], "uz" }, run:steps()
+  closed:close() -- closed here
+  local other, since = hinge.model(), "that was closed at "
+  for _, row in ipairs {
+    { function() closed:node { 0, 0, 0 } end, "model:node: this is a model " },
+    { function() closed:close() end, "model:close: this is a model " },
+    { function() return nodes[2].x end, "node.x: this is node 2 of a model " },
+    { function() nodes[2]:displacement() end, "node:displacement: this is node 2 of a model " },
+    { function() members[1]:forces() end, "member:forces: this is member 1 of a model " },
+    { function() group:members() end, "group:members: this is group 'posts' of a model " },
+    { function() return #group end, "#group: this is group 'posts' of a model " },
+    { function() load:remove() end, "load:remove: this is the load on node 2 of a model " },
+    { function() return run.time end, "run.time: this is the run made at " },
+    { function() early:finish() end, "run:finish: this is the run made at " },
+    { function() steps() end, "run:steps: the run is the run made at " },
+    { function() other:fix(nodes[2]) end, "model:fix: node is node 2 of a model " },
+    { function() other:dynamic { dt = 1, duration = 1, from = early } end, "field 'from' is the run made at " },
+  } do
+    checks.refused({ row[2], since, "objects_test.lua:" .. line_of "%-%- closed here" }, row[1])
+  end
+  for what, handle in pairs { ["a model "] = closed, ["the run made at ... of a model "] = run,
+    ["node 2 of a model "] = nodes[2], ["member 1 of a model "] = members[1],
+    ["group 'posts' of a model "] = group, ["the load on node 2 of a model "] = load } do
+    text(handle, what .. since .. "...objects_test.lua:" .. line_of "%-%- closed here")
+  end
+  checks.equal(#probe.value, 1, "values of a probe, after its model was closed")
+end)
+
 case("a member that breaks, and its tip that goes with it, read as they are", function()
-  -- a member that breaks, and its tip that goes with it
-  local breaking, elastic = hinge.model(), hinge.material { E = 206e9, density = 7850 }
+  local breaking, elastic = hinge.model(), scenes.elastic
   local wall, tip = breaking:node { 0, 0, 0 }, breaking:node { 1, 0, 0 }
   breaking:fix(wall)
   local member = breaking:member { wall, tip, section = bar, material = elastic }
@@ -194,7 +283,7 @@ case("a member that breaks, and its tip that goes with it, read as they are", fu
 end)
 
 case("a model that is closed is freed at once", function()
-  -- A model that is closed is freed at once, though its handles are held and nothing is collected.
+  -- though its handles are held and nothing is collected
   local function resident() return tonumber(support.read "/proc/self/statm":match "%d+ (%d+)") * 4 end
   local kept, before = {}, nil
   collectgarbage "stop"
@@ -202,7 +291,7 @@ case("a model that is closed is freed at once", function()
     local closed = hinge.model { elements_per_member = 4000 }
     local a, b = closed:node { 0, 0, 0 }, closed:node { 1, 0, 0 }
     closed:fix(a)
-    closed:member { a, b, section = bar, material = steel }
+    closed:member { a, b, section = bar, material = scenes.steel }
     kept[#kept + 1] = { closed, a, b, closed:dynamic { dt = "auto", duration = 1 } }
     closed:close()
     if i == 10 then before = resident() end
@@ -213,7 +302,7 @@ case("a model that is closed is freed at once", function()
 end)
 
 case("a fracture rule reads which joint its section is at", function()
-  -- A fracture rule is told which joint a section is at; inside a member there is none.
+  -- inside a member there is none
   local ruled, _, members = portal()
   local at = {}
   ruled:fracture { where = "all", group = "posts", rule = function(section)
