@@ -5,10 +5,12 @@
 -- Run: lua5.4 tests/script/actions/blast_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local blast = require "hinge.actions.blast"
 local checks = support.checks "blast"
-local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+local runs = require "runs"(checks)
+local case, near, equal, expect, refused = checks.case, checks.near, checks.equal, checks.expect, checks.refused
 
 local function close(value, wanted, part, what) near(value, wanted, part * math.abs(wanted), what) end
 
@@ -123,29 +125,23 @@ case("values scale with the charge", function()
   close(p.incident_decay, one.incident_decay, 1e-9, "decay")
 end)
 
-local function refused(call, words, what)
-  local good, message = pcall(call)
-  expect(not good and tostring(message):find(words, 1, true), "%s: '%s' in: %s", what or words, words,
-    tostring(message))
-end
-
 case("each value is refused outside of its own range, and the error names it", function()
   for name, Z in pairs(ends) do
     local first, last = Z[1], Z[#Z]
     local words = ("explosion:parameters: '%s' is known from Z = %g to %g m/kg^(1/3)"):format(name, first, last)
     expect(kilogram:parameters(first)[name] and kilogram:parameters(last)[name], "%s at the ends", name)
-    if first > 0.06 then refused(function() return kilogram:parameters(0.999 * first)[name] end, words) end
-    if last < 198.5 then refused(function() return kilogram:parameters(1.001 * last)[name] end, words) end
+    if first > 0.06 then refused(words, function() return kilogram:parameters(0.999 * first)[name] end) end
+    if last < 198.5 then refused(words, function() return kilogram:parameters(1.001 * last)[name] end) end
   end
   for _, wave in ipairs { "incident_decay", "reflected_decay" } do
-    refused(function() return kilogram:parameters(41)[wave] end, "'" .. wave .. "' is known from Z = 0.2 to 40")
-    refused(function() return kilogram:parameters(0.1)[wave] end, "here Z is 0.1 m/kg^(1/3), 0.1 m from 1 kg")
+    refused("'" .. wave .. "' is known from Z = 0.2 to 40", function() return kilogram:parameters(41)[wave] end)
+    refused("here Z is 0.1 m/kg^(1/3), 0.1 m from 1 kg", function() return kilogram:parameters(0.1)[wave] end)
   end
   for _, Z in ipairs { 0.0599, 199 } do
-    refused(function() return kilogram:parameters(Z) end, "must be from 0.06 to 198.5 m/kg^(1/3)")
+    refused("must be from 0.06 to 198.5 m/kg^(1/3)", function() kilogram:parameters(Z) end)
   end
   for _, x in ipairs { 0.19, 40.1 } do
-    refused(function() return kilogram:pressure({ x, 0, 0 }, { -1, 0, 0 }, 0) end, "is known from Z = ")
+    refused("is known from Z = ", function() kilogram:pressure({ x, 0, 0 }, { -1, 0, 0 }, 0) end)
   end
 end)
 
@@ -261,6 +257,16 @@ end)
 local steel = hinge.material { E = 210e9, density = 7850 }
 local square = hinge.section.solid { width = 0.2, depth = 0.2 }
 
+-- What the supports at these nodes hold, as a sum.
+local function held_by(run, nodes)
+  local sum = { 0, 0, 0 }
+  for _, node in ipairs(nodes) do
+    local r = { node:reaction(run) }
+    for k = 1, 3 do sum[k] = sum[k] + r[k] end
+  end
+  return sum
+end
+
 -- Two columns, one above the other, and a beam along y; the columns are the group "front".
 local function facade()
   local model = hinge.model()
@@ -294,14 +300,9 @@ case("a load on members: forces of the pressure in their middles, against the re
   close(force, wanted, 1e-12, "force")
   close(impulse, wanted_impulse, 1e-12, "impulse")
   equal(#parts, 2, "members")
-  for i = 1, 4 do model:fix(n[i]) end
+  model:fix(n)
   -- statics takes the numbers of a case that it names in full
-  local run = model:static { loads = { pressed = 1 } }:finish()
-  local sum = { 0, 0, 0 }
-  for i = 1, 4 do
-    local r = { n[i]:reaction(run) }
-    for k = 1, 3 do sum[k] = sum[k] + r[k] end
-  end
+  local sum = held_by(model:static { loads = { pressed = 1 } }:finish(), n)
   close(sum[1], -force, 1e-9, "reaction against the pressure, which pushes away from the charge")
   near(sum[2], 0, 1e-9 * force, "aside")
   near(sum[3], 0, 1e-9 * force, "upwards")
@@ -309,9 +310,12 @@ end)
 
 case("a roof member has the incident pressure of its middle, downwards", function()
   -- a beam of a roof along y, 25 m from the charge and 6 m up; the roof faces the sky, so nothing is reflected
-  local model = hinge.model()
-  local a, b = model:node { 25, -2, 6 }, model:node { 25, 2, 6 }
-  local beam = model:member { a, b, section = square, material = steel, group = "roof" }
+  local function roof()
+    local model = hinge.model()
+    local nodes = { model:node { 25, -2, 6 }, model:node { 25, 2, 6 } }
+    return model, nodes, model:member { nodes[1], nodes[2], section = square, material = steel, group = "roof" }
+  end
+  local model, nodes, beam = roof()
   local distance = math.sqrt(25 ^ 2 + 6 ^ 2)
   local p = bomb:parameters(distance)
   local pressed = model:case "pressed"
@@ -320,28 +324,22 @@ case("a roof member has the incident pressure of its middle, downwards", functio
   close(parts[1].pressure, p.incident_pressure, 1e-12, "incident pressure, Pa")
   close(force, p.incident_pressure * 12, 1e-12, "force on 4 m by 3 m, N")
   close(impulse, p.incident_impulse * 12, 1e-12, "impulse, N s")
-  model:fix(a)
-  model:fix(b)
+  model:fix(nodes)
   local run = model:static { loads = { pressed = 1 } }:finish()
-  local sum = { 0, 0, 0 }
-  for _, node in ipairs { a, b } do
-    local r = { node:reaction(run) }
-    for k = 1, 3 do sum[k] = sum[k] + r[k] end
-  end
+  local sum = held_by(run, nodes)
   close(sum[3], force, 1e-9, "the supports push upwards, N")
   near(sum[1], 0, 1e-9 * force, "nothing away from the charge")
   expect(beam:forces(run).Mx ~= 0, "it bends")
   -- a roof that leans towards the charge by 30 degrees reflects with the cosine of its own angle
   local normal = { -math.sin(math.rad(30)), 0, math.cos(math.rad(30)) }
   local c = (25 * math.sin(math.rad(30)) - 6 * math.cos(math.rad(30))) / distance
-  local leaning = hinge.model()
-  leaning:member { leaning:node { 25, -2, 6 }, leaning:node { 25, 2, 6 }, section = square, material = steel,
-    group = "roof" }
+  local leaning = roof()
   local _, _, of = bomb:load(leaning, { group = "roof", normal = normal, width = 3 })
   close(of[1].pressure, c ^ 2 * p.reflected_pressure + (1 + c - 2 * c ^ 2) * p.incident_pressure, 1e-12, "leaning, Pa")
   -- a face whose normal lies along the member is no face of it
-  local along = { group = "roof", normal = { 0, 1, 0 }, width = 3 }
-  refused(function() bomb:load(leaning, along) end, "degrees from the axis")
+  refused("degrees from the axis", function()
+    bomb:load(leaning, { group = "roof", normal = { 0, 1, 0 }, width = 3 })
+  end)
 end)
 
 case("the impulse goes into the momentum of a free body, by either shape and integrator", function()
@@ -350,11 +348,10 @@ case("the impulse goes into the momentum of a free body, by either shape and int
       local model, m = facade()
       local one = blast { charge = 500, at = { 0, 0, 0 }, shape = shape }
       local _, impulse = one:load(model, { members = { m[1], m[2] }, normal = { -1, 0, 0 }, width = 0.2 })
-      local newmark = integrator == "newmark"
-      local run = model:dynamic { dt = newmark and 2e-4 or "auto", duration = 0.045, integrator = integrator }
+      local run = model:dynamic { dt = integrator == "newmark" and 2e-4 or "auto", duration = 0.045,
+        integrator = integrator }
       local what = shape .. ", " .. integrator .. ": "
-      run:finish()
-      equal(run.verdict, "completed", what .. tostring(run.reason))
+      runs.completed(run, what)
       close(run:momentum().linear[1], impulse, 1e-6, what .. "momentum, N s")
       local p = bomb:parameters(20)
       -- both middles are 20 m away to 1 %, and the impulse is the same for both shapes
@@ -376,133 +373,122 @@ case("a mass on a cantilever under a triangular pulse has the dynamic load facto
   near(load_factor(1e3), 2, 4e-3, "a sudden load that stays")
   close(load_factor(1e-2), 1e-2 / 2, 1e-3, "an impulse: F td / 2 over m w")
   local mass, F = 2000, 1000
-  local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+  local bar = scenes.square
   local light = hinge.material { E = 210e9, nu = 0.3, density = 100 }
   local flexibility = 1 / (3 * light.E * bar.Ix) + 1 / (light.G * bar.shear_area_y)
   local w = math.sqrt(1 / (flexibility * (mass + 33 / 140 * 100 * bar.area)))
   for _, part in ipairs { 0.1, 0.3, 0.4, 1, 3 } do -- of the period
     local duration = part * 2 * math.pi / w
-    local model = hinge.model { displacement = "small" }
-    local wall, tip = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-    model:fix(wall)
-    model:member { wall, tip, section = bar, material = light }
+    local model, tip = scenes.cantilever { model = { displacement = "small" }, member = { material = light } }
     model:mass { node = tip, mass = mass }
     model:load { node = tip, force = { 0, 0, F }, history = blast.triangle { peak = 1, duration = duration } }
     local period = 2 * math.pi / w
     local run = model:dynamic { dt = period / 200, duration = (part > 0.5 and 0.6 or 0.8) * period + 0.5 * duration }
     local path = run:probe { node = tip, "uz" }
-    run:finish()
-    equal(run.verdict, "completed", tostring(run.reason))
+    runs.completed(run)
     local largest = support.largest_of(table.unpack(path.value))
     close(largest / (F * flexibility), load_factor(w * duration), 0.01, ("td = %g T"):format(part))
   end
 end)
 
 case("a member along which the pressure changes much is refused, or taken as it is in the middle", function()
-  local model = hinge.model()
-  local foot, head = model:node { 5, 0, 0 }, model:node { 5, 0, 6 }
-  local column = model:member { foot, head, section = square, material = steel }
-  local given = { members = { column }, normal = { -1, 0, 0 }, width = 1 }
-  local good, message = pcall(bomb.load, bomb, model, given)
-  expect(not good and message:find("explosion:load: the largest pressure on member 1 is ", 1, true), "%s", message)
+  local function column(count) -- of so many members
+    local model = hinge.model()
+    local from = model:node { 5, 0, 0 }
+    for i = 1, count do
+      local to = model:node { 5, 0, 6 * i / count }
+      model:member { from, to, section = square, material = steel, group = "column" }
+      from = to
+    end
+    return model
+  end
+  local model, given = column(1), { group = "column", normal = { -1, 0, 0 }, width = 1 }
+  local message = refused("explosion:load: the largest pressure on member 1 is ", bomb.load, bomb, model, given)
   equal(#model:loads(), 0, "nothing was loaded")
   local n = math.tointeger(message:match "use (%d+) members in its place")
   expect(n and n > 2 and n < 20, "%s members in: %s", n, message)
-  given.uneven = true
-  local _, _, parts = bomb:load(model, given)
+  local _, _, parts = bomb:load(model, scenes.with(given, { uneven = true }))
   close(parts[1].pressure, bomb:pressure({ 5, 0, 3 }, { -1, 0, 0 }, parts[1].arrival + 1e-12), 1e-6, "in the middle")
   -- that many are accepted, and one less is not
   for _, count in ipairs { n, n - 1 } do
-    local fine = hinge.model()
-    local from = fine:node { 5, 0, 0 }
-    for i = 1, count do
-      local to = fine:node { 5, 0, 6 * i / count }
-      fine:member { from, to, section = square, material = steel, group = "column" }
-      from = to
-    end
-    local accepted = pcall(bomb.load, bomb, fine, { group = "column", normal = { -1, 0, 0 }, width = 1 })
+    local accepted = pcall(bomb.load, bomb, column(count), given)
     equal(accepted, count == n, ("%d members"):format(count))
   end
   -- a beam whose ends have the same pressure, and its middle more
   local wide = hinge.model()
   wide:member { wide:node { 8, -6, 0 }, wide:node { 8, 6, 0 }, section = square, material = steel, group = "beam" }
-  refused(function() bomb:load(wide, { group = "beam", normal = { -1, 0, 0 }, width = 1 }) end, "20 %")
+  refused("20 %", bomb.load, bomb, wide, { group = "beam", normal = { -1, 0, 0 }, width = 1 })
 end)
 
 case("wrong input is refused", function()
-  local at = { 0, 0, 0 }
   for words, options in pairs {
-    ["field 'charge' is missing"] = { at = at },
-    ["'charge' is 0 kg; must be a number above 0 kg"] = { charge = 0, at = at },
-    ["field 'at' is missing; give 3 numbers in braces, in m"] = { charge = 1 },
-    ["field 'at' is {1, 2}"] = { charge = 1, at = { 1, 2 } },
-    ["must be 'surface', a hemispherical charge on the ground; there is no other"] = { charge = 1, at = at,
-      kind = "air" },
-    ["must be one of friedlander, triangle"] = { charge = 1, at = at, shape = "square" },
-    ["the negative phase is not there"] = { charge = 1, at = at, negative = true },
-    ["field 'start' is 'now'"] = { charge = 1, at = at, start = "now" },
-    ["unknown field 'mass'"] = { charge = 1, at = at, mass = 1 },
+    ["field 'charge' is missing"] = { charge = false }, ["field 'at' is {1, 2}"] = { at = { 1, 2 } },
+    ["'charge' is 0 kg; must be a number above 0 kg"] = { charge = 0 },
+    ["field 'at' is missing; give 3 numbers in braces, in m"] = { at = false },
+    ["must be 'surface', a hemispherical charge on the ground; there is no other"] = { kind = "air" },
+    ["must be one of friedlander, triangle"] = { shape = "square" },
+    ["the negative phase is not there"] = { negative = true },
+    ["field 'start' is 'now'"] = { start = "now" }, ["unknown field 'mass'"] = { mass = 1 },
   } do
-    refused(function() blast(options) end, words)
+    local given = scenes.with({ charge = 1, at = { 0, 0, 0 } }, options)
+    given.charge, given.at = given.charge or nil, given.at or nil
+    refused(words, function() blast(given) end)
   end
   for words, call in pairs {
-    ["hinge.blast: takes no further argument"] = function() blast({ charge = 1, at = at }, 1) end,
+    ["hinge.blast: takes no further argument"] = function() blast({ charge = 1, at = { 0, 0, 0 } }, 1) end,
     ["hinge.blast: unknown field 'square'"] = function() return blast.square end,
     ["explosion: unknown field 'loads' (did you mean 'load'?)"] = function() return bomb.loads end,
-    ["explosion:pressure: called on {1}; write explosion:pressure(...)"] = function() bomb.pressure({ 1 }) end,
+    ["explosion:pressure: called on {1}; write explosion:pressure(...)"] = function() bomb.pressure { 1 } end,
     ["field 'distance' is 0 m; must be a number above 0 m"] = function() bomb:parameters(0) end,
     ["field 'point' is {1}"] = function() bomb:parameters { 1 } end,
     ["unknown field 'peak'"] = function() return bomb:parameters(20).peak end,
-    ["field 'normal' is {0, 0, 0}; must be the direction out of the face"] = function()
-      bomb:pressure(there, { 0, 0, 0 }, 0) end,
+    ["field 'normal' is {0, 0, 0}; must be the direction out of the face"] =
+      function() bomb:pressure(there, { 0, 0, 0 }, 0) end,
     ["field 'time' is missing"] = function() bomb:pressure(there, { 1, 0, 0 }) end,
     ["hinge.blast.triangle: field 'peak' is missing"] = function() blast.triangle { duration = 1 } end,
-    ["hinge.blast.triangle: field 'duration' is 0 s; must be a number above 0 s"] = function()
-      blast.triangle { peak = 1, duration = 0 } end,
-    ["field 'decay' is -1; must be a number of at least 0 and of at most 50"] = function()
-      blast.friedlander { peak = 1, duration = 1, decay = -1 } end,
+    ["hinge.blast.triangle: field 'duration' is 0 s; must be a number above 0 s"] =
+      function() blast.triangle { peak = 1, duration = 0 } end,
+    ["field 'decay' is -1; must be a number of at least 0 and of at most 50"] =
+      function() blast.friedlander { peak = 1, duration = 1, decay = -1 } end,
     ["field 'decay' is missing"] = function() blast.friedlander { peak = 1, duration = 1 } end,
-    ["hinge.blast.friedlander: unknown field 'b'"] = function()
-      blast.friedlander { peak = 1, duration = 1, b = 1 } end,
+    ["hinge.blast.friedlander: unknown field 'b'"] = function() blast.friedlander { peak = 1, duration = 1, b = 1 } end,
   } do
-    refused(call, words)
+    refused(words, call)
   end
 end)
 
 case("wrong input of a load is refused, and changes nothing", function()
   local model, m = facade()
   local other, theirs = facade()
-  local normal = { -1, 0, 0 }
   for words, options in pairs {
-    ["give either 'members' or 'group'"] = { normal = normal, width = 1 },
-    ["'members' or 'group'; both are given"] = { normal = normal, width = 1, members = m, group = "front" },
-    ["group 'fronts' (did you mean 'front'?)"] = { normal = normal, width = 1, group = "fronts" },
-    ["field 'group' is 3; must be a group of this model or its name"] = { normal = normal, width = 1, group = 3 },
-    ["field 'group' is group"] = { normal = normal, width = 1, group = other:group "front" },
-    ["field 'members' is empty"] = { normal = normal, width = 1, members = {} },
-    ["field 'members[2]' is 5; must be a member of this model"] = { normal = normal, width = 1, members = { m[1], 5 } },
-    ["field 'members[1]' is member 1"] = { normal = normal, width = 1, members = { theirs[1] } },
-    ["which is in the list twice"] = { normal = normal, width = 1, members = { m[1], m[1] } },
-    ["field 'normal' is missing"] = { width = 1, group = "front" },
-    ["field 'normal' is 0 degrees from the axis of member 1; must be 84 to 90 degrees"] = { normal = { 0, 0, 1 },
-      width = 1, group = "front" },
-    ["'normal' is 45 degrees from the axis of member 1"] = { normal = { -1, 0, 1 }, width = 1, group = "front" },
-    ["'normal' is {0, 0, 0}"] = { normal = { 0, 0, 0 }, width = 1, group = "front" },
-    ["field 'width' is missing; must be a number above 0 m, or a function"] = { normal = normal, group = "front" },
-    ["field 'width' is 0; must be"] = { normal = normal, group = "front", width = 0 },
-    ["field 'width' is not a number (nan)"] = { normal = normal, group = "front", width = 0 / 0 },
-    ["field 'width(member 2)' is -1 m; must be a number above 0 m"] = { normal = normal, group = "front",
+    ["give either 'members' or 'group'"] = { group = false },
+    ["'members' or 'group'; both are given"] = { members = m },
+    ["group 'fronts' (did you mean 'front'?)"] = { group = "fronts" },
+    ["field 'group' is 3; must be a group of this model or its name"] = { group = 3 },
+    ["field 'group' is group"] = { group = other:group "front" },
+    ["field 'members' is empty"] = { group = false, members = {} },
+    ["field 'members[2]' is 5; must be a member of this model"] = { group = false, members = { m[1], 5 } },
+    ["field 'members[1]' is member 1"] = { group = false, members = { theirs[1] } },
+    ["which is in the list twice"] = { group = false, members = { m[1], m[1] } },
+    ["field 'normal' is missing"] = { normal = false }, ["'normal' is {0, 0, 0}"] = { normal = { 0, 0, 0 } },
+    ["field 'normal' is 0 degrees from the axis of member 1; must be 84 to 90 degrees"] = { normal = { 0, 0, 1 } },
+    ["'normal' is 45 degrees from the axis of member 1"] = { normal = { -1, 0, 1 } },
+    ["field 'width' is missing; must be a number above 0 m, or a function"] = { width = false },
+    ["field 'width' is 0; must be"] = { width = 0 }, ["field 'width' is not a number (nan)"] = { width = 0 / 0 },
+    ["field 'width(member 2)' is -1 m; must be a number above 0 m"] = {
       width = function(member) return member.index == 2 and -1 or 1 end },
-    ["field 'uneven' is 1"] = { normal = normal, group = "front", width = 1, uneven = 1 },
-    ["unknown field 'member' (did you mean 'members'?)"] = { normal = normal, member = m[1], width = 1 },
-    ["no load case 'wind'"] = { normal = normal, group = "front", width = 1, case = "wind" },
+    ["field 'uneven' is 1"] = { uneven = 1 }, ["no load case 'wind'"] = { case = "wind" },
+    ["unknown field 'member' (did you mean 'members'?)"] = { member = m[1] },
   } do
-    refused(function() bomb:load(model, options) end, words)
+    local given = scenes.with({ group = "front", normal = { -1, 0, 0 }, width = 1 }, options)
+    for name, value in pairs(given) do given[name] = value or nil end
+    refused(words, function() bomb:load(model, given) end)
   end
-  refused(function() bomb:load { group = "front" } end, "the model is a table")
-  refused(function() bomb:load(model, { group = "front", normal = normal, width = 1 }, 1) end, "no further argument")
-  refused(function() blast { charge = 1e-3, at = { 0, 0, 0 } }:load(model, { group = "front", normal = normal,
-    width = 1, uneven = true }) end, "must be from 0.06 to 198.5 m/kg^(1/3), here 0.006 to 19.85 m")
+  local good = { group = "front", normal = { -1, 0, 0 }, width = 1, uneven = true }
+  refused("the model is a table", function() bomb:load { group = "front" } end)
+  refused("no further argument", function() bomb:load(model, good, 1) end)
+  refused("must be from 0.06 to 198.5 m/kg^(1/3), here 0.006 to 19.85 m",
+    function() blast { charge = 1e-3, at = { 0, 0, 0 } }:load(model, good) end)
   equal(#other:members(), 3, "the other model is there")
   local run = model:dynamic { dt = 1e-3, duration = 0.05 }:finish()
   near(run:momentum().linear[1], 0, 1e-12, "nothing was loaded")
