@@ -12,14 +12,13 @@
 -- the charge would then have as little as 2/3 of the incident pressure.
 local check = require "hinge.library.check"
 local vectors = require "hinge.library.vectors"
+local faces = require "hinge.actions.faces"
 local chosen = require "hinge.model.chosen_members"
 
 local blast = {}
 
 local length = { "number", unit = "m", above = 0 }
 local point_rule = { "numbers", count = 3, unit = "m" }
-local normal_rule = { "numbers", count = 3 }
-local least_angle = 84 -- degrees, between the normal of a face and the axis of its member
 local even = 0.2 -- of the pressure in the middle of a member: the most that it may differ along the member
 local intervals = 60 -- of a history
 local largest_decay = 50 -- at which the history with that many intervals still follows the pulse
@@ -176,7 +175,7 @@ end
 
 -- Faces ---------------------------------------------------------------------------------------------------------------
 
-local dot = vectors.dot
+local between, of_node = vectors.between, vectors.of_node
 
 -- The distance of a point from the charge, and the vector from the point to the charge.
 local function distance_to(self, point)
@@ -184,13 +183,8 @@ local function distance_to(self, point)
   return vectors.length(to), to
 end
 
-local function unit_vector(where, normal)
-  check.value(where, "normal", normal, normal_rule)
-  local unit, size = vectors.unit(normal)
-  if size == 0 then
-    check.fail("%s: field 'normal' is {0, 0, 0}; must be the direction out of the face, of any length above 0", where)
-  end
-  return unit
+local function unit_normal(where, normal)
+  return faces.direction(where, "normal", normal, "the direction out of the face")
 end
 
 -- The pulse on a small face at a point, with its unit normal: arrival in time of the run (s), duration (s), peak (Pa),
@@ -198,7 +192,7 @@ end
 local function pulse_on(self, where, point, normal)
   local distance, to = distance_to(self, point)
   local p = parameters_at(self, where, distance)
-  local c = math.max(0, math.min(1, dot(to, normal) / distance)) -- 0: turned away
+  local c = math.max(0, math.min(1, vectors.dot(to, normal) / distance)) -- 0: turned away
   local of_reflected, of_incident = c ^ 2, 1 + c - 2 * c ^ 2
   local parts = { { of_reflected * p.reflected_pressure, p.reflected_decay },
     { of_incident * p.incident_pressure, p.incident_decay } }
@@ -217,12 +211,6 @@ local function pulse_at(pulse, time)
 end
 
 -- Members -------------------------------------------------------------------------------------------------------------
-
-local function ends_of(member)
-  return vectors.of_node(member.a), vectors.of_node(member.b)
-end
-
-local between = vectors.between
 
 -- The peaks of the pressure at both ends of a part of a member and in its middle, and whether they are near each other.
 local function peaks_along(self, where, from, to, normal)
@@ -246,7 +234,7 @@ local function needed(self, where, a, b, normal)
 end
 
 local function refuse_uneven(self, where, member, normal)
-  local a, b = ends_of(member)
+  local a, b = of_node(member.a), of_node(member.b)
   local peaks, good = peaks_along(self, where, a, b, normal)
   if good then return end
   local n = needed(self, where, a, b, normal)
@@ -256,34 +244,9 @@ local function refuse_uneven(self, where, member, normal)
     n and tostring(n) or "more than 100")
 end
 
-local function refuse_along(where, member, normal)
-  local a, b = ends_of(member)
-  local axis = { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
-  local cosine = math.abs(dot(axis, normal)) / vectors.length(axis)
-  local angle = math.deg(math.acos(math.min(1, cosine)))
-  if angle < least_angle then
-    check.fail("%s: field 'normal' is %.3g degrees from the axis of member %d; must be %g to 90 degrees from it", where,
-      angle, member.index, least_angle)
-  end
-end
-
-local function width_of(where, given, member)
-  if type(given) == "function" then
-    return check.value(where, ("width(member %d)"):format(member.index), given(member), length)
-  end
-  return given
-end
-
--- Any value, which is looked at later.
-local function any(value) return { type(value), optional = true } end
-
 local function load_options(where, given)
-  local of = type(given) == "table" and given or {}
-  local o = check.options(where, given, { members = { "table", optional = true }, group = any(of.group),
-    normal = normal_rule, width = any(of.width), uneven = { "boolean", default = false }, case = any(of.case) })
-  if (o.members == nil) == (o.group == nil) then
-    check.fail("%s: give either 'members' or 'group'%s", where, o.group ~= nil and "; both are given" or "")
-  end
+  local o = check.options(where, given, { members = { "table", optional = true }, group = faces.any,
+    normal = { "numbers", count = 3 }, width = faces.any, uneven = { "boolean", default = false }, case = faces.any })
   if type(o.width) ~= "function" then
     local good = type(o.width) == "number" and o.width > 0 and o.width < math.huge
     if not good then
@@ -296,15 +259,14 @@ end
 
 -- One load for each member, as model:load takes it, and what it is made of.
 local function load_of(self, where, member, o, normal)
-  refuse_along(where, member, normal)
+  faces.refuse_along(where, "normal", member, normal)
   if not o.uneven then refuse_uneven(self, where, member, normal) end
-  local width = width_of(where, o.width, member)
-  local a, b = ends_of(member)
-  local pulse = pulse_on(self, where, between(a, b, 1 / 2), normal)
+  local width = faces.width(where, o.width, member)
+  local pulse = pulse_on(self, where, between(of_node(member.a), of_node(member.b), 1 / 2), normal)
   local area, q = width * member.length, width * pulse.peak
   local history = points_of(pulse)
   for _, point in ipairs(history) do point[2] = point[2] / pulse.peak end
-  return { member = member, q = { -q * normal[1], -q * normal[2], -q * normal[3] }, history = history, case = o.case },
+  return { member = member, q = vectors.times(-q, normal), history = history, case = o.case },
     { member = member, distance = pulse.distance, arrival = pulse.arrival, duration = pulse.duration,
       pressure = pulse.peak, width = width, force = pulse.peak * area, impulse = pulse.impulse * area }
 end
@@ -348,7 +310,7 @@ function methods.pressure(self, point, normal, time, ...)
   check_self(where, self)
   check.no_more(where, ...)
   check.value(where, "point", point, point_rule)
-  local n = unit_vector(where, normal)
+  local n = unit_normal(where, normal)
   check.value(where, "time", time, { "number", unit = "s" })
   return pulse_at(pulse_on(self, where, point, n), time)
 end
@@ -359,7 +321,7 @@ function methods.load(self, model, options, ...)
   check.model(where, model)
   check.no_more(where, ...)
   local o = load_options(where, options)
-  local normal = unit_vector(where, o.normal)
+  local normal = unit_normal(where, o.normal)
   local members = chosen.members(where, model, o.members, o.group)
   local loads, parts, force, impulse = {}, {}, 0, 0
   for i, member in ipairs(members) do

@@ -6,6 +6,7 @@
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local vectors = require "hinge.library.vectors"
+local faces = require "hinge.actions.faces"
 local chosen = require "hinge.model.chosen_members"
 
 local near = 1e-9 -- of the length of the line: places that differ by less are the same
@@ -41,8 +42,10 @@ local function first_node(where, members, from)
   return from or first.a
 end
 
--- The members as { member =, from =, length = (m), turned = whether the line runs from b to a }, and the length.
+-- The members of the model as { member =, from =, length = (m), turned = whether the line runs from b to a }, and the
+-- length.
 local function read_line(where, o)
+  chosen.model(where, o.model)
   local members = chosen.members(where, o.model, o.members, o.group)
   local at, length, line = first_node(where, members, o.from), 0, {}
   line.first = at
@@ -82,20 +85,9 @@ local function places_of(line, parts)
   return list
 end
 
-local function unit_vector(where, given)
-  check.value(where, "direction", given, { "numbers", count = 3 })
-  local unit, size = vectors.unit(given)
-  if size == 0 then
-    check.fail("%s: field 'direction' is {0, 0, 0}; must be a direction, of any length above 0", where)
-  end
-  return unit
-end
-
-local function any(value) return { type(value), optional = true } end
-local line_fields = { "model", "members", "group", "from" }
-local function rules_with(given, rules)
-  local of = type(given) == "table" and given or {}
-  for _, name in ipairs(line_fields) do rules[name] = any(of[name]) end
+-- With the fields of the line.
+local function rules_with(rules)
+  for _, name in ipairs { "model", "members", "group", "from" } do rules[name] = faces.any end
   return rules
 end
 local parts_rule = { "number", whole = true, at_least = 1, at_most = 1000 }
@@ -187,11 +179,6 @@ function methods.positions(self, time, ...)
   return list
 end
 
-local function check_line(where, o)
-  chosen.model(where, o.model)
-  return read_line(where, o)
-end
-
 -- hinge.moving_load { ... }
 local function new(_, options, ...)
   local where = "hinge.moving_load"
@@ -200,12 +187,12 @@ local function new(_, options, ...)
     check.fail("%s: field 'case' is not there: a static run that names the load case would put the forces at all "
       .. "places at once; the forces act in every dynamic run", where)
   end
-  local o = check.options(where, options, rules_with(options, { axles = { "table" },
+  local o = check.options(where, options, rules_with { axles = { "table" },
     speed = { "number", unit = "m/s", above = 0 }, start = { "number", unit = "s", default = 0 },
     parts = { "number", whole = true, at_least = 1, at_most = 1000, default = 10 },
-    direction = { "table", default = { 0, 0, -1 } } }))
-  local line = check_line(where, o)
-  local direction, axles = unit_vector(where, o.direction), read_axles(where, o.axles)
+    direction = { "table", default = { 0, 0, -1 } } })
+  local line = read_line(where, o)
+  local direction, axles = faces.direction(where, "direction", o.direction), read_axles(where, o.axles)
   local s, loads = places_of(line, o.parts), {}
   if #s > most_places then
     check.fail("%s: the line has %d places; the most are %d; give fewer 'parts'", where, #s, most_places)
@@ -267,7 +254,7 @@ local function new_cases(o, line, positions, direction)
   while taken[("influence line %d, 1"):format(number)] do number = number + 1 end
   for i, s in ipairs(positions) do
     local load = spot_of(line, s)
-    load.force = { o.force * direction[1], o.force * direction[2], o.force * direction[3] }
+    load.force = vectors.times(o.force, direction)
     load.case = o.model:case(("influence line %d, %d"):format(number, i))
     o.model:load(load)
     cases[i] = load.case
@@ -286,14 +273,13 @@ end
 function moving.influence(options, ...)
   local where = "hinge.moving_load.influence"
   check.no_more(where, ...)
-  local given = type(options) == "table" and options or {}
-  local o = check.options(where, options, rules_with(options, { read = { "function" },
+  local o = check.options(where, options, rules_with { read = { "function" },
     force = { "number", unit = "N", above = 0, default = 1 }, direction = { "table", default = { 0, 0, -1 } },
-    parts = any(given.parts), positions = any(given.positions), loads = { "table", default = {} },
-    steps = { "number", whole = true, at_least = 1, at_most = 1000, default = 1 } }))
+    parts = faces.any, positions = faces.any, loads = { "table", default = {} },
+    steps = { "number", whole = true, at_least = 1, at_most = 1000, default = 1 } })
   if o.parts ~= nil then check.value(where, "parts", o.parts, parts_rule) end
-  local line = check_line(where, o)
-  local positions, direction = read_positions(where, o, line), unit_vector(where, o.direction)
+  local line = read_line(where, o)
+  local positions, direction = read_positions(where, o, line), faces.direction(where, "direction", o.direction)
   local cases = new_cases(o, line, positions, direction)
   local rest = run_with(where, o, with(o.loads, cases[1], 0), "without the force")
   local lines = { positions = positions }

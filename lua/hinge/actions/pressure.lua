@@ -8,29 +8,18 @@
 -- linear along the piece are exact.
 local check = require "hinge.library.check"
 local vectors = require "hinge.library.vectors"
+local faces = require "hinge.actions.faces"
 local chosen = require "hinge.model.chosen_members"
 
 local where = "hinge.pressure"
 local near = 1e-6 -- of the longer side of the area: places that differ by less are the same
 local exact = 1e-12 -- of the total force
 local pieces = 8 -- of a member that has point loads
-local least_angle = 84 -- degrees, between the normal of a face and the axis of its member, as in hinge.blast
 local gauss = { { 0.5 - math.sqrt(0.15), 5 / 18 }, { 0.5, 8 / 18 }, { 0.5 + math.sqrt(0.15), 5 / 18 } } -- on 0 to 1
-
--- Vectors -------------------------------------------------------------------------------------------------------------
 
 local dot, cross, minus, times, size_of = vectors.dot, vectors.cross, vectors.minus, vectors.times, vectors.length
 local along = vectors.plus
 local place_of = vectors.of_node
-
-local function unit_vector(field, given)
-  check.value(where, field, given, { "numbers", count = 3 })
-  local size = size_of(given)
-  if size == 0 then
-    check.fail("%s: field '%s' is {0, 0, 0}; must be a direction, of any length above 0", where, field)
-  end
-  return times(1 / size, given)
-end
 
 -- The value -----------------------------------------------------------------------------------------------------------
 
@@ -231,7 +220,7 @@ end
 -- The axis along which the beams of a one-way area lie.
 local function beams_axis(o, area, list)
   if o.span then
-    local span = unit_vector("span", o.span)
+    local span = faces.direction(where, "span", o.span)
     for axis = 1, 2 do
       if math.abs(dot(span, area.axes[axis])) > 1 - near then return 3 - axis end
     end
@@ -291,24 +280,13 @@ end
 
 -- The face ------------------------------------------------------------------------------------------------------------
 
-local function width_of(o, member)
-  local width = o.width
-  if type(width) == "function" then width = width(member) end
-  return check.value(where, type(o.width) == "function" and ("width(member %d)"):format(member.index) or "width", width,
-    { "number", unit = "m", above = 0 })
-end
-
 local function on_face(o, normal, members)
   local stretches = {}
   for i, member in ipairs(members) do
     local a = place_of(member.a)
     local axis = minus(place_of(member.b), a)
-    local angle = math.deg(math.acos(math.min(1, math.abs(dot(axis, normal)) / size_of(axis))))
-    if angle < least_angle then
-      check.fail("%s: field 'on' is %.3g degrees from the axis of member %d; must be %g to 90 degrees from it", where,
-        angle, member.index, least_angle)
-    end
-    local width = width_of(o, member)
+    faces.refuse_along(where, "on", member, normal)
+    local width = faces.width(where, o.width, member)
     stretches[i] = { member = member, from = 0, to = 1, length = member.length, area = width * member.length,
       linear = type(o.value) == "number", q = function(part) return width * pressure_at(o, along(a, part, axis)) end }
   end
@@ -317,18 +295,17 @@ end
 
 -- Options -------------------------------------------------------------------------------------------------------------
 
-local function any(value) return { type(value), optional = true } end
-
 local function read_options(given)
-  local of = type(given) == "table" and given or {}
-  if of.openings ~= nil then
+  if type(given) == "table" and given.openings ~= nil then
     check.fail("%s: field 'openings' is not there: openings in the area are not known; give the rectangles around the "
       .. "opening, each with members along its edges", where)
   end
-  local o = check.options(where, given, { model = any(of.model), members = any(of.members), group = any(of.group),
-    on = any(of.on), value = any(of.value), direction = any(of.direction), span = any(of.span), width = any(of.width),
-    spread = { "string", one_of = { "one way", "two way" }, optional = true }, case = any(of.case),
-    history = any(of.history) })
+  local rules = { spread = { "string", one_of = { "one way", "two way" }, optional = true } }
+  for _, name in ipairs { "model", "members", "group", "on", "value", "direction", "span", "width", "case",
+    "history" } do
+    rules[name] = faces.any
+  end
+  local o = check.options(where, given, rules)
   chosen.model(where, o.model)
   if type(o.on) ~= "table" then
     check.fail("%s: field 'on' is %s; must be the 4 corners of a rectangle, or the direction out of a face", where,
@@ -342,7 +319,7 @@ end
 local function of_area(o, members)
   if o.width then check.fail("%s: field 'width' is for a face, where 'on' is a direction", where) end
   local spread = check.value(where, "spread", o.spread, { "string", one_of = { "one way", "two way" } })
-  o.direction = unit_vector("direction", o.direction)
+  o.direction = faces.direction(where, "direction", o.direction)
   local area = rectangle(o.on)
   local list = pieces_of(area, members)
   local stretches = spread == "one way" and one_way(o, area, list) or two_way(o, area, list)
@@ -353,8 +330,8 @@ local function of_face(o, members)
   for _, name in ipairs { "spread", "span" } do
     if o[name] then check.fail("%s: field '%s' is for an area, where 'on' has corner points", where, name) end
   end
-  local normal = unit_vector("on", o.on)
-  o.direction = o.direction and unit_vector("direction", o.direction) or times(-1, normal)
+  local normal = faces.direction(where, "on", o.on)
+  o.direction = o.direction and faces.direction(where, "direction", o.direction) or times(-1, normal)
   local stretches, area = on_face(o, normal, members), 0
   for _, stretch in ipairs(stretches) do area = area + stretch.area end
   return stretches, area

@@ -63,16 +63,24 @@ function Benchmark:rows_with(shared, ...)
   end
 end
 
+-- These fields of a table.
+local function part_of(of, names)
+  local part = {}
+  for _, name in ipairs(names) do part[name] = of[name] end
+  return part
+end
+
+local of_row = { "quantity", "computed", "reference", "unit", "error", "tolerance", "right", "elements", "steps",
+  "seconds" }
+--- What a benchmark says of itself.
+benchmark.said = { "title", "kind", "source", "missing", "unconfirmed", "fast" }
+
 -- The rows that a benchmark has found, as results of a scenario.
 local function results_of(self, o)
-  local rows = {}
-  for i, row in ipairs(self.rows) do
-    rows[i] = { quantity = row.quantity, computed = row.computed, reference = row.reference, unit = row.unit,
-      error = row.error, tolerance = row.tolerance, right = row.right, elements = row.elements, steps = row.steps,
-      seconds = row.seconds }
-  end
-  return { title = o.title, kind = o.kind, source = o.source, missing = o.missing, unconfirmed = o.unconfirmed,
-    rows = rows }
+  local results = part_of(o, benchmark.said)
+  results.fast, results.rows = nil, {}
+  for i, row in ipairs(self.rows) do results.rows[i] = part_of(row, of_row) end
+  return results
 end
 
 -- Says which rows are wrong. Where none is, the verdict is that of the runs: right numbers hide no run that failed.
@@ -104,8 +112,7 @@ function benchmark.new(options, ...)
       return results_of(self, o)
     end,
   }
-  made.benchmark = { title = o.title, kind = o.kind, source = o.source, fast = o.fast, missing = o.missing,
-    unconfirmed = o.unconfirmed }
+  made.benchmark = part_of(o, benchmark.said)
   return made
 end
 

@@ -1,5 +1,6 @@
 -- A folder of benchmarks: each file in a process of its own, several at a time, and the rows that all have found.
 local core = require "hinge.core"
+local benchmark = require "hinge.benchmark"
 local case = require "hinge.study.case"
 local check = require "hinge.library.check"
 local files = require "hinge.study.files"
@@ -10,7 +11,7 @@ local status_line = require "hinge.library.status_line"
 local quote = require "hinge.library.quote"
 
 local set, kinds = {}, {}
-for i, kind in ipairs(require "hinge.benchmark".kinds) do kinds[kind] = i end
+for i, kind in ipairs(benchmark.kinds) do kinds[kind] = i end
 
 --- The names in a folder that end so, in alphabetical order, without the ending.
 function set.names(folder, ending)
@@ -40,8 +41,7 @@ local function description_of(path)
   if not what then
     return { problem = path .. " returns no benchmark; its last statement must be return hinge.benchmark { ... }" }
   end
-  return { title = what.title, kind = what.kind, source = what.source, missing = what.missing, fast = what.fast,
-    unconfirmed = what.unconfirmed }
+  return what
 end
 
 -- Runs tasks of a pool, one for each of `list`, which has items with name and folder. Returns false where a signal
@@ -69,8 +69,7 @@ local function describe(list, options)
   end, function(one, outcome)
     local found = outcome.results
     if outcome.verdict == "completed" and found.kind then
-      one.title, one.kind, one.source = found.title, found.kind, found.source
-      one.missing, one.fast, one.unconfirmed = found.missing, found.fast, found.unconfirmed
+      for _, name in ipairs(benchmark.said) do one[name] = found[name] end
     else
       one.title, one.failure = one.name, found.problem or reason_of(outcome)
     end

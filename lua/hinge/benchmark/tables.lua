@@ -142,8 +142,7 @@ function tables.csv(rows)
   return table.concat(lines, "\n") .. "\n"
 end
 
--- A text as a cell of a table in Markdown.
-local function cell(text) return quote.markdown(text) end
+local cell = quote.markdown
 
 local function markdown_row(row, first)
   local one = row.of

@@ -131,20 +131,20 @@ function aircraft.add(model, options)
   local length, directions = 0, {}
   for i, m in ipairs(members) do
     local a, b = places[m[1]], places[m[2]]
-    local direction, l = vectors.unit { b[1] - a[1], b[2] - a[2], b[3] - a[3] }
-    directions[i], length = direction, length + l
+    local l
+    directions[i], l = vectors.unit(vectors.minus(b, a))
+    length = length + l
   end
   local density = o.mass / (o.section.area * length)
   local material = materials.with_density(o.material, density)
   for i, m in ipairs(members) do
-    local d = directions[i]
-    local steep = math.abs(d[1] * upward[1] + d[2] * upward[2] + d[3] * upward[3]) > 0.8
+    local steep = math.abs(vectors.dot(directions[i], upward)) > 0.8
     model:member { nodes[m[1]], nodes[m[2]], section = o.section, material = material, up = steep and forward or upward,
       group = { m[3], "aircraft" } }
   end
 
   local group = model:group("aircraft")
-  if o.speed then model:velocity(group, { o.speed * forward[1], o.speed * forward[2], o.speed * forward[3] }) end
+  if o.speed then model:velocity(group, vectors.times(o.speed, forward)) end
   return group, { nose = nodes[1], joints = #points, members = #members, length = length, density = density,
     mass = o.mass, groups = { "fuselage", "wing", "tail" } }
 end

@@ -9,7 +9,8 @@ local check    = require "hinge.library.check"
 local core     = require "hinge.core"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"
-local quote = require "hinge.library.quote"
+local files    = require "hinge.study.files"
+local quote    = require "hinge.library.quote"
 
 local impact = {
   order = { "I", "II", "III", "IV" },
@@ -237,13 +238,6 @@ local function source(value)
   return "{" .. table.concat(items, ",") .. "}"
 end
 
-local function read(path)
-  local file = io.open(path)
-  local text = file and file:read "a"
-  if file then file:close() end
-  return text
-end
-
 --- Calls one(task, job) for each task of a list and returns what it returned, in order. Each task is a case of a study,
 -- in a process of its own, as many at a time as there are cores; half = 1 in `p`: all in this process. What `one`
 -- returns must be made of numbers, strings, booleans and tables. Pictures all go to the job's own folder.
@@ -261,7 +255,7 @@ function impact.side_by_side(job, p, tasks, one)
     local study = hinge.study(scenario, { vary = { task = numbers }, out = out, restart = true, progress = true,
       pictures = false })
     for _, c in ipairs(study.cases) do
-      local text = c.verdict ~= "interrupted" and read(("%s/%s/result.lua"):format(study.folder, c.folder))
+      local text = c.verdict ~= "interrupted" and files.text(("%s/%s/result.lua"):format(study.folder, c.folder))
       local load_result, notes = text and load(text, "result", "t", {}), nil
       if load_result then results[c.number], notes = load_result() end
       for _, note in ipairs(notes or {}) do job:note(note) end
