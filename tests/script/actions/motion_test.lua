@@ -4,22 +4,21 @@
 -- Run: lua5.4 tests/script/actions/motion_test.lua BUILD_FOLDER
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "motion"
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
+local runs = require "runs"(checks)
 local hinge_on = support.scenes(arg[1])
 
 local steel = hinge.material { E = 200e9, nu = 0.3, density = 8000 }
-local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local bar = scenes.square
 local per_length, L = 8000 * 0.05 ^ 2, 2 -- kg/m, m
 
 -- Velocities ----------------------------------------------------------------------------------------------------------
 
 local function cantilever(elements)
-  local model = hinge.model { elements_per_member = elements }
-  local foot, tip = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
-  model:fix(foot)
-  return model, tip, model:member { foot, tip, section = bar, material = steel, group = "arm" }, foot
+  return scenes.cantilever { length = L, member = { material = steel, elements = elements } }
 end
 case("a velocity on a node, a member and a group moves what it names", function()
   for _, elements in ipairs { 2, 8 } do
@@ -36,7 +35,7 @@ case("a velocity on a node, a member and a group moves what it names", function(
 end)
 
 case("the peak of a struck mass does not depend on the number of elements", function()
-  -- the same peak for any number of elements, as a mass on a spring has it: m v^2 = k u^2
+  -- as a mass on a spring has it: m v^2 = k u^2
   local peak = {}
   for _, elements in ipairs { 2, 8 } do
     local model, tip = cantilever(elements)
@@ -51,7 +50,7 @@ case("the peak of a struck mass does not depend on the number of elements", func
 end)
 
 case("both ends by two calls move the member as its group does", function()
-  -- both ends by two calls move the member, and so does its group; given to one joint of two members: that joint
+  -- given to one joint of two members: that joint
   local function kinetic(give)
     local model = hinge.model { elements_per_member = 4 }
     local a, b, c = model:node { 0, 0, 0 }, model:node { L, 0, 0 }, model:node { 2 * L, 0, 0 }
@@ -69,7 +68,6 @@ case("both ends by two calls move the member as its group does", function()
 end)
 
 case("velocities after statics move the same", function()
-  -- after statics likewise
   local model, tip = cantilever(4)
   model:load { node = tip, force = { 0, 0, 1 } }
   local rest = model:static { steps = 1 }:finish()
@@ -122,8 +120,8 @@ case("alpha slows free bodies down", function()
     ["meant"] = "model:damping { alpha = 2, group = 'free' }",
     ["beta alone"] = "model:damping { alpha = 0, beta = 1e-4 }",
     ["held by a connector"] = "model:damping { alpha = 2 }\nmodel:connector { b, d, stiffness = { x = 1e5 } }",
-    ["held by the ground"] = "model:damping { alpha = 2 }\nmodel:connector { d, ground = true, stiffness = { x = 1e5 "
-    .. "} }",
+    ["held by the ground"] = "model:damping { alpha = 2 }\nmodel:connector { d, ground = true, "
+      .. "stiffness = { x = 1e5 } }",
   } do
     expect(not check(more):find(slows, 1, true), "quiet: %s", what)
   end
@@ -134,10 +132,8 @@ end)
 -- under the weight -m a.
 case("a mass on a post whose ground is accelerated follows the closed form", function()
   local function shaken(o)
-    local model = hinge.model { elements_per_member = 2, weight = "nodes" }
-    local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
-    model:fix(foot)
-    model:member { foot, top, section = bar, material = steel }
+    local model, top, _, foot = scenes.cantilever { along = { 0, 0, 1 }, member = { material = steel },
+      model = { elements_per_member = 2, weight = "nodes" } }
     model:mass { node = top, mass = 200 }
     local a = o.acceleration
     if o.moves then
@@ -148,8 +144,7 @@ case("a mass on a post whose ground is accelerated follows the closed form", fun
     model:damping { alpha = o.alpha }
     local run = model:dynamic { dt = o.integrator == "explicit" and "auto" or 1e-4, duration = 0.25,
       integrator = o.integrator, rho_infinity = o.rho_infinity }
-    run:finish()
-    equal(run.verdict, "completed", "shaken: " .. run.reason)
+    runs.completed(run, "shaken")
     return run, run:displacement(top) - run:displacement(foot)
   end
   for _, o in ipairs { { integrator = "newmark" }, { integrator = "explicit" }, { rho_infinity = 0.8 } } do
@@ -163,39 +158,27 @@ case("a mass on a post whose ground is accelerated follows the closed form", fun
     near(u, wanted, exact * math.abs(wanted), what .. "as in the axes of the ground")
     near(moving.energy.damping, still.energy.damping, 0.02 * still.energy.damping, what .. "energy damped")
     expect(still.energy.damping > 0.01, what .. "something is damped")
-    expect(math.abs(moving.energy.energy_error) < 1e-4 * moving.energy.work, "%senergy error %g of %g J", what,
-      moving.energy.energy_error, moving.energy.work)
+    runs.balanced(moving, 1e-4, "work", what)
   end
 end)
 
 case("supports that move apart load what is between them", function()
-  -- supports that move apart: relative to their mean, along each direction by those held in it
-  local model = hinge.model {}
-  local a, b = model:node { 0, 0, 0 }, model:node { 2, 0, 0 }
-  model:fix(a)
+  -- relative to their mean, along each direction by those held in it
+  local model, b = scenes.cantilever { length = 2, member = { material = steel } }
   model:fix(b, "xyz")
-  model:member { a, b, section = bar, material = steel }
   model:move { node = b, z = function(t) return 0.01 * (1 - math.cos(50 * t)) end }
   model:damping { alpha = 5 }
-  local run = model:dynamic { dt = 2e-5, duration = 0.2 }
-  run:finish()
-  expect(math.abs(run.energy.energy_error) < 1e-3 * run.energy.damping,
-    "supports that move apart: energy error %g of %g", run.energy.energy_error, run.energy.damping)
+  runs.balanced(model:dynamic { dt = 2e-5, duration = 0.2 }:finish(), 1e-3, "damping", "supports that move apart")
 end)
 
 case("a free body beside moving supports is damped by its velocity in space", function()
-  -- a body without supports beside moving ones is damped by its velocity in space
-  local model = hinge.model {}
-  local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 1 }
+  local model, _, _, foot = scenes.cantilever { along = { 0, 0, 1 }, member = { material = steel } }
   local c, d = model:node { 5, 0, 0 }, model:node { 6, 0, 0 }
-  model:fix(foot)
-  model:member { foot, top, section = bar, material = steel }
   model:member { c, d, section = bar, material = steel, group = "free" }
   model:velocity("free", { 20, 0, 0 })
   model:move { node = foot, x = function(t) return t end }
   model:damping { alpha = 1 }
-  local run = model:dynamic { dt = 1e-4, duration = 0.2 }
-  run:finish()
+  local run = model:dynamic { dt = 1e-4, duration = 0.2 }:finish()
   near(run:velocity(c), 20 * math.exp(-0.2), 1e-3, "in flight")
 end)
 
@@ -207,8 +190,7 @@ case("a spin turns a body at its rate", function()
     model:member { a, b, section = bar, material = steel, group = "bar" }
     model:velocity("bar", { 1, 0, 0 }, o.spin)
     local run = model:dynamic { dt = o.dt, duration = o.duration or 1, integrator = o.integrator, record = false }
-    run:finish()
-    equal(run.verdict, "completed", "spinning: " .. run.reason)
+    runs.completed(run, "spinning")
     local said
     for _, w in ipairs(run.warnings) do said = said or w:find('integrator = "energy-momentum"', 1, true) and w end
     return said
@@ -216,8 +198,8 @@ case("a spin turns a body at its rate", function()
   local said = spinning { spin = { 0, 0, 30 }, dt = 1e-3, duration = 1.2 }
   expect(said and said:find "^the free body of member 1 spins at [23]%d%.?%d* rad/s at t = ", "fast: %s", said)
   for what, o in pairs { ["short steps"] = { spin = { 0, 0, 60 }, dt = 1e-4, duration = 0.3 },
-    ["slow"] = { spin = { 0, 0, 3 }, dt = 1e-3 }, ["about its axis"] = { spin = { 60, 0, 0 }, dt = 1e-3, duration =
-    0.3 },
+    ["slow"] = { spin = { 0, 0, 3 }, dt = 1e-3 },
+    ["about its axis"] = { spin = { 60, 0, 0 }, dt = 1e-3, duration = 0.3 },
     ["energy-momentum"] = { spin = { 0, 0, 60 }, dt = 1e-3, integrator = "energy-momentum", duration = 0.3 } } do
     equal(spinning(o), nil, what)
   end
@@ -231,8 +213,7 @@ case("pieces whose mass is at one node are not said to spin", function()
   end
   model:fracture { group = "bars", where = "all", rule = function() return true end }
   model:velocity("bars", { 13.7, 3.3, 0.9 })
-  local run = model:dynamic { dt = 1e-3, duration = 0.3, record = false }:finish()
-  equal(run.verdict, "completed", run.reason)
+  local run = runs.completed(model:dynamic { dt = 1e-3, duration = 0.3, record = false })
   expect(run:count { state = "broken" } > 0, "the bars break")
   for _, w in ipairs(run.warnings) do expect(not w:find("spins", 1, true), "%s", w) end
 end)

@@ -4,8 +4,10 @@
 -- Run: lua5.4 tests/script/actions/settlement_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "settlement"
+local runs = require "runs"(checks)
 local case, expect, near = checks.case, checks.expect, checks.near
 
 local E, nu, fy, L = 210e9, 0.3, 235e6, 3
@@ -27,12 +29,7 @@ local function row(spans, options, material)
 end
 
 local function finish(model, options)
-  options = options or {}
-  options.record = false
-  local run = model:static(options)
-  run:finish()
-  expect(run.verdict == "completed", "%s", run.reason)
-  return run
+  return runs.completed(model:static(scenes.with({ record = false }, options)))
 end
 
 case("the middle support of two spans settles: a beam under a load in its middle", function()
@@ -113,8 +110,7 @@ case("a run that goes on keeps the settlement, in statics and in dynamics", func
   local again = finish(model, { from = first })
   near((select(3, again:displacement(nodes[1]))), -0.01, 1e-15, "it moves no farther")
   near((select(3, again:reaction(nodes[1]))), P, 1e-7 * math.abs(P), "with the same force")
-  local moving = model:dynamic { from = again, dt = 1e-3, duration = 0.02, record = false }
-  moving:finish()
+  local moving = model:dynamic { from = again, dt = 1e-3, duration = 0.02, record = false }:finish()
   near((select(3, moving:displacement(nodes[1]))), -0.01, 1e-15, "dynamics leaves the support where it is")
   near((select(3, moving:reaction(nodes[1]))), P, 1e-6 * math.abs(P), "at rest")
 end)
@@ -146,35 +142,30 @@ case("a run that goes on keeps a rotation of a support, small and large, about e
   end
 end)
 
-local function fails(call, words)
-  local done, message = pcall(call)
-  message = tostring(message)
-  expect(not done and message:find(words, 1, true), "wanted an error with '%s', got %s", words, message)
-end
-
 case("a support that joints alone join to members is refused, and not left where it is", function()
   local model = hinge.model()
   local a, b = model:node { 0, 0, 0 }, model:node { L, 0, 0 }
   model:member { a, b, section = square, material = elastic, ends = { a = hinge.joint { Mx = { stiffness = 1e5 } } } }
   model:fix { a, b }
   model:settle { node = a, z = -0.01 }
-  fails(function() model:static() end, "does not go yet with model:member, ends at its node")
+  checks.refused("does not go yet with model:member, ends at its node", function() model:static() end)
 end)
 
 case("wrong input is refused and changes nothing", function()
   local model, nodes = row(2, {}, elastic)
   model:fix(nodes[0])
-  fails(function() model:settle { node = nodes[1] } end, "none of 'x', 'y', 'z'")
-  fails(function() model:settle { node = nodes[1], z = "down" } end, "field 'z' is 'down'")
-  fails(function() model:settle { node = {}, z = 1 } end, "an empty list")
-  fails(function() model:settle { node = nodes[1], up = 1 } end, "unknown field 'up'")
+  local function refused(words, options) checks.refused(words, model.settle, model, options) end
+  refused("none of 'x', 'y', 'z'", { node = nodes[1] })
+  refused("field 'z' is 'down'", { node = nodes[1], z = "down" })
+  refused("an empty list", { node = {}, z = 1 })
+  refused("unknown field 'up'", { node = nodes[1], up = 1 })
   model:settle { node = nodes[1], z = -0.01 }
-  fails(function() model:settle { node = { nodes[2], nodes[1] }, z = -0.01 } end, "has a displacement 'z' already")
+  refused("has a displacement 'z' already", { node = { nodes[2], nodes[1] }, z = -0.01 })
   expect(#model:nodes() == 3, "the nodes are still there")
   local near_by, far = model:node { L, 0.2, 0 }, model:node { L, 0.2, 1 }
   model:member { near_by, far, section = square, material = elastic, up = { 0, 1, 0 } }
   model:rigid_link { from = nodes[1], to = near_by }
-  fails(function() finish(model) end, "does not go yet with model:rigid_link")
+  checks.refused("does not go yet with model:rigid_link", finish, model)
 end)
 
 checks.done()
