@@ -5,9 +5,12 @@
 -- Run: lua5.4 tests/script/actions/heat_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "heat"
+local runs = require "runs"(checks)
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
+local completed = runs.completed
 
 local E, fy, L = 210e9, 275e6, 4
 local elastic = hinge.material { E = E, density = 7850 }
@@ -35,8 +38,7 @@ case("a bar that is free to lengthen carries nothing", function()
   for temperature, e in pairs(strain) do
     local model, _, b, m = member {}
     model:heat { member = m, temperature = temperature }
-    local run = model:static { steps = 3 }:finish()
-    equal(run.verdict, "completed", run.reason)
+    local run = completed(model:static { steps = 3 })
     near(b:displacement(run), e * L, 3e-8 * L, temperature .. " degrees: elongation")
     near(m:forces(run).N, 0, 1e-6 * fy * section.area, temperature .. " degrees: axial force")
     near(run:read("temperature")[1], temperature, 1e-9, "what the run says of it")
@@ -53,8 +55,7 @@ case("a bar held at both ends is pressed by k_E E A times the strain, up to k_y 
   for _, law in ipairs { "paper", "exact" } do
     local model, _, _, m = member { b = "all", material = steel, model = { displacement = "small", interaction = law } }
     model:heat { member = m, temperature = 650 }
-    local run = model:static { steps = 10 }:finish()
-    equal(run.verdict, "completed", run.reason)
+    local run = completed(model:static { steps = 10 })
     near(m:forces(run).N, -k_y[650] * fy * section.area, 1e-6 * fy * section.area, law .. ": the squash load")
   end
 end)
@@ -137,18 +138,15 @@ end)
 -- A frame of two columns and a beam, whose left column and beam are heated while the beam carries a load.
 local function frame(options)
   local model = hinge.model(options.model or {})
-  local n = {}
-  for i, at in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { L, 0, 3 }, { L, 0, 0 } } do n[i] = model:node(at) end
+  local n = { model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { L, 0, 3 }, model:node { L, 0, 0 } }
   local material = options.material or steel
   local groups = { "hot", "hot", "cold" }
   for i = 1, 3 do
     model:member { n[i], n[i + 1], section = section, material = material, group = groups[i],
       up = i == 2 and { 0, 0, 1 } or { 1, 0, 0 }, elements = options.elements, backbone = options.backbone }
   end
-  model:fix(n[1], "all")
-  model:fix(n[4], "all")
-  model:mass { node = n[2], mass = 40e3 }
-  model:mass { node = n[3], mass = 40e3 }
+  model:fix { n[1], n[4] }
+  for i = 2, 3 do model:mass { node = n[i], mass = 40e3 } end
   model:gravity { 0, 0, -9.81 }
   local across = { { 0, 0 }, { 1, options.across or 0 } }
   model:heat { group = "hot", temperature = { { 0, 20 }, { 1, 800 } }, across_y = across }
@@ -167,12 +165,11 @@ case("the energy balance closes while members are heated, yield and are softened
     { name = "explicit", run = { integrator = "explicit", dt = "auto", duration = 1 } },
   }
   for _, t in ipairs(tried) do
-    local run = frame(t):dynamic(t.run or { dt = 1e-3, duration = 1 }):finish()
-    equal(run.verdict, "completed", t.name .. ": " .. tostring(run.reason))
+    local run = completed(frame(t):dynamic(t.run or { dt = 1e-3, duration = 1 }), t.name)
     local e = run.energy
     local moved = e.elastic + e.plastic + math.abs(e.gravity) + math.abs(e.heat)
     expect(moved > 1e3, "%s: heat does work", t.name)
-    expect(math.abs(e.energy_error) < 1e-4 * moved, "%s: the energy error is %g of %g J", t.name, e.energy_error, moved)
+    runs.balanced(run, 1e-4, moved, t.name)
     if t.name ~= "elastic" then expect(e.plastic > 100, "%s: it yields, %g J", t.name, e.plastic) end
   end
 end)
@@ -187,16 +184,9 @@ case("heat that comes and goes leaves an elastic frame with the energy that it h
 end)
 
 case("a run that goes on from a checkpoint has the same bytes", function()
-  local path, options = os.tmpname(), { dt = 1e-3, duration = 0.8 }
-  local function begin() return (frame { elements = 2, model = { interaction = "exact" } }):dynamic(options) end
-  local run = begin()
-  for _ = 1, 400 do run:step() end
-  run:checkpoint(path)
-  run:finish()
-  local resumed = begin():resume(path)
-  resumed:finish()
-  os.remove(path)
-  equal(resumed.hash, run.hash, "the state at the end")
+  runs.resumes(function()
+    return frame { elements = 2, model = { interaction = "exact" } }:dynamic { dt = 1e-3, duration = 0.8 }
+  end, 0.4, "heated")
 end)
 
 case("a step that is taken back leaves the temperature as it was", function()
@@ -212,8 +202,7 @@ case("a step that is taken back leaves the temperature as it was", function()
   local run = model:dynamic { dt = 1e-3, duration = 0.5 }
   pcall(run.finish, run)
   near(run:read("temperature", "hot")[1], 20 + 780 * run.time, 1e-9, "where the run stopped")
-  run:finish()
-  equal(run.verdict, "completed", run.reason)
+  completed(run)
   near(run:read("temperature", "hot")[1], 410, 1e-6, "at the end")
 end)
 
@@ -251,15 +240,13 @@ case("prestress: between ends that do not move, with a free end, and a cable tha
   end
   -- two bars in a line between fixed ends, of which the second is prestressed by S: both have S A E / (2 A E)
   local model = hinge.model { displacement = "small" }
-  local n = {}
-  for i = 1, 3 do n[i] = model:node { (i - 1) * L, 0, 0 } end
+  local n = { model:node { 0, 0, 0 }, model:node { L, 0, 0 }, model:node { 2 * L, 0, 0 } }
   local bars = {}
   for i = 1, 2 do
     bars[i] = model:member { n[i], n[i + 1], section = section, material = elastic, up = { 0, 0, 1 },
       carries = "tension" }
   end
-  model:fix(n[1], "all")
-  model:fix(n[3], "all")
+  model:fix { n[1], n[3] }
   model:fix(n[2], "y,z,rx,ry,rz")
   model:prestress { member = bars[2], force = 1e5, case = model:case "stressed" }
   local run = model:static { steps = 4, loads = { stressed = 1 } }:finish()
@@ -318,11 +305,9 @@ case("hot_curve: a bar that is pulled, a column that buckles, dynamics", functio
   near(curve[6][3], 0.36, 0, "its proportional limit")
   local hot_steel = hinge.material { E = 210e9, density = 7850, yield_stress = 355e6, hot_curve = curve }
   equal(hot_steel.laws, "curve of EN 1993-1-2", "words")
-  local model = hinge.model { displacement = "small" }
-  local a, b = model:node { 0, 0, 0 }, model:node { 1, 0, 0 }
-  model:fix(a)
+  local model, b, bar = scenes.cantilever { model = { displacement = "small" }, member = {
+    section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hot_steel } }
   model:fix(b, "y,z,rx,ry,rz")
-  local bar = model:member { a, b, section = hinge.section.solid { width = 0.1, depth = 0.1 }, material = hot_steel }
   model:heat { member = bar, temperature = 500, case = model:case "heat" }
   model:load { node = b, force = { 1, 0, 0 }, case = model:case "pull" }
   local hot = model:static { loads = { heat = 1 }, steps = 1 }:finish()
@@ -355,11 +340,10 @@ case("hot_curve: a bar that is pulled, a column that buckles, dynamics", functio
   near(run:read("temperature")[1], 547, 0.02 * 547, "critical temperature")
   for _, o in ipairs { { hot_curve = 3 }, { hot_curve = { { 20, 1, 1 } } }, { hot_curve = { { 20, 1, 2, 1 } } },
     { hot_curve = curve, rate = { D = 40, q = 5 } } } do
-    o.E, o.yield_stress = 210e9, 355e6
-    local good, message = pcall(hinge.material, o)
-    expect(not good and tostring(message):find("hot_curve", 1, true), "refused: %s", tostring(message))
+    local options = scenes.with({ E = 210e9, yield_stress = 355e6 }, o)
+    checks.refused("hot_curve", function() hinge.material(options) end)
   end
-  expect(not pcall(hinge.material, { E = 210e9, hot_curve = curve }), "it needs yield_stress")
+  checks.refused("yield_stress", function() hinge.material { E = 210e9, hot_curve = curve } end)
 end)
 
 case("wrong input is refused", function()
@@ -368,7 +352,7 @@ case("wrong input is refused", function()
   local sizeless = hinge.model {}
   local bare = sizeless:member { sizeless:node { 0, 0, 0 }, sizeless:node { 1, 0, 0 }, section = round,
     material = elastic }
-  local refused = {
+  for _, r in ipairs {
     { model, { temperature = 1300 }, "is 1300 degrees Celsius; the properties are known from -60 to 1100" },
     { model, { temperature = { { 0, 20 }, { 60, 1200 } } }, "1200 degrees Celsius at 60 s" },
     { model, { temperature = 1080, across_y = 100 }, "both sides of the section must be in that range" },
@@ -379,29 +363,23 @@ case("wrong input is refused", function()
     { model, { temperature = 100, properties = { stiffness = { { 20, 1 }, { 20, 1 } } } }, "more than that before" },
     { model, { temperature = 100, properties = { stiffness = { { 20, 1 }, { 200, 0 } } } }, "0.001 or more" },
     { sizeless, { member = bare, temperature = 100, across_y = 10 }, "needs a section with a size" },
-  }
-  for _, r in ipairs(refused) do
-    local good, message = pcall(r[1].heat, r[1], r[2])
-    expect(not good and tostring(message):find(r[3], 1, true), "'%s' in: %s", r[3], tostring(message))
-  end
-  local strained, _, _, bar = member {}
-  for _, r in ipairs {
-    { { strain = 1e-3 }, "'member' is missing" },
-    { { member = bar }, "neither 'strain' nor 'force'" },
-    { { member = bar, strain = 1e-3, force = 1 }, "both 'strain' and 'force'" },
-    { { member = bar, strain = 0.5 }, "between -0.1 and 0.1" },
   } do
-    local good, message = pcall(strained.prestress, strained, r[1])
-    expect(not good and tostring(message):find(r[2], 1, true), "'%s' in: %s", r[2], tostring(message))
+    checks.refused(r[3], r[1].heat, r[1], r[2])
+  end
+  for words, options in pairs {
+    ["'member' is missing"] = { strain = 1e-3 }, ["neither 'strain' nor 'force'"] = { member = m },
+    ["both 'strain' and 'force'"] = { member = m, strain = 1e-3, force = 1 },
+    ["between -0.1 and 0.1"] = { member = m, strain = 0.5 },
+  } do
+    checks.refused(words, model.prestress, model, options)
   end
   local asked = member {}
   asked:heat { temperature = function(t) return t > 0.01 and 2000 or 20 end }
   local run = asked:dynamic { dt = 1e-3, duration = 0.1 }
-  local good, message = pcall(run.finish, run)
-  expect(not good and tostring(message):find("2000 degrees Celsius", 1, true), "from a function: %s", tostring(message))
+  checks.refused("2000 degrees Celsius", run.finish, run)
   local other = frame {}
-  local refuses, why = pcall(other.dynamic, other, { integrator = "energy-momentum", dt = 1e-3, duration = 0.1 })
-  expect(not refuses and tostring(why):find("does not go with heat", 1, true), "energy-momentum: %s", tostring(why))
+  checks.refused("does not go with heat", other.dynamic, other,
+    { integrator = "energy-momentum", dt = 1e-3, duration = 0.1 })
 end)
 
 checks.done()
