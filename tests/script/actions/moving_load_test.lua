@@ -5,6 +5,7 @@
 -- Run: lua5.4 tests/script/actions/moving_load_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local moving_load = require "hinge.actions.moving_load"
 local checks = support.checks "moving load"
@@ -153,9 +154,7 @@ end)
 case("wrong input is refused, and nothing is loaded", function()
   local model, nodes, members = beam(3, {}, { [0] = true, [3] = true })
   local function with(more)
-    local o = { model = model, members = members, axles = one, speed = 10 }
-    for name, value in pairs(more) do o[name] = value end
-    return o
+    return scenes.with({ model = model, members = members, axles = one, speed = 10 }, more)
   end
   for words, options in pairs {
     ["takes a table of options, got 1"] = 1,
@@ -175,8 +174,7 @@ case("wrong input is refused, and nothing is loaded", function()
     ["field 'from' is node 4"] = with { from = nodes[3] },
     ["unknown field 'spede' (did you mean 'speed'?)"] = with { spede = 1 },
   } do
-    local ok, message = pcall(moving_load, options)
-    expect(not ok and message:find(words, 1, true), "refused with '%s': %s", words, tostring(message))
+    checks.refused(words, function() moving_load(options) end)
   end
   for words, more in pairs {
     ["field 'read' is missing"] = {},
@@ -188,10 +186,7 @@ case("wrong input is refused, and nothing is loaded", function()
     ["field 'positions' is out of order at number 2"] = { read = function() return 1 end, positions = { 2, 1 } },
     ["no load case 'dead'"] = { read = function() return 1 end, loads = { dead = 1 }, parts = 1 },
   } do
-    local options = { model = model, members = members }
-    for name, value in pairs(more) do options[name] = value end
-    local ok, message = pcall(moving_load.influence, options)
-    expect(not ok and message:find(words, 1, true), "refused with '%s': %s", words, tostring(message))
+    checks.refused(words, moving_load.influence, scenes.with({ model = model, members = members }, more))
   end
   expect(not pcall(function() return moving_load.influense end), "an unknown call")
   local loaded = false
