@@ -5,8 +5,8 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local scenes = require "scenes"
-local vectors = require "hinge.library.vectors"
 local hinge = require "hinge"
+local vectors = require "hinge.library.vectors"
 local checks = support.checks "shown_loads"
 local case, near, equal, expect = checks.case, checks.near, checks.equal, checks.expect
 

@@ -6,6 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "element_count"
+local runs = require "runs"(checks)
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local pi = math.pi
 
@@ -51,7 +52,7 @@ case("with axial force on chords alone the count of elements does not follow it"
 end)
 
 case("a pinned column at Euler's load gets the fewest elements that have its critical load", function()
-  -- A pinned column at Euler's load gets the fewest that have its critical load to the accuracy asked for.
+  -- to the accuracy asked for
   for accuracy, wanted in pairs { [0.6] = 2, [0.1] = 4, [0.03] = 8, [0.01] = 16 } do
     local s = bar { material = elastic, push = P_E, accuracy = accuracy }
     equal(s.member.elements, "auto", "before a run")
@@ -72,7 +73,7 @@ case("a pinned column at Euler's load gets the fewest elements that have its cri
 end)
 
 case("with p_delta = member two elements are exact", function()
-  -- With p_delta = "member" two elements are exact; beyond Euler's load four.
+  -- beyond Euler's load four
   equal(decided { p_delta = "member", material = elastic, push = 0.98 * P_E }, 2, "member, below Euler's load")
   local s = bar { p_delta = "member", material = elastic, push = 5 * P_E, a = "all", b = "yz,rx,ry,rz" }
   local run = s.model:static { steps = 50, to_limit = true, record = false }:finish()
@@ -81,7 +82,6 @@ case("with p_delta = member two elements are exact", function()
 end)
 
 case("members that yield between their ends get elements where it happens", function()
-  -- Yield between the ends.
   local function middle(part) return { at = 0.5, force = { 0, 0, -part * 4 * M_p / L } } end
   equal(decided { load = middle(0.97) }, 2, "a load in the middle below the plastic moment")
   equal(decided { load = middle(1.03) }, 4, "a load in the middle beyond it")
@@ -127,20 +127,16 @@ end
 local function dynamic(model) return model:dynamic { dt = 2e-4, duration = 0.01, record = false } end
 
 case("counted elements have the bits of the same numbers given", function()
-  -- Counts, whatever the order, and the same bits as with the numbers given; a checkpoint goes from one to the other.
+  -- whatever the order; a checkpoint goes from one to the other
   for _, late in ipairs { false, true } do
     local model, made, parts = frame { auto = true, late = late }
     equal(model:counts().elements, 8, "before a run")
     local run = dynamic(model)
     for i, p in ipairs(parts) do equal(made[i].elements, p[4], p[3] .. (late and ", late" or "")) end
     equal(model:counts().elements, 38, "elements")
-    local given = dynamic((frame { late = late }))
-    run:finish()
-    given:finish()
-    equal(run.verdict, "completed", "the frame: " .. run.reason)
-    equal(run.hash, given.hash, "bits")
-    local loaded = dynamic((frame { auto = true, late = late }))
-    equal(loaded:finish().hash, run.hash, "bits of a second model")
+    runs.completed(run, "the frame")
+    equal(run.hash, dynamic((frame { late = late })):finish().hash, "bits")
+    equal(run.hash, dynamic((frame { auto = true, late = late })):finish().hash, "bits of a second model")
   end
   local file = support.temporary_folder() .. "/one.checkpoint"
   local run = dynamic((frame { auto = true }))
@@ -151,14 +147,14 @@ case("counted elements have the bits of the same numbers given", function()
 end)
 
 case("what a run has counted stays for the runs after it", function()
-  -- What a run has decided stays; one that could not be made decides nothing; later members are decided later.
+  -- one that could not be made decides nothing; later members are decided later
   local s = bar { push = 0.9 * P_E }
   expect(not pcall(s.model.static, s.model, { control = { node = s.b, "uy", to = 1 } }), "a fixed node is driven")
   equal(s.member.elements, "auto", "after a run that could not be made")
   local first = s.model:static { steps = 1, record = false }
   equal(s.member.elements, 16, "the column")
   first:finish()
-  equal(s.model:static { from = first, record = false }:finish().verdict, "completed", "goes on from the first")
+  runs.completed(s.model:static { from = first, record = false }, "goes on from the first")
   local far = s.model:node { 2 * L, 0, 0 }
   local later = s.model:member { s.b, far, section = section, material = steel, elements = "auto" }
   local given = s.model:member { s.a, far, section = section, material = steel, elements = 6, up = { 0, 1, 0 } }
@@ -170,26 +166,24 @@ case("what a run has counted stays for the runs after it", function()
 end)
 
 case("wrong numbers of elements are refused", function()
-  -- What is refused.
-  local function refused(template, f, ...)
-    local ok, message = pcall(f, ...)
-    expect(not ok and support.says(tostring(message), "..." .. template), "wanted '%s', got: %s", template, message)
+  for words, options in pairs {
+    ["elements_per_member' is 'automatic'; must be a whole number, 1 or above, or 'auto'"] = {
+      elements_per_member = "automatic" },
+    ["elements_per_member' is 'auto'; goes by the errors of formulation 'asi-gauss'"] = {
+      elements_per_member = "auto", formulation = "asi" },
+    ["elements_accuracy' is 1; must be below 1"] = { elements_accuracy = 1 },
+    ["elements_accuracy' is 0"] = { elements_accuracy = 0 },
+  } do
+    checks.refused(words, hinge.model, options)
   end
-  refused("elements_per_member' is 'automatic'; must be a whole number, 1 or above, or 'auto'...", hinge.model,
-    { elements_per_member = "automatic" })
-  refused("elements_per_member' is 'auto'; goes by the errors of formulation 'asi-gauss'...", hinge.model,
-    { elements_per_member = "auto", formulation = "asi" })
-  refused("elements_accuracy' is 1; must be below 1...", hinge.model, { elements_accuracy = 1 })
-  refused("elements_accuracy' is 0...", hinge.model, { elements_accuracy = 0 })
   local s = bar {}
-  refused("'elements' is 'autp'; must be a whole number, 1 or above, or 'auto' (did you mean 'auto'?)",
+  checks.refused("'elements' is 'autp'; must be a whole number, 1 or above, or 'auto' (did you mean 'auto'?)",
     s.model.member, s.model, { s.a, s.b, section = section, material = steel, elements = "autp" })
 end)
 
 case("hinge plan and summary.json name the counted elements", function()
-  do -- hinge plan and summary.json
-    local folder = support.temporary_folder()
-    support.write(folder .. "/scene.lua", [[
+  local hinge_on, folder = support.scenes(arg[1])
+  local text = [[
 local hinge = require "hinge"
 local steel = hinge.material { E = 2e11, density = 7850, yield_stress = 245e6 }
 local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
@@ -208,33 +202,28 @@ column(3, 0.001, 1.1)
 column(4)
 column(5, 4)
 model:dynamic { dt = 1e-3, duration = 2e-3 }:finish()
-]])
-    local function program(what)
-      return support.run(("cd %s && %s %s scene.lua"):format(support.quote(folder),
-        support.quote(arg[1] .. "/hinge"), what))
-    end
-    local status, printed = program "plan"
-    equal(status, 0, "status of the plan")
-    local wanted = [[
+]]
+  local status, printed = hinge_on("plan", text)
+  equal(status, 0, "status of the plan")
+  local wanted = [[
   elements = "auto", elements_accuracy = 0.01:
     16 in 2 members: compressed by up to 0.9 of Euler's load, member 2 (columns)
     16 in 1 member: compressed by up to 4 of Euler's load, member 6 (columns); 16 is the most that "auto" gives, ]]
-      .. [[and elements_accuracy is not reached
+    .. [[and elements_accuracy is not reached
     4 in 1 member: moments up to 1.1 times the fully plastic one under loads or between the ends, member 4 (columns)
     2 in 1 member: no yield between the ends, compressed by at most 0.001 of Euler's load
     2 in 1 member: supports do not hold the body, so it has no static solution to decide by
 ]]
-    expect(support.has(printed, wanted), "the plan:\n%s", printed)
-    expect(printed:find("6 members, 56 elements", 1, true), "elements of the plan:\n%s", printed)
-    program "run"
-    local summary = support.json(support.read(folder .. "/out/scene/summary.json") or "null")
-    if expect(summary, "no summary.json") then
-      local groups = summary.model.automatic_elements
-      equal(#groups, 5, "groups of summary.json")
-      equal(groups[1].elements, 16, "of the first")
-      equal(groups[1].members, 2, "members of the first")
-      equal(groups[1].because, "compressed by up to 0.9 of Euler's load, member 2 (columns)", "its reason")
-    end
+  expect(support.has(printed, wanted), "the plan:\n%s", printed)
+  expect(printed:find("6 members, 56 elements", 1, true), "elements of the plan:\n%s", printed)
+  hinge_on("run", text)
+  local summary = support.json(support.read(folder .. "/out/scene/summary.json") or "null")
+  if expect(summary, "no summary.json") then
+    local groups = summary.model.automatic_elements
+    equal(#groups, 5, "groups of summary.json")
+    equal(groups[1].elements, 16, "of the first")
+    equal(groups[1].members, 2, "members of the first")
+    equal(groups[1].because, "compressed by up to 0.9 of Euler's load, member 2 (columns)", "its reason")
   end
 end)
 

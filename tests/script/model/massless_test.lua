@@ -3,8 +3,10 @@
 -- Run: lua5.4 tests/script/model/massless_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "members without mass"
+local runs = require "runs"(checks)
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local E, G = 200e9, 77e9
@@ -15,11 +17,8 @@ local L, mass = 3, 500
 
 -- A cantilever of one member with a mass on its tip, in a direction of space.
 local function cantilever(options, along, given)
-  local m = hinge.model(options)
-  local foot, tip = m:node { 0, 0, 0 }, m:node { L * along[1], L * along[2], L * along[3] }
-  m:fix(foot)
-  local arm = m:member { foot, tip, section = bar, material = given and given.material or weightless,
-    elements = given and given.elements, up = along[3] == 1 and { 1, 0, 0 } or { 0, 0, 1 } }
+  local m, tip, arm = scenes.cantilever { model = options, length = L, along = along, member = { section = bar,
+    material = weightless, elements = given and given.elements, up = along[3] == 1 and { 1, 0, 0 } or { 0, 0, 1 } } }
   m:mass { node = tip, mass = mass, inertia = given and given.inertia }
   return m, tip, arm
 end
@@ -150,8 +149,7 @@ case("free vibration of a tip mass: displacement, period and energy by hand", fu
     local period, v = 2 * math.pi / omega, 0.5
     m:velocity(tip, { 0, 0, v })
     local dt = period / 1000
-    local run = m:dynamic { dt = dt, duration = 2.25 * period }:finish()
-    equal(run.verdict, "completed", run.reason)
+    local run = runs.completed(m:dynamic { dt = dt, duration = 2.25 * period })
     -- the method's own frequency is lower by (w dt)^2 / 12
     local own = omega * (1 - (omega * dt) ^ 2 / 12)
     local _, _, z = tip:displacement(run)
@@ -193,8 +191,7 @@ case("damping by beta acts as on the condensed structure", function()
   local v = 0.5
   m:velocity(tip, { 0, 0, v })
   local damped = omega * math.sqrt(1 - part ^ 2)
-  local run = m:dynamic { dt = 2 * math.pi / omega / 500, duration = 1.75 * 2 * math.pi / damped }:finish()
-  equal(run.verdict, "completed", run.reason)
+  local run = runs.completed(m:dynamic { dt = 2 * math.pi / omega / 500, duration = 1.75 * 2 * math.pi / damped })
   local _, _, z = tip:displacement(run)
   near(z, v / damped * math.exp(-part * omega * run.time) * math.sin(damped * run.time), 1e-3 * v / omega,
     "displacement")
@@ -204,10 +201,8 @@ case("hinges form as in statics, and as with a tiny density", function()
   local function pushed(material)
     local m, nodes = frame(material, {}, { diaphragm = true })
     m:load { node = nodes[2][0], force = { 3e5, 0, 0 }, history = { { 0, 0 }, { 0.1, 1 }, { 0.2, 0 } } }
-    local run = m:dynamic { dt = 5e-4, duration = 0.4 }:finish()
-    equal(run.verdict, "completed", run.reason)
-    expect(math.abs(run.energy.energy_error) < 0.01 * run.energy.work, "energy error %g of %g J",
-      run.energy.energy_error, run.energy.work)
+    local run = runs.completed(m:dynamic { dt = 5e-4, duration = 0.4 })
+    runs.balanced(run, 0.01, "work", "pushed")
     return nodes[2][0]:displacement(run), run.energy.plastic
   end
   local u, work = pushed(hinge.material { E = E, G = G, yield_stress = 235e6 })
@@ -222,49 +217,36 @@ case("a column without mass is removed", function()
   m:gravity { 0, 0, -9.81 }
   local rest = m:static { steps = 1 }:finish()
   m:remove { member = m:members()[1], at = rest.time + 0.01, over = 0.005 }
-  local run = m:dynamic { dt = 1e-3, duration = 0.1, from = rest }:finish()
-  equal(run.verdict, "completed", run.reason)
+  local run = runs.completed(m:dynamic { dt = 1e-3, duration = 0.1, from = rest })
   local _, _, z = nodes[1][0]:displacement(run)
   expect(z < -1e-3, "the joint above falls by %g m", z)
 end)
 
 case("what needs a mass is refused, and says how much", function()
-  local function refused(words, f)
-    local ok, message = pcall(f)
-    expect(not ok and support.has(tostring(message), words), "'%s' for: %s", message, words)
+  local function refused(words, m, options)
+    checks.refused(words, m.dynamic, m, scenes.with({ dt = 1e-3, duration = 0.1 }, options))
   end
   local m = cantilever({}, { 1, 0, 0 })
   for _, integrator in ipairs { "explicit", "energy-momentum" } do
-    refused("needs a mass at each node", function()
-      m:dynamic { dt = 1e-3, duration = 0.1, integrator = integrator }
-    end)
+    refused("needs a mass at each node", m, { integrator = integrator })
   end
-  refused("follows waves along members", function() m:dynamic { dt = "auto", duration = 0.1 } end)
-  local none = hinge.model()
-  local a, b = none:node { 0, 0, 0 }, none:node { 1, 0, 0 }
-  none:fix(a)
-  none:member { a, b, section = bar, material = weightless }
-  refused("nothing has mass", function() none:dynamic { dt = 1e-3, duration = 0.1 } end)
-  refused("has mass", function() none:static { steps = 1 }:finish():modes() end)
-  local breaks = cantilever({}, { 1, 0, 0 })
+  refused("follows waves along members", m, { dt = "auto" })
+  local none = scenes.cantilever { member = { material = weightless } }
+  refused("nothing has mass", none)
+  checks.refused("has mass", function() none:static { steps = 1 }:finish():modes() end)
+  local breaks, meets = cantilever({}, { 1, 0, 0 }), cantilever({}, { 1, 0, 0 })
   breaks:fracture { axial_strain = 0.1 }
-  refused("can break", function() breaks:dynamic { dt = 1e-3, duration = 0.1 } end)
-  local meets = cantilever({}, { 1, 0, 0 })
+  refused("can break", breaks)
   meets:contact {}
-  refused("is stopped by its mass", function() meets:dynamic { dt = 1e-3, duration = 0.1 } end)
+  refused("is stopped by its mass", meets)
 end)
 
 case("a run that goes on from a checkpoint is the same", function()
-  local function run_of(m) return m:dynamic { dt = 1e-3, duration = 0.1 } end
-  local m, tip = cantilever({}, { 1, 0, 0 }, { elements = 4 })
-  m:velocity(tip, { 0, 0, 1 })
-  local whole = run_of(m):finish()
-  local folder = support.temporary_folder()
-  local half = run_of(m)
-  for _ = 1, 50 do half:step() end
-  half:checkpoint(folder .. "/half")
-  local resumed = run_of(m):resume(folder .. "/half"):finish()
-  equal(resumed.hash, whole.hash, "state")
+  runs.resumes(function()
+    local m, tip = cantilever({}, { 1, 0, 0 }, { elements = 4 })
+    m:velocity(tip, { 0, 0, 1 })
+    return m:dynamic { dt = 1e-3, duration = 0.1 }
+  end, 0.05, "swinging")
 end)
 
 checks.done()

@@ -3,8 +3,10 @@
 -- Run: lua5.4 tests/script/model/offset_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local hinge = require "hinge"
 local checks = support.checks "offsets of members"
+local runs = require "runs"(checks)
 local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 
 local E, G = 200e9, 77e9
@@ -54,8 +56,7 @@ for _, displacement in ipairs { "small", "large" } do
         local u, f = {}, {}
         for i, how in ipairs { "offset", "links" } do
           local m, heads, girder = portal({ displacement = displacement }, by[1], by[2], how, more)
-          local run = m:static { steps = 2 }:finish()
-          equal(run.verdict, "completed", run.reason)
+          local run = runs.completed(m:static { steps = 2 })
           u[i], f[i] = { heads[0]:displacement(run) }, (girder:forces(run))
         end
         for c = 1, 6 do near(u[1][c], u[2][c], 1e-7 * math.abs(u[2][1]), "displacement " .. c) end
@@ -69,10 +70,8 @@ for _, displacement in ipairs { "small", "large" } do
         local u = {}
         for i, how in ipairs { "offset", "links" } do
           local m, heads = portal({ displacement = displacement }, by[1], by[2], how)
-          local run = m:dynamic { dt = 1e-5, duration = 0.01, integrator = integrator }:finish()
-          equal(run.verdict, "completed", run.reason)
-          expect(math.abs(run.energy.energy_error) < 1e-3 * run.energy.work, "%s: energy error %g of %g J", integrator,
-            run.energy.energy_error, run.energy.work)
+          local run = runs.completed(m:dynamic { dt = 1e-5, duration = 0.01, integrator = integrator }, integrator)
+          runs.balanced(run, 1e-3, "work", integrator)
           u[i] = { heads[0]:displacement(run) }
         end
         -- a link's group turns about its centre of mass, an offset end about its node: second order in the step
@@ -93,14 +92,11 @@ case("modes as by rigid links", function()
 end)
 
 case("a cantilever whose wall is at an offset: moments by hand, and the length between the ends", function()
-  local m = hinge.model { displacement = "small" }
-  local wall, tip = m:node { 0, 0, 0 }, m:node { 3, 0, 0 }
-  m:fix(wall)
-  local arm = m:member { wall, tip, section = beam, material = steel, offset = { a = { 0.5, 0, 0.2 } } }
+  local m, _, arm, wall = scenes.cantilever { model = { displacement = "small" }, length = 3, force = { 0, 0, -100 },
+    member = { section = beam, material = steel, offset = { a = { 0.5, 0, 0.2 } } } }
   near(arm.length, math.sqrt(2.5 ^ 2 + 0.2 ^ 2), 1e-12, "length")
   near(arm.offset.a[1], 0.5, 0, "field offset")
   equal(arm.offset.b, nil, "field offset of the other end")
-  m:load { node = tip, force = { 0, 0, -100 } }
   local run = m:static { steps = 1 }:finish()
   near(math.abs(arm:forces(run).Mx), 100 * 2.5, 1e-6, "moment at the member's end")
   local _, _, z, _, moment = run:reaction(wall)
@@ -127,34 +123,19 @@ case("a raker between nodes above each other, and a post between nodes that are 
 end)
 
 case("a node with offset ends alone carries loads, masses and a floor", function()
-  local function frame(how)
-    local m = hinge.model {}
-    local nodes = {}
-    for i = 0, 2 do nodes[i] = m:node { 3 * i, 0, 0 } end
-    m:fix { nodes[0], nodes[2] }
-    local up = { 0, 0, 0.2 }
-    if how == "offset" then
-      m:member { nodes[0], nodes[1], section = beam, material = steel, offset = { a = up, b = up } }
-      m:member { nodes[1], nodes[2], section = beam, material = steel, offset = { a = up, b = up } }
-    else
-      local at = {}
-      for i = 0, 2 do at[i] = m:node { 3 * i, 0, 0.2 } end
-      m:fix { at[0], at[2] }
-      m:member { at[0], at[1], section = beam, material = steel }
-      m:member { at[1], at[2], section = beam, material = steel }
-      nodes[1] = at[1]
-    end
-    return m, nodes[1]
-  end
   local u = {}
   for i, how in ipairs { "offset", "direct" } do
-    local m, node = frame(how)
+    local m, nodes = hinge.model {}, {}
+    local up = how == "offset" and { 0, 0, 0.2 } or nil
+    for k = 0, 2 do nodes[k] = m:node { 3 * k, 0, up and 0 or 0.2 } end
+    m:fix { nodes[0], nodes[2] }
+    for k = 1, 2 do
+      m:member { nodes[k - 1], nodes[k], section = beam, material = steel, offset = up and { a = up, b = up } }
+    end
     -- a force at the node has an arm to the members
-    m:load { node = node, force = { 0, 0, -1e4 } }
-    m:mass { node = node, mass = 200 }
-    local run = m:dynamic { dt = 1e-4, duration = 0.02 }:finish()
-    equal(run.verdict, "completed", run.reason)
-    u[i] = { node:displacement(run) }
+    m:load { node = nodes[1], force = { 0, 0, -1e4 } }
+    m:mass { node = nodes[1], mass = 200 }
+    u[i] = { nodes[1]:displacement(runs.completed(m:dynamic { dt = 1e-4, duration = 0.02 })) }
   end
   near(u[1][3], u[2][3], 1e-6 * math.abs(u[2][3]), "deflection")
 end)
@@ -198,8 +179,7 @@ case("it turns with its node: a free body in flight spins on, and keeps its mome
   for _, n in ipairs { a, b, c } do m:velocity(n, { 0, 0, -omega * (n.x - 2) }, { 0, omega, 0 }) end
   local run = m:dynamic { dt = 1e-3, duration = 0.5 }
   local before = run:momentum()
-  run:finish()
-  equal(run.verdict, "completed", run.reason)
+  runs.completed(run)
   local after = run:momentum()
   for k = 1, 3 do
     near(after.linear[k], before.linear[k], 2e-3 * before.mass * omega, "linear momentum " .. k)
@@ -213,8 +193,7 @@ case("a member at offsets is removed, and one that breaks leaves its node", func
     local m, heads, girder = portal({}, by[1], by[2], "offset")
     if how == "remove" then m:remove { member = girder, at = 2e-3, over = 0 }
     else m:fracture { group = "girder", curvature_x = 1e-6, axial_strain = 1e-6 } end
-    local run = m:dynamic { dt = 1e-5, duration = 6e-3 }:finish()
-    equal(run.verdict, "completed", how .. ": " .. run.reason)
+    local run = runs.completed(m:dynamic { dt = 1e-5, duration = 6e-3 }, how)
     expect(run:count { state = "broken" } > 0, "%s: nothing broke", how)
     expect(math.abs(run.energy_error) < 1e-3, "%s: energy error %g of the largest energy", how, run.energy_error)
     local ux = heads[0]:displacement(run)
@@ -225,31 +204,20 @@ end)
 case("a run with offset ends and no joint goes on from its checkpoint with the same bits", function()
   local by = offsets["to all sides"]
   local m = portal({}, by[1], by[2], "offset")
-  local path = support.temporary_folder() .. "/run.checkpoint"
-  local options = { dt = 1e-5, duration = 2e-3 }
-  local whole, resumed = m:dynamic(options), m:dynamic(options)
-  for _ = 1, 100 do whole:step() end
-  whole:checkpoint(path)
-  resumed:resume(path)
-  equal(resumed.index, 100, "steps done")
-  equal(resumed:finish().hash, whole:finish().hash, "state at the end")
+  runs.resumes(function() return m:dynamic { dt = 1e-5, duration = 2e-3 } end, 1e-3, "offsets")
 end)
 
 case("wrong offsets are refused at their line", function()
   local m = hinge.model()
   local a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 }
-  m:fix(a)
-  local function refused(offset, words, more)
-    local given = { a, b, section = beam, material = steel, offset = offset }
-    for k, v in pairs(more or {}) do given[k] = v end
-    local ok, message = pcall(m.member, m, given)
-    expect(not ok and support.has(tostring(message), words), "'%s' for: %s", message, words)
+  local function refused(offset, words, up)
+    checks.refused(words, m.member, m, { a, b, section = beam, material = steel, offset = offset, up = up })
   end
   refused({ 0, 0, 1 }, "offset")
   refused({ c = { 0, 0, 1 } }, "unknown field 'c'")
   refused({ a = { 0, 0 } }, "offset")
   refused({ a = { 1, 0, 0 } }, "one place")
-  refused({ a = { 1, 0, -1 } }, "must point across", { up = { 0, 0, 1 } })
+  refused({ a = { 1, 0, -1 } }, "must point across", { 0, 0, 1 })
 end)
 
 checks.done()
