@@ -1,6 +1,6 @@
 -- Heat of members: closed forms of elongation, restraint, gradients and strength, the load at which a heated column
 -- buckles and a heated beam forms its mechanism, the energy balance, the same bytes after a checkpoint, load cases;
--- EN 1993-1-2's numbers; wrong input is refused.
+-- wrong input is refused. EN 1993-1-2's numbers: standards/en_1993_1_2/fire_tables_test.lua.
 --
 -- Run: lua5.4 tests/script/actions/heat_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -265,44 +265,14 @@ case("properties of another material", function()
   near(b:displacement(run), (0.8 * 2.3e-3 + 1e5 / (0.84 * E * section.area)) * L, 1e-9 * L, "the tip")
 end)
 
-case("EN 1993-1-2 and ISO 834", function()
-  local p = hinge.heat.steel()
-  for _, row in ipairs { { 500, 0.78, 0.6 }, { 700, 0.23, 0.13 }, { 1100, 0.02, 0.0225 } } do
-    for i, points in ipairs { p.strength, p.stiffness } do
-      local found
-      for _, point in ipairs(points) do if point[1] == row[1] then found = point[2] end end
-      near(found, row[1 + i], 1e-12, row[1] .. " degrees")
-    end
-  end
-  near(hinge.heat.steel { strength = "proportional" }.strength[6][2], 0.36, 1e-12, "k_p at 500 degrees")
-  near(hinge.heat.iso834(0), 20, 1e-12, "at the start")
-  near(hinge.heat.iso834(900), 20 + 345 * math.log(121) / math.log(10), 1e-9, "after a quarter of an hour")
-  -- eq 4.25 integrated by midpoints in steps of 0.1 s
-  local steel_now, dt = 20, 0.1
-  local function c(t)
-    return t < 600 and 425 + 0.773 * t - 1.69e-3 * t ^ 2 + 2.22e-6 * t ^ 3 or t < 735 and 666 + 13002 / (738 - t)
-      or t < 900 and 545 + 17820 / (t - 731) or 650
-  end
-  local function rate(t, s)
-    local gas = hinge.heat.iso834(t)
-    return 0.7 * 200 / (7850 * c(s)) * (25 * (gas - s) + 0.7 * 5.67e-8 * ((gas + 273) ^ 4 - (s + 273) ^ 4))
-  end
-  for i = 0, 1200 / dt - 1 do
-    local half = steel_now + dt / 2 * rate(i * dt, steel_now)
-    steel_now = steel_now + dt * rate((i + 0.5) * dt, half)
-  end
-  local points = hinge.heat.unprotected { section_factor = 200, shadow = 0.7, duration = 1200 }
-  near(points[#points][1], 1200, 1e-9, "the last time")
-  near(points[#points][2], steel_now, 1.5, "steel after 20 min in steps of 5 s")
-  equal(#points, 21, "a point a minute")
+case("steel in a fire has a point a minute", function()
+  equal(#hinge.heat.unprotected { section_factor = 200, shadow = 0.7, duration = 1200 }, 21, "points of 20 minutes")
 end)
 
 -- In tension the stress is that of EN 1993-1-2, figure 3.1; the unit test of the law has the numbers. Between pins the
 -- column is within 2 % of the simple method of 4.2.3.2, and its energy balance closes.
 case("hot_curve: a bar that is pulled, a column that buckles, dynamics", function()
   local curve = hinge.heat.curve()
-  near(curve[6][1], 500, 0, "a temperature of table 3.1")
-  near(curve[6][3], 0.36, 0, "its proportional limit")
   local hot_steel = hinge.material { E = 210e9, density = 7850, yield_stress = 355e6, hot_curve = curve }
   equal(hot_steel.laws, "curve of EN 1993-1-2", "words")
   local model, b, bar = scenes.cantilever { model = { displacement = "small" }, member = {
