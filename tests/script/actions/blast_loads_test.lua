@@ -207,7 +207,6 @@ case("wrong input of a load is refused, and changes nothing", function()
     ["field 'width(member 2)' is -1 m; must be a number above 0 m"] = {
       width = function(member) return member.index == 2 and -1 or 1 end },
     ["field 'uneven' is 1"] = { uneven = 1 }, ["no load case 'wind'"] = { case = "wind" },
-    ["unknown field 'member' (did you mean 'members'?)"] = { member = m[1] },
   } do
     local given = scenes.with({ group = "front", normal = { -1, 0, 0 }, width = 1 }, options)
     for name, value in pairs(given) do given[name] = value or nil end

@@ -339,7 +339,6 @@ case("wrong loads on members are refused, and change nothing", function()
     ["field 'axes' is 'projected'; is for 'q'; a point load has no length"] = { member = member, at = 0.5, force = up,
       axes = "projected" },
     ["field 'history' is 5; must be a function of time (s) or a table"] = { member = member, q = up, history = 5 },
-    ["unknown field 'forces' (did you mean 'force'?)"] = { member = member, forces = 1 },
     ["field 'q' is given; belongs to a load on 'member', not on a node"] = { node = s.node[1], q = up },
   } do
     checks.refused("model:load: " .. words, s.model.load, s.model, options)

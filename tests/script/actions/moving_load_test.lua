@@ -172,7 +172,6 @@ case("wrong input is refused, and nothing is loaded", function()
     ["members 1 and 3, which are neighbours in the line, have no node in common"] = with {
       members = { members[1], members[3] } },
     ["field 'from' is node 4"] = with { from = nodes[3] },
-    ["unknown field 'spede' (did you mean 'speed'?)"] = with { spede = 1 },
   } do
     checks.refused(words, function() moving_load(options) end)
   end

@@ -261,7 +261,6 @@ case("wrong input is refused, and nothing is loaded", function()
       width = 1, spread = false },
     ["no load case 'snow'"] = with { case = "snow" },
     ["field 'history' is out of order"] = with { history = { { 1, 0 }, { 0, 1 } } },
-    ["unknown field 'valu' (did you mean 'value'?)"] = with { valu = 1 },
   } do
     checks.refused(words, pressure, options)
   end

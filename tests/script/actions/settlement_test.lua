@@ -158,7 +158,6 @@ case("wrong input is refused and changes nothing", function()
   refused("none of 'x', 'y', 'z'", { node = nodes[1] })
   refused("field 'z' is 'down'", { node = nodes[1], z = "down" })
   refused("an empty list", { node = {}, z = 1 })
-  refused("unknown field 'up'", { node = nodes[1], up = 1 })
   model:settle { node = nodes[1], z = -0.01 }
   refused("has a displacement 'z' already", { node = { nodes[2], nodes[1] }, z = -0.01 })
   expect(#model:nodes() == 3, "the nodes are still there")

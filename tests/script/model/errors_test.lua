@@ -1,5 +1,5 @@
 -- Wrong calls, message by message: each raises at the script's own line, says what is wrong and what is allowed, and
--- leaves the model as it was.
+-- leaves the model as it was. That calls refuse fields that they do not know: documents/reference_test.lua.
 --
 -- Run: lua5.4 tests/script/model/errors_test.lua, with the module on LUA_CPATH;
 --      or hinge run tests/script/model/errors_test.lua
@@ -112,12 +112,10 @@ case("wrong materials and sections are refused", function()
     { { E = 1, nu = 0.7 }, "field 'nu' is 0.7; Poisson's ratio must be above -1 and at most 0.5" },
     { { E = 1, density = -1 }, "field 'density' is -1 kg/m^3; must be 0 kg/m^3 or above" },
     { { E = 1, yield_stress = 0 }, "field 'yield_stress' is 0 Pa; must be above 0 Pa" },
-    { { E = 1, yeild_stress = 1 }, "unknown field 'yeild_stress' (did you mean 'yield_stress'?)" },
   })
   refused(s, "hinge.section.general: ", function(options) hinge.section.general(options) end, {
     { { area = 1, Ix = -1 }, "field 'Ix' is -1 m^4; must be above 0 m^4" },
     { { area = 1, Ix = 1, J = 1 }, "field 'Iy' is missing; give a number in m^4" },
-    { { area_ = 1, Ix = 1, Iy = 1, J = 1 }, "unknown field 'area_' (did you mean 'area'?)" },
   })
   refused(s, "", nil, {
     { function() return steel.yield end, "material has no field 'yield'" },
@@ -224,7 +222,6 @@ case("wrong loads, velocities and rules are refused", function()
   refused(s, "model:fracture: ", function(options) s.model:fracture(options) end, {
     { {}, "no limit is given; give hinge_rotation_x, hinge_rotation_y (rad)" },
     { { curvature_x = -0.4 }, "field 'curvature_x' is -0.4 1/m; must be above 0 1/m" },
-    { { curvature = 0.4 }, "unknown field 'curvature' (did you mean 'curvature_x'?)" },
     { { axial_strain = 0.3, group = "legs" }, "field 'group': no group 'legs'; the model has 'arms'" },
     { 0.4, "takes a table of limits or a function, got 0.4" },
   })
@@ -234,7 +231,6 @@ case("wrong loads, velocities and rules are refused", function()
     { { friction = -0.1 }, "field 'friction' is -0.1; must be 0 or above" },
     { { rule = "gap", friction = 0.3 }, "field 'friction' is given; belongs to rule 'surface'; rule is 'gap'" },
     { { binding_time = 1e-3 }, "field 'binding_time' is given; belongs to rule 'gap'; rule is 'surface'" },
-    { { bindingtime = 1 }, "unknown field 'bindingtime' (did you mean 'binding_time'?)" },
     { { groups = { "legs" } }, "field 'groups', item 1: no group 'legs'; the model has 'arms'" },
   })
   refused(s, "model:", nil, {
@@ -283,7 +279,6 @@ case("wrong statics is refused", function()
   local s = cantilever()
   refused(s, "model:static", function(options) s.model:static(options) end, {
     { { steps = 0 }, ": field 'steps' is 0; must be a whole number, 1 or above" },
-    { { stpes = 1 }, ": unknown field 'stpes' (did you mean 'steps'?)" },
     { { control = "ark" }, ": field 'control' is 'ark'", "did you mean 'arc'?" },
     { { control = { node = s.tip, "up", to = 1 } }, ", control: component is 'up'; must be one of 'ux', 'uy', 'uz', " },
     { { control = { node = s.tip, "uz" } }, ", control: field 'to' is missing; give a number in m" },
@@ -301,7 +296,6 @@ case("wrong dynamics is refused", function()
   refused(s, "model:dynamic: ", function(options) s.model:dynamic(options) end, {
     { { duration = 1 }, "field 'dt' is missing; give a number in s" },
     { { integrator = "explicit", duration = 1 }, "field 'dt' is missing; give a number in s" },
-    { { dt = 1e-3, durration = 1 }, "unknown field 'durration' (did you mean 'duration'?)" },
   })
   refused(s, "model:dynamic: field ", function(options)
     s.model:dynamic(with({ dt = options.integrator == "explicit" and "auto" or 1e-3, duration = 1 }, options))
@@ -396,11 +390,8 @@ case("wrong scenarios and wrong options of the library's models are refused", fu
   local s = cantilever()
   refused(s, "", nil, {
     { function() hinge.scenario {} end, "hinge.scenario: field 'run' is missing; give a function" },
-    { function() hinge.scenario { case = {}, run = print } end, "hinge.scenario: unknown field 'case'", "'cases'?" },
     { function() require "hinge.models.ten_storey".add(s.model, { storey = 0 }) end,
       "ten_storey.add: field 'storey' is 0 m; must be a number above 0 m" },
-    { function() require "hinge.models.aircraft".add(s.model, { sizes = 9 }) end,
-      "aircraft.add: unknown field 'sizes' (did you mean 'size'?)" },
   })
 end)
 

@@ -105,7 +105,6 @@ case("model:defaults and model:line: as grid:defaults and grid:line, without a g
     { function() model:line { n[1], n[2], n[2], group = "new" } end, "joins node 2 to itself" },
     { function() model:line { n[1], n[2], "n" } end, "node [3] is 'n'" },
     { function() model:line { n[1], n[2], n[3], up = { 3, 0, 1 } } end, "parallel to the member" },
-    { function() model:defaults { thickness = 1 } end, "unknown field" },
     { function() model:defaults { group = 3 } end, "must be a name" },
     { function() model:defaults { ends = {}, release = { a = "Mx" } } end, "given beside 'ends'" },
   } do
@@ -173,8 +172,6 @@ case("wrong input is refused", function()
     { function() grid:columns { at = { "Z9" } } end, "unknown line" },
     { function() grid:beams { along = "z" } end, "'along'" },
     { function() grid:beams { along = "x", at = { "A" }, section = beam } end, "names no line" },
-    { function() grid:columns { colour = 1 } end, "unknown field" },
-    { function() grid:defaults { thickness = 1 } end, "unknown field" },
     { function() grid:line { "A1, base" } end, "two or more" },
     { function() grid:copy { members = {} } end, "give one of two" },
     { function() grid:copy { members = {}, mirror = { w = 1 } } end, "'mirror'" },

@@ -290,7 +290,6 @@ case("wrong links are refused at their line, and nothing of them is declared", f
     ["model:rigid_link: field 'from'"] = { to = far }, ["model:rigid_link: field 'to'"] = { from = far },
     ["both nodes are node 2"] = { from = tip, to = tip },
     ["field 'dofs' is 'xy'"] = { from = tip, to = stub, dofs = "xy" },
-    ["unknown field 'dof'"] = { from = tip, to = stub, dof = "xyz" },
     ["node 3 follows node 2 by a rigid link already; a node follows one other node"] = { from = wall, to = far },
     ["let both follow node 2"] = { from = far, to = stub },
     ["node 3 follows node 2 by a rigid link already, so that it cannot follow"] = { from = wall, to = tip },
