@@ -10,8 +10,8 @@ local section, fy = hinge.section.named "HEB 200", 275e6
 local steel = hinge.material { E = 210e9, yield_stress = fy, hot_curve = hinge.heat.curve() }
 local without = hinge.material { E = 210e9, yield_stress = fy }
 local elements, steps, bow = 8, 88, 1 / 1000
-local columns = { { length = 2, load = 600e3 }, { length = 4, load = 600e3 }, { length = 4, load = 300e3 },
-  { length = 6, load = 300e3 } }
+local columns = { { length = 2, load = 600e3 }, { length = 4, load = 600e3, tolerance = 0.02 },
+  { length = 4, load = 300e3 }, { length = 6, load = 300e3 } }
 local properties = hinge.heat.steel()
 
 -- The value at a temperature, between points { temperature, value }.
@@ -64,7 +64,7 @@ return hinge.benchmark {
   run = function(b)
     for _, c in ipairs(columns) do
       b:row { ("critical temperature, %g m, %.0f kN"):format(c.length, c.load / 1e3), computed = heated(c, steel),
-        reference = by_method(c), unit = "deg C", tolerance = 0.06, elements = elements, steps = steps }
+        reference = by_method(c), unit = "deg C", tolerance = c.tolerance or 0.06, elements = elements, steps = steps }
       local high = heated(c, without)
       print(("  without the curve %.0f deg C, %+.1f %%"):format(high, 100 * (high / by_method(c) - 1)))
     end
