@@ -12,7 +12,7 @@ local alone = { S = true, W = true, T = true, R = true, A = true, E = true } -- 
 
 -- Cases ---------------------------------------------------------------------------------------------------------------
 
-local psi_rule = { "numbers", count = 3, at_least = 0, at_most = 1 }
+local psi_rule = { "numbers", count = 3, at_least = 0, at_most = 1, optional = true }
 
 -- The fields that a case of a type may have.
 local function case_rules(standard, type_of)
@@ -21,8 +21,7 @@ local function case_rules(standard, type_of)
   if standard ~= "EN 1990" then return rules end
   if type_of == "G" then rules.source = { "string", default = "one source" } end
   if type_of == "Q" or type_of == "S" or type_of == "W" or type_of == "T" then
-    rules.psi, rules.action = { "numbers", count = 3, at_least = 0, at_most = 1, optional = true },
-      { "string", optional = true }
+    rules.psi, rules.action = psi_rule, { "string", optional = true }
   end
   if type_of == "Q" then rules.category = { "string", one_of = en_1990.categories, optional = true } end
   if type_of == "S" then
@@ -50,7 +49,6 @@ local function read_case(standard, name, given)
   local alternative = fields.alternative
   if alternative == false then fields.alternative = nil end
   local c = check.options(what, fields, case_rules(standard, given))
-  if c.psi then check.value(what, "psi", c.psi, psi_rule) end
   c.name, c.type, c.alternative = name, given, alternative
   if alternative == nil and alone[given] then c.alternative = "type " .. given end
   if standard == "EN 1990" and (given == "Q" or given == "S" or given == "W" or given == "T") then

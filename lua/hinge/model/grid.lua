@@ -8,6 +8,7 @@ local class = check.class(Grid, "hinge.grid")
 -- What model:member takes beside its nodes.
 local member_options = { "section", "material", "up", "group", "elements", "backbone", "law", "carries",
   "ends", "release", "offset" }
+local list_rule = { "table", optional = true }
 local of_member = {}
 for _, name in ipairs(member_options) do of_member[name] = true end
 
@@ -62,9 +63,7 @@ function Grid:name(node)
 end
 
 function Grid:lines()
-  local list = {}
-  for i, name in ipairs(self.names) do list[i] = name end
-  return list
+  return table.move(self.names, 1, #self.names, 1, {})
 end
 
 -- Members -------------------------------------------------------------------------------------------------------------
@@ -99,8 +98,9 @@ function Grid:add(a, b, options)
   return self.model:member(made)
 end
 
--- Splits options into those of the call, checked by `rules`, and those of the members.
-local function split(where, options, rules)
+-- Splits the one argument of a call, its options, into those of the call, checked by `rules`, and those of the members.
+local function split(where, rules, options, ...)
+  check.no_more(where, ...)
   if type(options) ~= "table" then check.fail("%s: takes a table of options, got %s", where, check.show(options)) end
   local own, of_members, known = {}, {}, check.keys(rules)
   for _, name in ipairs(member_options) do known[#known + 1] = name end
@@ -138,9 +138,7 @@ end
 
 function Grid:columns(options, ...)
   local where = "grid:columns"
-  check.no_more(where, ...)
-  local o, of_members = split(where, options, { at = { "table", optional = true },
-    storeys = { "table", optional = true } })
+  local o, of_members = split(where, { at = list_rule, storeys = list_rule }, options, ...)
   local made = {}
   for _, storey in ipairs(storeys_of(self, where, o.storeys)) do
     for _, line in ipairs(lines_of(self, where, o.at)) do
@@ -153,38 +151,35 @@ end
 
 function Grid:beams(options, ...)
   local where = "grid:beams"
-  check.no_more(where, ...)
-  local o, of_members = split(where, options, { along = { "string", one_of = { "x", "y" } },
-    at = { "table", optional = true }, storeys = { "table", optional = true } })
+  local o, of_members = split(where, { along = { "string", one_of = { "x", "y" } }, at = list_rule,
+    storeys = list_rule }, options, ...)
   local wanted = {}
   for _, name in ipairs(o.at or {}) do wanted[tostring(name):upper()] = true end
-  local nx, ny = #self.x, #self.y
-  local across = o.along == "x" and ny or nx
+  local along_x, nx, ny = o.along == "x", #self.x, #self.y
+  local function name_of(line) return along_x and tostring(line) or letters(line) end
+  local function column(line, i) return self.columns_of[along_x and letters(i) .. line or letters(line) .. i] end
   local made, found = {}, 0
   for _, storey in ipairs(storeys_of(self, where, o.storeys)) do
-    for line = 1, across do
-      if not o.at or wanted[o.along == "x" and tostring(line) or letters(line)] then
+    for line = 1, along_x and ny or nx do
+      if not o.at or wanted[name_of(line)] then
         found = found + 1
-        for i = 1, (o.along == "x" and nx or ny) - 1 do
-          local a = o.along == "x" and letters(i) .. line or letters(line) .. i
-          local b = o.along == "x" and letters(i + 1) .. line or letters(line) .. i + 1
-          made[#made + 1] = self:add(self.columns_of[a][storey], self.columns_of[b][storey], of_members)
+        for i = 1, (along_x and nx or ny) - 1 do
+          made[#made + 1] = self:add(column(line, i)[storey], column(line, i + 1)[storey], of_members)
         end
       end
     end
   end
   if found == 0 then
-    check.fail("%s: field 'at' names no line; beams along %s are on lines %s to %s", where, o.along,
-      o.along == "x" and "1" or "A", o.along == "x" and tostring(ny) or letters(nx))
+    check.fail("%s: field 'at' names no line; beams along %s are on lines %s to %s", where, o.along, name_of(1),
+      name_of(along_x and ny or nx))
   end
   return made
 end
 
 function Grid:braces(options, ...)
   local where = "grid:braces"
-  check.no_more(where, ...)
-  local o, of_members = split(where, options, { from = { "string" }, to = { "string" },
-    storeys = { "table", optional = true }, shape = { "string", one_of = { "/", "\\", "X" }, default = "/" } })
+  local o, of_members = split(where, { from = { "string" }, to = { "string" }, storeys = list_rule,
+    shape = { "string", one_of = { "/", "\\", "X" }, default = "/" } }, options, ...)
   local ends = lines_of(self, where, { o.from, o.to })
   local from, to = self.columns_of[ends[1]], self.columns_of[ends[2]]
   local made = {}
@@ -207,7 +202,7 @@ function Grid:line(options, ...)
     if math.type(field) ~= "integer" then others[field] = value end
   end
   for i, place in ipairs(options) do nodes[i] = type(place) == "string" and self:node(place) or place end
-  local _, of_members = split(where, others, {})
+  local _, of_members = split(where, {}, others)
   local made = {}
   for i = 2, #nodes do made[#made + 1] = self:add(nodes[i - 1], nodes[i], of_members) end
   return made
@@ -265,9 +260,7 @@ end
 
 function Grid:copy(options, ...)
   local where = "grid:copy"
-  check.no_more(where, ...)
-  local o, changed = split(where, options, { members = { "table" }, by = { "table", optional = true },
-    mirror = { "table", optional = true } })
+  local o, changed = split(where, { members = { "table" }, by = list_rule, mirror = list_rule }, options, ...)
   local move, turn = motion(where, o)
   local made = {}
   for _, member in ipairs(o.members) do
