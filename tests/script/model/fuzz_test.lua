@@ -32,16 +32,12 @@ local words = { "", "all", "xyz", "ux", "rz", "frame", "asi-gauss", "asi", "cubi
   "elastic", "large", "small", "direct", "cg", "single" }
 local fields = { "node", "force", "moment", "history", "group", "groups", "between", "section", "material", "up",
   "elements", "E", "nu", "G", "density", "yield_stress", "width", "depth", "diameter", "thickness", "dt", "duration",
-  "from", "steps", "control", "fixed_group", "rule", "where", "keep", "pairs", "on_contact",
-  "stiffness", "friction",
-  "curvature_x", "axial_strain", "formulation", "displacement",
-  "mass", "elements_per_member", "record", "integrator", "beta", "iterations", "threads", "solver", "to", "x", "z",
-  "state", "name", "energy_tolerance", "precision", "rest", "tolerance", "as_printed",
-  "area", "Ix", "Iy", "J",
-  "shear_area_x", "shear_area_y" }
+  "from", "steps", "control", "fixed_group", "rule", "where", "keep", "pairs", "on_contact", "stiffness", "friction",
+  "curvature_x", "axial_strain", "formulation", "displacement", "mass", "elements_per_member", "record", "integrator",
+  "beta", "iterations", "threads", "solver", "to", "x", "z", "state", "name", "energy_tolerance", "precision", "rest",
+  "tolerance", "as_printed", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y" }
 local functions = { function() end, function() return 1, 2, 3 end, function() return true end, function() return {} end,
-  function() error "mine" end,
-  function(v) return v and v.nonsense end, function() coroutine.yield() end, function() return 0 / 0 end }
+  function() error "mine" end, function(v) return v and v.nonsense end, function() coroutine.yield() end, function() return 0 / 0 end }
 
 local value
 local function table_of(depth)

@@ -12,9 +12,10 @@ local case, expect, equal, near = checks.case, checks.expect, checks.equal, chec
 local E, G = 200e9, 77e9
 local steel = hinge.material { E = E, G = G, density = 7850 }
 local column, beam = hinge.section.named "W14X145", hinge.section.named "W18X50"
+local rigid = hinge.section.general { area = 1, Ix = 10, Iy = 10, J = 10, shear_area_x = 100, shear_area_y = 100 }
 local W, H = 7.32, 3.66
 
--- A portal whose beam stands off its nodes by a and b: by `offset`, or by rigid links ("links").
+-- A portal whose beam stands off its nodes by a and b: by `offset`, by rigid links ("links") or by stiff members.
 local function portal(options, a, b, by, more)
   more = more or {}
   local m = hinge.model(options)
@@ -26,12 +27,14 @@ local function portal(options, a, b, by, more)
     m:member { foot, heads[i], section = column, material = steel, up = { 1, 0, 0 } }
   end
   local girder
-  if by == "links" then
-    local one = m:node { a[1], a[2], H + a[3] }
-    local two = m:node { W + b[1], 0.1 + b[2], H + b[3] }
-    girder = m:member { one, two, section = beam, material = steel, group = "girder" }
-    m:rigid_link { from = heads[0], to = one, dofs = more.released and "xyz" or nil }
-    m:rigid_link { from = heads[1], to = two }
+  if by ~= "offset" then
+    local ends = { m:node { a[1], a[2], H + a[3] }, m:node { W + b[1], 0.1 + b[2], H + b[3] } }
+    girder = m:member { ends[1], ends[2], section = beam, material = steel, group = "girder" }
+    for i = 0, 1 do
+      local released = i == 0 and more.released and "xyz" or nil
+      if by == "links" then m:rigid_link { from = heads[i], to = ends[i + 1], dofs = released }
+      else m:member { heads[i], ends[i + 1], section = rigid, material = hinge.material { E = E, G = G } } end
+    end
   else
     girder = m:member { heads[0], heads[1], section = beam, material = steel, group = "girder",
       offset = { a = a, b = b },
@@ -143,29 +146,8 @@ end)
 case("members at an offset hang on a rigid floor", function()
   local u = {}
   for i, how in ipairs { "offset", "stiff" } do
-    local m, heads
-    if how == "offset" then
-      m, heads = portal({ displacement = "small" }, { 0.19, 0, -0.1 }, { -0.19, 0, -0.1 }, how, { floor = true })
-    else -- the rigid ends as stiff members
-      m = hinge.model { displacement = "small" }
-      heads = {}
-      local ends = {}
-      local rigid = hinge.section.general { area = 1, Ix = 10, Iy = 10, J = 10, shear_area_x = 100, shear_area_y = 100 }
-      for k = 0, 1 do
-        local foot = m:node { W * k, 0, 0 }
-        heads[k] = m:node { W * k, 0.1 * k, H }
-        ends[k] = m:node { k == 0 and 0.19 or W - 0.19, 0.1 * k, H - 0.1 }
-        m:fix(foot)
-        m:member { foot, heads[k], section = column, material = steel, up = { 1, 0, 0 } }
-        m:member { heads[k], ends[k], section = rigid, material = hinge.material { E = E, G = G } }
-      end
-      local girder = m:member { ends[0], ends[1], section = beam, material = steel }
-      m:load { node = heads[0], force = { 1e5, 2e4, 0 } }
-      m:load { member = girder, q = { 0, 0, -2e4 } }
-      m:diaphragm { nodes = { heads[0], heads[1] } }
-    end
-    local run = m:static { steps = 1 }:finish()
-    u[i] = { heads[0]:displacement(run) }
+    local m, heads = portal({ displacement = "small" }, { 0.19, 0, -0.1 }, { -0.19, 0, -0.1 }, how, { floor = true })
+    u[i] = { heads[0]:displacement(m:static { steps = 1 }:finish()) }
   end
   for c = 1, 3 do near(u[1][c], u[2][c], 1e-4 * math.abs(u[2][1]), "displacement " .. c) end
 end)
