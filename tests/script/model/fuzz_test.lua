@@ -37,7 +37,8 @@ local fields = { "node", "force", "moment", "history", "group", "groups", "betwe
   "beta", "iterations", "threads", "solver", "to", "x", "z", "state", "name", "energy_tolerance", "precision", "rest",
   "tolerance", "as_printed", "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y" }
 local functions = { function() end, function() return 1, 2, 3 end, function() return true end, function() return {} end,
-  function() error "mine" end, function(v) return v and v.nonsense end, function() coroutine.yield() end, function() return 0 / 0 end }
+  function() error "mine" end, function(v) return v and v.nonsense end, function() coroutine.yield() end,
+  function() return 0 / 0 end }
 
 local value
 local function table_of(depth)
