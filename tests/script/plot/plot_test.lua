@@ -27,14 +27,12 @@ local sag, speed = run:probe { node = tip, "uz", name = "sag" }, run:probe { nod
 local shear = run:probe { node = root, "fz" }
 ]]
 
-local function lua(script)
-  local file = folder .. "/script.lua"
-  support.write(file, head .. script)
-  local command = ("cd %s && lua5.4 script.lua 2>&1"):format(support.quote(folder))
-  local pipe = assert(io.popen(command))
-  local text = pipe:read "a"
-  local good = pipe:close()
-  return text, good
+-- `program`: another way to start Lua.
+local function lua(script, program)
+  support.write(folder .. "/script.lua", head .. script)
+  local status, text = support.run(("cd %s && %s script.lua 2>&1"):format(support.quote(folder), program or "lua5.4"))
+  equal(status, 0, text)
+  return text
 end
 
 -- What gnuplot was told to draw, beside the picture.
@@ -67,17 +65,14 @@ local function rows(name)
   return list
 end
 
--- ---- a dynamic run --------------------------------------------------------------------------------------------------
-
 case("a plot of a dynamic run has its curves, axes and units", function()
-  local said, good = lua [[
+  local said = lua [[
 run:finish()
 hinge.plot(run, "all.png")
 hinge.plot(run, { "kinetic", "elastic", sag, title = "A <blow>", width = 500, height = 400 }, "some.svg")
 hinge.plot(run, { speed, x = sag }, "phase.pdf")
 print(sag.unit, speed.unit, shear.unit, run.energy.kinetic, #sag.value)
 ]]
-  expect(good, "plots of a run: %s", said)
   equal(said:match "^(.-)\n" and said:match "^(%S+\t%S+\t%S+)", "m\tm/s\tN", "units of probes")
   local all = commands "all"
   for _, words in ipairs { "kinetic", "elastic", "work", "energy_error", "energy, J", "sag, mm", "speed, m/s",
@@ -130,7 +125,6 @@ print(n, rows.time[n] == run.time, rows.kinetic[n] == run.energy.kinetic,
 end)
 
 case("long runs keep a part of their rows, evenly, and the last one", function()
-  -- Long runs keep a part of their rows, evenly, and the last one.
   local long = lua [[
 local many = model:dynamic { dt = 1e-6, duration = 0.02, record = 1 }:finish()
 local rows = require "hinge.core".run_history(many)
@@ -142,17 +136,14 @@ print(n > 4000 and n <= 8193, even, rows.time[n] == many.time)
   equal(long, "true\ttrue\ttrue\n", "rows of a long run")
 end)
 
--- ---- a static run ---------------------------------------------------------------------------------------------------
-
 case("a plot of a static run is drawn over the load factor", function()
-  local said, good = lua [[
+  lua [[
 local push = model:static { steps = 10 }
 local down = push:probe { node = tip, "uz", name = "down" }
 push:finish()
 hinge.plot(push, "load.svg")
 hinge.plot(push, { "elastic" }, "elastic.svg")
 ]]
-  expect(good, "plots of statics: %s", said)
   local load = commands "load"
   holds(load, "down, mm")
   holds(load, "load factor")
@@ -166,8 +157,6 @@ hinge.plot(push, { "elastic" }, "elastic.svg")
   holds(commands "elastic", "elastic energy, J")
 end)
 
--- ---- the folder of a run that is over -------------------------------------------------------------------------------
-
 case("the folder of a run that is over is plotted as the run was", function()
   os.execute("mkdir -p " .. support.quote(folder .. "/done"))
   support.write(folder .. "/done/history.csv", [[
@@ -176,11 +165,10 @@ time,factor,kinetic,elastic,work,energy_error,node2_uz,roof
 0.5,0,2000,500,2500,0,0.01,2
 1,0,4000,1000,5000,0,0.02,3
 ]])
-  local said, good = lua [[
+  lua [[
 hinge.plot("done", "done.svg")
 hinge.plot("done", { "kinetic", "roof" }, "done_some.svg")
 ]]
-  expect(good, "plots of a folder: %s", said)
   for _, words in ipairs { "kinetic", "elastic", "work", "energy, kJ", "node2_uz, mm", "roof", "time, s" } do
     holds(commands "done", words)
   end
@@ -237,7 +225,6 @@ case("numbers of an axis leave room between them", function()
 end)
 
 case("a plot has the units of probes as the run left them beside its history", function()
-  local said, good
   -- Units of probes as the run left them beside its history; what is no list of probes is as good as none.
   for text, wanted in pairs {
     ['[{"name":"roof","node":1,"quantity":"az","unit":"m/s^2"}, {"name":"node2_uz","unit":"m"}]'] = { "roof, m/s²" },
@@ -246,13 +233,10 @@ case("a plot has the units of probes as the run left them beside its history", f
     ['[{"name":"ro'] = { "roof", "node2_uz, mm" },
   } do
     support.write(folder .. "/done/probes.json", text)
-    said, good = lua 'hinge.plot("done", "units.svg")'
-    expect(good, "units of %s: %s", text, said)
+    lua 'hinge.plot("done", "units.svg")'
     for _, words in ipairs(wanted) do holds(commands "units", words) end
   end
 end)
-
--- ---- a run that goes on from a checkpoint ---------------------------------------------------------------------------
 
 case("a run that goes on from a checkpoint is plotted from its beginning", function()
   local said = lua [[
@@ -274,10 +258,8 @@ print(#a.time, same)
   equal(said, "201\ttrue\n", "rows from before the checkpoint")
 end)
 
--- ---- bars, bands, panels as Lua gives them --------------------------------------------------------------------------
-
 case("bars, bands and panels are drawn as Lua gives them", function()
-  local said, good = lua [[
+  lua [[
 hinge.plot({ series = { { x = { "I", "II" }, y = { 1, 2 }, style = "bars", labels = { 1, "two" } } } }, "bars.svg")
 hinge.plot({ series = { { x = { 0, 1 }, low = { 1, 2 }, high = { 2, 3 }, colour = { 1, 0, 0.5 } },
   { x = { 0, 1 }, y = { 1, 2 }, style = "line and points", colour = "#0a0B0c" } } }, "band.svg")
@@ -285,7 +267,6 @@ hinge.plot({ title = "both", columns = 2, panels = { { title = "left", series = 
   { title = "right", series = { { x = { 0, 1 }, y = { 0, 1 } } }, lines = { { y = 2, name = "limit" } } } } },
   "panels.svg")
 ]]
-  expect(good, "bars, bands and panels: %s", said)
   for _, words in ipairs { "I", "II", "1", "two" } do holds(commands "bars", words) end
   for _, words in ipairs { "#ff0080", "#0a0b0c", " with linespoints ", " with filledcurves " } do
     expect(commands "band":find(words, 1, true), "no %s in band.gp", words)
@@ -297,19 +278,16 @@ hinge.plot({ title = "both", columns = 2, panels = { { title = "left", series = 
 end)
 
 case("different ranges of different columns, or without share_x, are no error", function()
-  -- Different ranges of different columns, or without share_x, are no error.
-  local said, good = lua [[
+  lua [[
 local function panel(low, high) return { x_range = { low, high }, series = { { x = { 0, 9 }, y = { 0, 1 } } } } end
 hinge.plot({ share_x = true, columns = 2, panels = { panel(0, 1), panel(2, 3), panel(0, 1) } }, "ranges.svg")
 hinge.plot({ panels = { panel(0, 1), panel(2, 3) } }, "ranges.svg")
 ]]
-  expect(good, "ranges: %s", said)
+  expect(support.is_there(folder .. "/ranges.svg"), "no plot is drawn")
 end)
 
--- ---- what a plot does with values -----------------------------------------------------------------------------------
-
 case("values that are no numbers are gaps, and long curves keep their extremes", function()
-  local said, good = lua [[
+  lua [[
 hinge.plot({ series = {
   { name = "gaps", x = { 0, 1, 2, 3, 4 }, y = { 1, 2, 0/0, 2, 1 } },
   { name = "alone", x = { 0, 1, 2 }, y = { 1/0, 3, "none" } },
@@ -321,7 +299,6 @@ hinge.plot({ series = { { x = x, y = y } } }, "long.png")
 hinge.plot({ x_range = { 0.2, 0.8 }, series = { { x = { 0, 1 }, y = { -100, 100 } }, { x = { 0.5 }, y = { 7 } } } },
   "cut.png")
 ]]
-  expect(good, "values of plots: %s", said)
   -- Bands are drawn beneath, so they come first in the data.
   local values = rows "values"
   for index, wanted in pairs { [0] = { "band", 2, 1 }, { "gaps", 4, 1 }, { "alone", 1, 0 }, { "alone", 1, 0 } } do
@@ -349,10 +326,8 @@ hinge.plot({ x_range = { 0.2, 0.8 }, series = { { x = { 0, 1 }, y = { -100, 100 
   expect(commands "cut":find("set xrange [0.2:0.8]", 1, true), "the x axis of x_range")
 end)
 
--- ---- where bars, legends and labels stand ---------------------------------------------------------------------------
-
 case("bars, legends and labels stand where they hide nothing", function()
-  local said, good = lua [[
+  lua [[
 hinge.plot({ series = { { name = "one", x = { "I", "II", "III" }, y = { 2, -1, 4 }, style = "bars" },
   { name = "two", x = { "I", "III" }, y = { 3, 1 }, style = "bars" } } }, "upright.png")
 hinge.plot({ series = { { y = { "I", "II" }, x = { 2, -1 }, style = "bars", labels = { "2", "-1" } } } }, "lying.png")
@@ -366,7 +341,6 @@ hinge.plot({ x_range = { 0, 3 }, series = { { x = { 1.5, 1.6 }, y = { 1, 1 }, st
 hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels = { "it's {a}_b `c` @d", "right" } } } },
   "labels.png")
 ]]
-  expect(good, "bars, legends and labels: %s", said)
   -- Two bars share 0.8 of a place: each 0.4 wide with a gap of 6 %, their middles 0.2 beside the place.
   local upright = commands "upright"
   for _, words in ipairs { "using ($1-0.2):2:(0.376) with boxes", "using ($1+0.2):2:(0.376) with boxes",
@@ -388,17 +362,15 @@ hinge.plot({ series = { { x = { 1, 2 }, y = { 1, 1 }, style = "points", labels =
     "a label is a text, whatever is in it")
 end)
 
--- ---- gnuplot --------------------------------------------------------------------------------------------------------
-
 case("gnuplot draws what the script says, and runs none of its texts", function()
   -- No text of a script becomes a command, neither of gnuplot nor of a shell.
-  local said, good = lua [[
+  local said = lua [[
 local evil = "a'; system('touch owned') \n system('touch owned') `touch owned` \"`touch owned`\" @x \\"
 hinge.plot({ title = evil, x_label = evil, y_label = evil, lines = { { y = 1, name = evil } },
   series = { { name = evil, x = { "b", evil }, y = { 1, 2 }, style = "bars", labels = { evil, evil } },
     { name = evil, x = { evil }, y = { 1 }, style = "points", labels = { evil } } } }, "evil.png")
 ]]
-  expect(good and support.read(folder .. "/evil.png"), "texts with quotes: %s", said)
+  expect(support.read(folder .. "/evil.png"), "texts with quotes: %s", said)
   expect(not support.read(folder .. "/owned"), "a text of a plot was run")
   -- Its own file draws it again, and the user's settings are not read.
   support.write(folder .. "/.gnuplot", "set title 'mine'\nexit\n")
@@ -407,11 +379,7 @@ hinge.plot({ title = evil, x_label = evil, y_label = evil, lines = { { y = 1, na
   os.execute(("cd %s && rm again.svg && HOME=. gnuplot -d again.gp"):format(support.quote(folder)))
   expect(first and support.read(folder .. "/again.svg") == first, "again.gp draws again.svg: %s", said)
   -- Where it is missing, the run goes on and the files for it are there.
-  local lua_program = io.popen("command -v lua5.4"):read "l"
-  support.write(folder .. "/script.lua", head .. 'hinge.plot({ series = { { x = { 0 }, y = { 0 } } } }, "none.png")')
-  local pipe = io.popen(("cd %s && PATH=/nowhere %s script.lua 2>&1"):format(support.quote(folder), lua_program))
-  said = pipe:read "a"
-  pipe:close()
+  said = lua('hinge.plot({ series = { { x = { 0 }, y = { 0 } } } }, "none.png")', "PATH=/nowhere $(command -v lua5.4)")
   expect(said:find("note: none.png not drawn: plots need the program gnuplot, which is not installed: "
     .. "apt-get install gnuplot-nox; none.gp is there for it", 1, true), "without gnuplot: %s", said)
   expect(support.read(folder .. "/none.gp") and not support.read(folder .. "/none.png"), "files without gnuplot")
@@ -420,96 +388,66 @@ hinge.plot({ title = evil, x_label = evil, y_label = evil, lines = { { y = 1, na
     .. "logarithmic axis", 1, true), "nothing to draw: %s", said)
 end)
 
--- ---- what is wrong is said at the script's line ---------------------------------------------------------------------
-
 case("wrong plots are refused at the script's line", function()
-  local line = select(2, head:gsub("\n", "")) + 2
-  for call, message in pairs {
-    ['hinge.plot(run, { "kinetik" }, "x.png")']
-      = "hinge.plot: unknown item 1 'kinetik' (did you mean 'kinetic'?); there are kinetic, ..., sag, speed, "
-        .. "node1_fz",
-    ['hinge.plot(run, { 42 }, "x.png")']
-      = "hinge.plot: item 1 is 42; must be a probe of the run or one of ...",
-    ['hinge.plot(run, { titel = "a" }, "x.png")']
-      = "hinge.plot: unknown field 'titel' (did you mean 'title'?); there are columns, height, title, width, "
-        .. "x",
-    ['hinge.plot(run, { "kinetic", x = "sog" }, "x.png")']
-      = "hinge.plot: unknown field 'x' 'sog' (did you mean 'sag'?)...",
-    ['hinge.plot(run, 5, "x.png")']
-      = "hinge.plot: field 'choice' is 5; must be a table",
-    ['hinge.plot(run)']
-      = "hinge.plot: field 'filename' is missing; give a string",
-    ['hinge.plot(run, "x.eps")']
-      = "hinge.plot: filename is 'x.eps'; must be a plain name ending in .png, .svg or .pdf ...",
-    ['hinge.plot(run, "../x.svg")']
-      = "hinge.plot: filename is '../x.svg'; must be a plain name ending in .png, .svg or .pdf ...",
-    ['hinge.plot(run, {}, "x.svg", 3)']
-      = "hinge.plot: takes no further argument, got also 3",
-    ['hinge.plot(model, "x.png")']
-      = "hinge.plot: the run is a hinge.model; must be one that model:static{} or ...",
-    ['hinge.plot(nil, "x.png")']
-      = "hinge.plot: field 'what' is missing; give a table",
-    ['hinge.plot("nowhere", "x.png")']
-      = "hinge.plot: there is no 'nowhere/history.csv'; give a run, or the folder of one that has ended",
-    ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3 }, "x.png")']
-      = "hinge.plot: the run has taken no step yet; plot it after run:finish()",
-    ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3, record = false }:finish(), "x.png")']
-      = "hinge.plot: nothing was recorded; ask for probes before the first step (run:probe)",
-    ['hinge.plot(model:dynamic { dt = 1e-4, duration = 1e-3, record = false }:finish(), { "kinetic" }, "x.png")']
-      = "hinge.plot: nothing was recorded of 'kinetic' (record = false keeps no energies)",
-    ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = "rad" } } }, "x.png")']
-      = "hinge.plot: series 1: field 'colour' is 'rad'; must be black, ... from 0 to 1 (did you mean 'red'?)",
-    ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, colour = { 255, 0, 0 } } } }, "x.png")']
-      = "hinge.plot: series 1: field 'colour' is a table; must be black, ... from 0 to 1",
-    ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, style = "dots" } } }, "x.png")']
-      = "hinge.plot: series 1: field 'style' is 'dots'; must be one of 'line', 'points', 'line and points', "
-        .. "'band', 'bars'",
-    ['hinge.plot({ panels = { { series = { { x = { 1, 2 }, y = { 1 } } } } } }, "x.png")']
-      = "hinge.plot: panel 1, series 1: field 'y' is 1 number; must hold as many as x, 2",
-    ['hinge.plot({ panels = { { seris = {} } } }, "x.png")']
-      = "hinge.plot: panel 1: unknown field 'seris' (did you mean 'series'?)...",
-    ['hinge.plot({ panels = {} }, "x.png")']
-      = "hinge.plot: field 'panels' is {}; must hold at least one { series =, ... }",
-    ['hinge.plot({ series = {}, columns = 2 }, "x.png")']
-      = "hinge.plot: unknown field 'columns'...",
-    ['hinge.plot({ series = { { x = { "a" }, y = { 1 } }, { x = { 1 }, y = { 1 } } } }, "x.png")']
-      = "hinge.plot: series 2: field 'x' is numbers; must hold names as in the series before: an axis has "
-        .. "one or the other",
-    ['hinge.plot({ series = { { x = { "a" }, y = { "b" } } } }, "x.png")']
-      = "hinge.plot: field 'series' is names along x and y; must have numbers along one of the two axes",
-    ['hinge.plot({ log_x = true, series = { { x = { "a" }, y = { 1 } } } }, "x.png")']
-      = "hinge.plot: field 'x_range or log_x' is given; must be left out where x holds names",
-    ['hinge.plot({ series = { { x = { 1 }, low = { 1 } } } }, "x.png")']
-      = "hinge.plot: series 1: field 'high' is nil; must be a list of numbers",
-    ['hinge.plot({ series = { { x = { 1 }, low = { 1 }, high = { 2 }, style = "line" } } }, "x.png")']
-      = "hinge.plot: series 1: field 'style' is 'line'; must be 'band', which has low and high",
-    ['hinge.plot({ series = { { x = { 1 }, y = { 1 }, labels = { "a", "b" } } } }, "x.png")']
-      = "hinge.plot: series 1: field 'labels' is 2 texts; must hold as many as x, 1",
-    ['hinge.plot({ x_range = { 2, 1 }, series = {} }, "x.png")']
-      = "hinge.plot: field 'x_range' is {2, 1}; must be { low, high }, two numbers with low below high",
-    ['hinge.plot({ y_range = { 0, 1 }, log_y = true, series = {} }, "x.png")']
-      = "hinge.plot: field 'y_range' is {0, 1}; must be ..., above 0 on a logarithmic axis",
-    ['hinge.plot({ share_x = true, panels = { { x_range = { 0, 1 }, series = { { x = { 1 }, y = { 1 } } } }, '
-      .. '{ x_range = { 2, 4 }, series = { { x = { 3 }, y = { 1 } } } } } }, "x.png")']
-      = "hinge.plot: field 'share_x' is true and panel 2 has x_range {2, 4}; must have the same as panel 1 in its "
-        .. "column, which has x_range {0, 1}",
-    ['hinge.plot({ share_x = true, columns = 2, panels = { { series = { { x = { 1 }, y = { 1 } } } }, '
-      .. '{ series = { { x = { "a" }, y = { 1 } } } }, { log_x = true, series = { { x = { 3 }, y = { 1 } } } } } }, '
-      .. '"x.png")']
-      = "hinge.plot: field 'share_x' is true and panel 3 has a logarithmic x axis; must have the same as panel 1 in "
-        .. "its "
-        .. "column, which has a linear x axis",
-    ['hinge.plot({ lines = { { x = 1, y = 2 } }, series = {} }, "x.png")']
-      = "hinge.plot: line 1: field 'y' is 2; must be left out beside x; ...",
-    ['hinge.plot({ lines = { {} }, series = {} }, "x.png")']
-      = "hinge.plot: line 1: field 'x' is missing; give it or y; ...",
+  local hinge = require "hinge"
+  local model, tip = require "scenes".cantilever { force = { 0, 0, -1000 } }
+  local function dynamic(record) return model:dynamic { dt = 1e-4, duration = 1e-3, record = record } end
+  local run, bare = dynamic(), dynamic(false):finish()
+  run:probe { node = tip, "uz", name = "sag" }
+  run:step()
+  local function series(...) return { series = { ... } } end
+  local point, named = { x = { 1 }, y = { 1 } }, { x = { "a" }, y = { 1 } }
+  local function in_columns(columns, ...) return { share_x = true, columns = columns, panels = { ... } } end
+  local with, shared = require "scenes".with, "field 'share_x' is true and panel %d has %s"
+  for _, row in ipairs {
+    -- words of the message, what is plotted, and what of it
+    { { "item 1 'kinetik'", "did you mean 'kinetic'", "there are kinetic", "sag" }, run, { "kinetik" } },
+    { { "item 1 is 42", "a probe of the run or one of" }, run, { 42 } },
+    { { "field 'titel'", "did you mean 'title'", "there are columns, height, title, width, x" }, run, { titel = "a" } },
+    { { "field 'x' 'sog'", "did you mean 'sag'" }, run, { "kinetic", x = "sog" } },
+    { "field 'choice' is 5; must be a table", run, 5 },
+    { { "the run is a hinge.model", "model:static{} or" }, model },
+    { "there is no 'nowhere/history.csv'; give a run, or the folder", "nowhere" },
+    { "has taken no step yet; plot it after run:finish()", dynamic() },
+    { { "nothing was recorded", "run:probe" }, bare },
+    { { "nothing was recorded of 'kinetic'", "record = false" }, bare, { "kinetic" } },
+    { { "series 1", "'colour' is 'rad'", "from 0 to 1", "mean 'red'" }, series(with(point, { colour = "rad" })) },
+    { { "series 1", "'colour' is a table", "from 0 to 1" }, series(with(point, { colour = { 255, 0, 0 } })) },
+    { { "series 1", "'style' is 'dots'", "'line', 'points', 'line and points', 'band', 'bars'" },
+      series(with(point, { style = "dots" })) },
+    { { "panel 1, series 1", "'y' is 1 number", "many as x, 2" }, { panels = { series { x = { 1, 2 }, y = { 1 } } } } },
+    { { "panel 1: unknown field 'seris'", "did you mean 'series'" }, { panels = { { seris = {} } } } },
+    { { "'panels' is {}", "at least one { series =" }, { panels = {} } },
+    { "unknown field 'columns'", { series = {}, columns = 2 } },
+    { { "series 2: field 'x' is numbers", "names as in the series before" }, series(named, point) },
+    { { "names along x and y", "numbers along one of the two axes" }, series { x = { "a" }, y = { "b" } } },
+    { { "'x_range or log_x' is given", "left out where x holds names" }, with(series(named), { log_x = true }) },
+    { { "series 1: field 'high' is nil", "a list of numbers" }, series { x = { 1 }, low = { 1 } } },
+    { { "series 1", "'style' is 'line'", "'band', which has low and high" },
+      series { x = { 1 }, low = { 1 }, high = { 2 }, style = "line" } },
+    { { "series 1", "'labels' is 2 texts", "as many as x, 1" }, series(with(point, { labels = { "a", "b" } })) },
+    { { "'x_range' is {2, 1}", "two numbers with low below high" }, with(series(), { x_range = { 2, 1 } }) },
+    { { "'y_range' is {0, 1}", "above 0 on a logarithmic axis" },
+      with(series(), { y_range = { 0, 1 }, log_y = true }) },
+    { { shared:format(2, "x_range {2, 4}"), "the same as panel 1 in its column", "x_range {0, 1}" },
+      in_columns(1, with(series(point), { x_range = { 0, 1 } }), with(series(point), { x_range = { 2, 4 } })) },
+    { { shared:format(3, "a logarithmic x axis"), "the same as panel 1 in its column", "a linear x axis" },
+      in_columns(2, series(point), series(named), with(series(point), { log_x = true })) },
+    { { "line 1: field 'y' is 2", "left out beside x" }, { lines = { { x = 1, y = 2 } }, series = {} } },
+    { { "line 1: field 'x' is missing", "give it or y" }, { lines = { {} }, series = {} } },
   } do
-    local text = lua("run:step()\nprint(select(2, pcall(function()\n" .. call .. "\nend)))"):gsub("\n$", "")
-    expect(support.says(text, ("script.lua:%d: %s"):format(line + 1, message)), "%s says\n  %s\n  wanted %s", call,
-      text,
-      message)
+    checks.refused(row[1], function()
+      if row[3] then hinge.plot(row[2], row[3], "x.png") else hinge.plot(row[2], "x.png") end
+    end)
   end
-  expect(not support.read(folder .. "/x.png") and not support.read(folder .. "/x.gp"), "nothing was drawn of that")
+  checks.refused("field 'what' is missing; give a table", function() hinge.plot(nil, "x.png") end)
+  checks.refused("field 'filename' is missing; give a string", function() hinge.plot(run) end)
+  for _, name in ipairs { "x.eps", "../x.svg" } do
+    checks.refused({ "filename is '" .. name .. "'", "a plain name ending in .png, .svg or .pdf" },
+      function() hinge.plot(run, name) end)
+  end
+  checks.refused("takes no further argument, got also 3", function() hinge.plot(run, {}, "x.svg", 3) end)
+  expect(not support.read "x.png" and not support.read "x.gp", "nothing was drawn of that")
 end)
 
 checks.done()
