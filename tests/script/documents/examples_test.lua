@@ -61,7 +61,6 @@ local function problem_of(example, name)
 end
 
 case("an example that is wrong is noticed", function()
-  -- What would be noticed.
   for example, wanted in pairs {
     ["model:nod { 0, 0, 0 }"] = "nod", ["tip = nil x = 1"] = "global 'x'", ["x ="] = "unexpected symbol",
     ["model:load { node = tip, force = { 0, 0, -1e9 } } model:static():finish()"] = "a run failed",

@@ -32,12 +32,10 @@ case("it prints the same under plain Lua", function()
 end)
 
 case("it is the script of that name without its heading", function()
-  -- It is the script of that name without its heading.
   equal((support.read(support.root .. command) or "none"):match "\n(local hinge = .*)", code .. "\n", command)
 end)
 
 case("every file and folder that the README names is there", function()
-  -- Every file and folder that the README names is there.
   for name in text:gmatch "%]%(([^)#]+)%)" do
     if not name:find "^https?:" and not name:find "^scripts/pictures/" then
       expect(support.is_there(support.root .. name), "README.md points to %s, which is not there", name)
@@ -47,7 +45,6 @@ end)
 
 local builds = support.read(support.root .. "CMakeLists.txt") .. support.read(support.root .. "tests/CMakeLists.txt")
 case("the page for contributors names files, targets and tests that are there", function()
-  -- The page for contributors names only files that are there, and targets and tests that the build has.
   local contributing = support.read(support.root .. ".github/CONTRIBUTING.md") or ""
   local links = 0
   for name in contributing:gmatch "%]%(([^)#]+)" do
@@ -65,7 +62,6 @@ case("the page for contributors names files, targets and tests that are there", 
 end)
 
 case("the citation is of this version, and of the paper that the README names", function()
-  -- The citation is of this version, and of the paper that the README names.
   local citation = support.read(support.root .. ".github/CITATION.cff") or ""
   equal(citation:match "\nversion: ([%d.]+)", builds:match "project%(hinge VERSION ([%d.]+)", "version in CITATION.cff")
   local words = text:gsub("%s+", " ")

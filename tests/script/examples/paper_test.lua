@@ -250,7 +250,6 @@ for i = 2, #arg do
 end
 
 case("a paper script whose runs fail has all its tables and fails after them", function()
-  -- If runs fail that should not, all tables are there, and the script fails after them.
   local two_beams = quote(support.root .. "scripts/paper/two_beam_impact.lua")
   local status, printed, complaint = support.run(("%s run %s quick=true dt=4e-5 duration=0.021 --out %s"):format(
     quote(arg[1] .. "/hinge"), two_beams, quote(folder .. "/long_steps")))
@@ -265,7 +264,6 @@ case("a paper script whose runs fail has all its tables and fails after them", f
 end)
 
 case("all.lua goes on after a script that fails, names it and keeps what the others returned", function()
-  -- all.lua goes on after a script that fails or stumbles, names it, and keeps what the others returned.
   local all = folder .. "/all.lua"
   support.write(all, support.read(support.root .. "scripts/paper/all.lua"))
   local function stand_in(name, does)

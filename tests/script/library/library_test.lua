@@ -25,7 +25,6 @@ local function complains(f, ...)
 end
 
 case("fully plastic resultants of solid squares are those of the paper", function()
-  -- Benchmarks: fully plastic resultants of solid squares at 245 MPa.
   for _, row in ipairs { { 0.05, 612.5e3, 7656.25, 5893.78 }, { 0.02, 98e3, 490, 377.2 } } do
     local p = shapes.solid { width = row[1], depth = row[1] }.plastic
     near(p.A * 245e6, row[2], 1e-12, "N0")
@@ -115,7 +114,6 @@ case("shear areas are those of the strain energy of the wall flows", function()
 end)
 
 case("wrong input names function, field, value, unit and what is allowed", function()
-  -- Wrong input names function, field, value, unit and what is allowed.
   complains(function() hinge.section.box { width = -0.4, depth = 0.4, thickness = 0.02 } end,
     "hinge.section.box", "'width'", "-0.4 m", "above 0")
   complains(function() hinge.section.box { width = 0.4, depth = 0.4, thickness = 0.2 } end,
@@ -141,7 +139,6 @@ case("wrong input names function, field, value, unit and what is allowed", funct
 end)
 
 case("values from the command line are sums, lists and texts", function()
-  -- Values from the command line.
   for text, wanted in pairs { ["440/3.6"] = 440 / 3.6, ["2e-5"] = 2e-5, ["-2^2"] = -4, ["2*(3+4)-1"] = 13, ["8/2/2"] =
     2,
     [" 1 - 2 - 3 "] = -4, [".5"] = 0.5, ["2^3^2"] = 512, ["2*pi"] = 2 * math.pi, ["2^-1"] = 0.5 } do
@@ -156,7 +153,6 @@ case("values from the command line are sums, lists and texts", function()
 end)
 
 case("a scenario's parameters are its own, then the case's, then those given", function()
-  -- Scenarios: parameters <- case <- overrides.
   local function make(change)
     local options = { parameters = { speed = 100, model = "a" }, cases = { II = { speed = 80 } },
       accuracy = { dt = { 1e-5, 2e-5 } }, run = function() end }

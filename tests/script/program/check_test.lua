@@ -194,8 +194,7 @@ case("slips of units, lengths, sections and loads are warned of at their line", 
     more = "local rest = model:static { steps = 1 } model:gravity { 0, 0, -9.81 }",
     make = "dynamic { from = rest, dt = 1e-5, duration = 1 }" },
     "gravity {0, 0, -9.81} m/s^2 acts at once in this run, and did not act in the static run made at scene.lua:11, "
-    .. "from "
-      .. "which it goes on (scene.lua:12); weight that acts at once", "model:dynamic", { gravity = "{ 0, 0, -9.81 }",
+    .. "from which it goes on (scene.lua:12); weight that acts at once", "model:dynamic", { gravity = "{ 0, 0, -9.81 }",
       more = "local rest = model:static { steps = 1 } model:gravity { 0, 0, -9.81 }",
       make = "dynamic { from = rest, dt = 1e-5, duration = 1 }" })
 end)
@@ -275,10 +274,9 @@ case("floors as loads and masses, idle declarations and odd settings are warned 
     { more = "model:damping { ratio = 0.05, periods = { 0.2, 0.02 } }" })
   local across = "model:contact {} member(joint(-1, %s, 1.5), joint(1, %s, 1.5))"
   suspicious("bars that overlap", { more = across:format("0.05", "0.05") },
-    "member 1 between nodes 1 and 2 and member 4 "
-    .. "between nodes 5 and 6 overlap by 0.05 m where this run begins, at {0, 0.025, 1.5} m: contact leaves such a "
-    .. "pair "
-    .. "alone until it has parted", "model:contact", { more = across:format("0.1", "0.1") })
+    "member 1 between nodes 1 and 2 and member 4 between nodes 5 and 6 overlap by 0.05 m where this run begins, at {0, "
+    .. "0.025, 1.5} m: contact leaves such a pair alone until it has "
+    .. "parted", "model:contact", { more = across:format("0.1", "0.1") })
   local fire = "model:load { node = b, force = { 1, 0, 0 } } model:heat { temperature = %s }"
   suspicious("heat without the curve of hot steel", { more = fire:format(600), make = "static {}" },
     "member 1... is heated to 600 degrees Celsius, and is elastic up to its yield stress, that at a strain of 2 %: "
@@ -419,14 +417,12 @@ end)
 
 case("a projectile is no mechanism in dynamics and refused in statics", function()
   local _, complaint
-  -- A projectile is not a mechanism; one of a static run is refused as ever, at its line.
   local status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" })
   expect(status == 0 and support.has(printed, "\n  free body of 1 member, 78.5 kg: natural periods ")
     and #warnings(printed) == 0, "a free body:\n%s", printed)
   status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
-  expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: what is supported at node 1 at "
-    .. "{0, 0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do "
-    .. "with "
+  expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: what is supported at node 1 at {0, "
+    .. "0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do with "
     .. "model:fix", 1, true), "a mechanism in statics: %s %s", status, complaint)
 end)
 

@@ -42,7 +42,6 @@ local function offers(...)
 end
 
 case("completion knows every verb and option that --help lists", function()
-  -- The verbs and options that --help lists.
   local function listed(arguments, pattern)
     local found, text = {}, "\n" .. support.output(program .. " " .. arguments .. " --help")
     for name in text:gmatch(pattern) do
@@ -76,7 +75,6 @@ case("completion knows every verb and option that --help lists", function()
 end)
 
 case("completion knows the parameters and cases of a script", function()
-  -- Names by a script's text.
   local function listed_names(text)
     local parameters, cases = names(text)
     return table.concat(parameters, " ") .. "/" .. table.concat(cases, " ")

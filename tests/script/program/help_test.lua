@@ -86,7 +86,6 @@ hinge.energy.damping
 end)
 
 case("hinge reference finds a call by words that the reference does not use", function()
-  -- Words of engineers that the reference does not use.
   for words, wanted in pairs {
     ["-s drift"] = "'drift': see results.storeys, node:displacement (hinge.results.storeys has the drift and the shear "
       .. "force of each storey)",
@@ -202,14 +201,12 @@ case("help at the prompt prints what is known of a name, and of values of the se
     equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
   end
   expect(select(3, types 'help "dampng"'):find("'dampng' (did you mean 'damping'?)", 1, true), "did you mean")
-  expect(support.says(select(2, types 'help "Masing"'), "Nothing is called 'Masing' (did you mean 'missing'?). "
-    .. "The reference mentions it here:"
-    .. "\n\nhinge.joint(options)\n    ..."), "a word in the texts")
+  expect(support.says(select(2, types 'help "Masing"'), "Nothing is called 'Masing' (did you mean 'missing'?). The "
+    .. "reference mentions it here:\n\nhinge.joint(options)\n    ..."), "a word in the texts")
   equal(select(2, run(program .. " -e 'help \"hinge.note\"'")):match "^[^\n]*", "#### `hinge.note(text)`", "hinge -e")
 end)
 
 case("the guide's page on the prompt shows what the prompt prints", function()
-  -- The page on the prompt: its session prints what stands there, and its commands find something.
   local guide = support.read(support.root .. "lua/guide/prompt.md")
   local session = guide:match "\n```\n%$ hinge %-i\n(.-)```\n"
   local keys, shown = {}, {}

@@ -77,7 +77,6 @@ end)
 
 case("every command of its README runs", function()
   local status, printed, complaint
-  -- The README's commands, each one.
   local page, count = support.read(project .. "/README.md"), 0
   for command in page:gmatch "\n| `(hinge [^`]*)`" do
     count = count + 1

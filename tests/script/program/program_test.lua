@@ -66,7 +66,6 @@ case("--version names version, commit and what hinge was built with", function()
 end)
 
 case("the manual page knows every verb", function()
-  -- The manual page knows every verb.
   local manual = support.read(support.root .. "src/hinge.1") or ""
   local verbs = 0
   for verb in (select(2, run(hinge .. " --help")):match "Subcommands:\n(.*)" or ""):gmatch "%f[^\n%z]  (%l+)" do
@@ -98,12 +97,10 @@ case("wrong arguments end with status 2 and a message, and write nothing", funct
     ["run " .. ten_storey .. " speed=fast"] =
       "hinge: speed=fast: speed is 'fast'; must be a number in SI units or a sum such as 440/3.6",
     ["run " .. ten_storey .. " speed=400km/h"] = "hinge: speed=400km/h: speed is '400km/h'; must be a number in SI "
-      .. "units "
-      .. "or a sum such as 440/3.6; a number in SI units, without its unit, is speed=111.1111111",
+      .. "units or a sum such as 440/3.6; a number in SI units, without its unit, is speed=111.1111111",
     ["run " .. script("adds.lua", "local p = ...\nreturn p.load + 1\n") .. " load=2kN"] =
       "hinge: ...adds.lua:2: attempt to ...\n  at ...adds.lua:2\nload=2kN is text for the script; a number in SI "
-      .. "units, "
-        .. "without its unit, is load=2000",
+      .. "units, without its unit, is load=2000",
     ["run " .. ten_storey .. " size=-15"] =
       "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
     ["run " .. script("syntax.lua", "local x =\n= 2\n")] = "hinge: ...syntax.lua:2: unexpected symbol near '='",
@@ -328,7 +325,6 @@ end)
 
 case("a job of several runs has the verdict of the whole", function()
   local status, _, complaint
-  -- A job of several runs says how it went as a whole; otherwise the last run's verdict is the job's.
   local function study(last, says)
     return script("study.lua", beam .. ([[
 return hinge.scenario { run = function(_, job)
@@ -389,7 +385,6 @@ case("two runs side by side keep their histories apart", function()
 end)
 
 case("a run without probes leaves none of an earlier run", function()
-  -- A run without probes leaves none of an earlier run.
   equal(run(hinge .. " run " .. script("bare.lua", (side_by_side:gsub("runs%[i%]:probe[^\n]*", ""))) .. " --out "
     .. quote(path "pair")), 0, "two runs without probes")
   for _, name in ipairs { "probes", "probes-1" } do
@@ -398,7 +393,6 @@ case("a run without probes leaves none of an earlier run", function()
 end)
 
 case("the ten-storey impact of 400 steps writes frames, pictures, history and summary", function()
-  -- The ten-storey impact, 400 steps with frames and pictures.
   local status, _, complaint = run(hinge .. " run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out "
     .. quote(path "impact"))
   equal(status, 0, "status of the ten-storey impact: " .. complaint)

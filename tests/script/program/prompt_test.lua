@@ -117,7 +117,6 @@ case("at a terminal the prompt prints values, goes on over several lines and kee
 end)
 
 case("Ctrl-C ends what runs and not the session", function()
-  -- Ctrl-C ends what runs, not the session.
   support.write(path "endless.lua", [[
 function endless()
   local pid <close> = io.open("pid", "w")

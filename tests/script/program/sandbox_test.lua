@@ -206,7 +206,6 @@ case("every way out of the sandbox is closed", function()
 end)
 
 case("a link in the output folder leads nowhere", function()
-  -- A link in the output folder, laid there before, leads nowhere.
   support.run(("mkdir -p %s/linked %s/elsewhere && ln -s ../elsewhere %s/linked/frames"):format(folder, folder, folder))
   support.write(path "s.lua",
     frame .. "return hinge.scenario { run = function(_, job) job:frame(cantilever():static { steps = 1 }:finish()) "
@@ -317,7 +316,6 @@ case("a script may catch the limit of memory and go on with less", function()
 end)
 
 case("wrong limits, and limits without the sandbox, are refused", function()
-  -- The limits are those of the sandbox, and are checked.
   for options, message in pairs {
     ["--memory 1G"] = "--memory requires --sandbox",
     ["--sandbox --memory x"] = "--memory: ...",

@@ -76,7 +76,6 @@ case("the memory that is foretold is near what a run takes", function()
 end)
 
 case("a large dynamic run says how much memory it takes, once a model", function()
-  -- Dynamics says what it takes; a line each; with --json as an event.
   support.write(folder .. "/scene.lua", [[
 local hinge = require "hinge"
 local model = hinge.model()

@@ -74,7 +74,6 @@ case("a script without pictures does not load VTK", function()
 end)
 
 case("a script that writes a frame loads VTK", function()
-  -- With a frame it is there; but the picture module may not have been built.
   if support.is_there(arg[1] .. "/libhinge_output.so") then
     local drawn = libraries("drawn.lua", [[
 return hinge.scenario {

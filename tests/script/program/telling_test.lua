@@ -231,7 +231,6 @@ end)
 
 case("loads that strain beyond reason, and a foot that spins, are warned of by name", function()
   local status
-  -- A thousand times the load, with its size; a foot that spins, by its name.
   local post = many:gsub("100 do", "1 do"):gsub("WHICH", "206e9, yield_stress = 245e6")
   local _, _, complaint = hinge_run((post:gsub("model:static", "model:load { node = b, force = { 1e8, 0, 0 } } "
     .. "model:static")))
@@ -274,15 +273,13 @@ end)
 
 case("a run that fails names the remedy that holds in a trial", function()
   local status, _
-  -- Runs that fail name one remedy: the first that holds in a trial.
   for options, wanted in pairs {
     ["dt = 1e-3, internals = { solver_iterations = 1 }"] = "conjugate gradients did not converge in 1 "
       .. "iteration; solver = 'direct' holds: tried from t = ... s to ... s",
     ["dt = 1e-3, internals = { solver_iterations = 1 }, energy_tolerance = 0"] =
       "conjugate gradients did not converge in 1 iteration; solver = 'direct' holds: ...",
-    ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction "
-      .. "... of "
-      .. "the first); iterations = 30 holds: ...",
+    ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction ... "
+      .. "of the first); iterations = 30 holds: ...",
     ["dt = 5e-3, iterations = 2, integrator = 'energy-momentum', step_control = 0"] = "Newton did not converge in 2 "
       .. "iterations (last correction ... of the first); iterations = 30 holds: ...",
   } do
@@ -296,7 +293,6 @@ case("a run that fails names the remedy that holds in a trial", function()
 end)
 
 case("a failed run that another goes on from is told of", function()
-  -- A run that fails before the last one is told of, and so is one that goes on from it.
   local two = beam:gsub("%-1000", "-1e9") .. [[
 local first = model:static { steps = 2 }:finish()
 model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
@@ -310,11 +306,9 @@ model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
 end)
 
 case("a failed run points back at the units that were doubted", function()
-  -- A failure points back at the units that were doubted.
   local _, _, complaint = hinge_run((beam:gsub("206e9", "206e3")) .. "model:static { steps = 1 }:finish()\n")
   expect(support.says(complaint, "...hinge: the run failed: ...; the cause may be what the warning at scene.lua:6 "
-    .. "says: "
-    .. "E is 206000 Pa (the material of member 1)\n"), "units: %s", complaint)
+    .. "says: E is 206000 Pa (the material of member 1)\n"), "units: %s", complaint)
   _, _, complaint = hinge_run((beam:gsub("%-1000", "-1e9")) .. "model:static { to_limit = true }:finish()\n")
   expect(not complaint:find "the cause may be what the warning at scene.lua:6", "no units: %s", complaint)
 end)
@@ -371,7 +365,6 @@ case("plain Lua prints the same warnings and failures on stderr", function()
 end)
 
 case("hinge render draws the frames of a scenario", function()
-  -- A picture's title has no digits that nobody reads.
   local status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
     .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
   equal(status, 0, "frames")
@@ -412,7 +405,6 @@ end)
 
 case("a scenario under plain Lua says how to run it", function()
   local printed
-  -- A scenario under plain Lua says how to run it.
   support.write(folder .. "/returned.lua", "return require 'hinge'.scenario { run = function() end }\n")
   local status, _, complaint = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 returned.lua"):format(folder, quote(arg[1])))
   expect(status == 1 and complaint:find("hinge run returned.lua [key=value ...]", 1, true),
@@ -424,7 +416,6 @@ case("a scenario under plain Lua says how to run it", function()
 end)
 
 case("a run that takes no step is warned of", function()
-  -- A run that nobody steps has no results: it is told.
   local status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1 }")
   expect(status == 0 and complaint:find("warning: 1 run made, and none has taken a step; call run:finish()", 1, true),
     "a run without a step: %s %s", status, complaint)

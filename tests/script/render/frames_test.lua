@@ -124,7 +124,6 @@ case("VTK reads a frame before anything breaks and at the end, with every array"
 end)
 
 case("nodes come first, in their order", function()
-  -- Nodes come first, in their order.
   for i, u in ipairs(said.u) do
     for from, array in pairs { [0] = "displacement [m]", [3] = "rotation [rad]" } do
       local row = support.output(("%s %s/one/%s '%s' %d"):format(quote(arg[2]), quote(folder), files[4], array, i - 1))

@@ -126,7 +126,6 @@ case("a picture on a plane draws one line of frames of two", function()
 end)
 
 case("a picture goes to the next free name where none is given", function()
-  -- Without a name.
   for _, name in ipairs { "picture.png", "picture-2.png" } do
     job:picture(run, { scale = 50, ghost = true, supports = true, loads = true, show = "Mx", view = "front",
       labels = true })
@@ -137,7 +136,6 @@ case("a picture goes to the next free name where none is given", function()
 end)
 
 case("wrong options of hinge.picture are refused", function()
-  -- Wrong fields.
   local where = debug.getinfo(1, "S").short_src
   for text, view in pairs {
     ["field 'view' is 'frnt'; must be one of front, back, left, right, top, iso, perspective (did you mean 'front'?)"] =

@@ -100,7 +100,6 @@ case("the GIF has the size, the length and the pictures that it should", functio
 end)
 
 case("a film shows the column where it stands and the bar as it falls", function()
-  -- What is seen: white paper, a blue column that stays where it is, a bar that comes down.
   local function blue_in(frame, from_x, to_x)
     local count, highest = 0, nil
     for y = 20, 95 do -- between title and legend
@@ -137,7 +136,6 @@ case("a film shows the column where it stands and the bar as it falls", function
 end)
 
 case("one process and two draw the same bytes, as a film and as single pictures", function()
-  -- The same bytes whatever the number of processes; pictures alone, too.
   equal(render("one --gif -j 2 --out two.gif" .. small), 0, "by two processes")
   checks.same_files(folder .. "/one/film.gif", folder .. "/two.gif", "by two processes")
   equal(render("one --gif --fps 50 --seconds 0.5 --out slow.gif --groups column --title Column --from 0,-1,0" .. small),
@@ -294,7 +292,6 @@ case("without ffmpeg --mp4 is refused and --film writes a GIF", function()
 end)
 
 case("wrong options of hinge render are named and nothing is drawn", function()
-  -- Options that are wrong name themselves; nothing is drawn.
   local there_before = support.output(("cd %s && find . | sort"):format(quote(folder)))
   for arguments, text in pairs {
     ["--gif --mp4"] = "--mp4: one film at a time; --gif is asked for, too",
@@ -336,7 +333,6 @@ case("wrong options of hinge render are named and nothing is drawn", function()
 end)
 
 case("frames that cannot be read are named and the others drawn", function()
-  -- Frames that cannot be read are named, the others drawn.
   support.run(("cd %s && cp -r one broken && cd broken/frames && rm *.png frame_00002.vtp && "
     .. "head -c 900 frame_00005.vtp >x && mv x frame_00005.vtp"):format(quote(folder)))
   status, printed, complaint = render("broken" .. small)
@@ -365,7 +361,6 @@ case("frames that cannot be read are named and the others drawn", function()
 end)
 
 case("a pipe in the place of a frame is named and not waited for", function()
-  -- A pipe in the place of a frame is named, and nobody waits for what it may bring.
   support.run(("cd %s && cp -r one strange && cd strange/frames && rm *.png frame_00002.vtp && mkfifo frame_00002.vtp")
     :format(quote(folder)))
   in_time("render strange" .. small)
@@ -417,9 +412,8 @@ case("Ctrl-C leaves no film, no folder and no Xvfb", function()
   support.run(("chmod +x %s/bin/Xvfb"):format(quote(folder)))
   for signal, wanted in pairs { INT = 130, TERM = 143 } do
     os.remove(folder .. "/servers")
-    status, printed, complaint = support.run(("cd %s && { env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long "
-      .. "--gif%s & } && p=$! && "
-      .. "%s; kill -%s $p; wait $p"):format(
+    status, printed, complaint = support.run(("cd %s && { env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long --gif%s "
+      .. "& } && p=$! && %s; kill -%s $p; wait $p"):format(
       quote(folder), quote(folder), hinge, small, third_frame, signal))
     equal(status, wanted, "status after SIG" .. signal)
     equal(complaint, "hinge: interrupted; there is no film\n", "after SIG" .. signal)
@@ -453,7 +447,6 @@ case("a process that is killed loses its frame alone", function()
 end)
 
 case("a full disk ends a film with a message", function()
-  -- A full disk, where one may be made.
   local tiny = folder .. "/tiny"
   support.run("mkdir " .. quote(tiny))
   local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=16k tmpfs %s && cd %s && %%s'"):format(tiny, folder)

@@ -114,7 +114,6 @@ local function second_run(address, query)
 end
 
 case("the page has each new state of the run, other requests are refused, and no client holds the run up", function()
-  -- The page and the newest frame; a second program at once; what is refused.
   local one, at_one = start("one", "duration=10 wait=0.01 stop=stop_one")
   local two, at_two = start("two", "duration=10 wait=0.01 stop=stop_two record=no")
   expect(at_one ~= at_two, "two programs at once have one address: %s", at_one)
@@ -244,7 +243,6 @@ case("no bit of a run changes where somebody looks at it", function()
 end)
 
 case("--live is an event with --json, goes in the sandbox, and is refused by other verbs", function()
-  -- With --json the address is an event, too; in the sandbox it is served as well; other verbs do not take it.
   local _, events = plain("json", "run --json --live")
   local event = support.json(events:match "^[^\n]*")
   expect(event.event == "live" and event.address:find "^http://127%.0%.0%.1:%d+/$", "--json: %s", events:sub(1, 200))

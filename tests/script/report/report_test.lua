@@ -93,7 +93,6 @@ case("the page holds summary, frames, groups and history of the run", function()
 end)
 
 case("units of probes stand beside the history, in the summary and in a plot", function()
-  -- Units of probes, beside the history and in the summary.
   for what, list in pairs { ["in the page"] = run.probes, ["in summary.json"] = run.summary.probes,
     ["in probes.json"] = support.json(page "one/probes.json") } do
     equal(#list, 1, "probes " .. what)
@@ -107,7 +106,6 @@ case("units of probes stand beside the history, in the summary and in a plot", f
 end)
 
 case("events.csv is in order, and each break has its cause", function()
-  -- events.csv: in order, and each break with its cause.
   local columns = table.concat(run.events.columns, ",")
   equal(columns, "time,event,element,member,end,group,limit,strain,of,rule,joint", "columns of events.csv")
   local first, last, broke = {}, -math.huge, nil
@@ -169,7 +167,6 @@ end)
 
 case("several runs go on one page, with frames or without", function()
   local _, complaint
-  -- Several runs, one without frames; a file of one's own; no run at all.
   equal(hinge_on("run -q", scene, "frames=none --out two"), 0, "the scene without frames")
   local status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
   equal(status, 0, "two runs")
@@ -202,7 +199,6 @@ case("of a long history the page has at most 1500 rows and the last one", functi
 end)
 
 case("frames that cannot be read are named and left out", function()
-  -- Frames that cannot be read are left out and named; the page is made, without any frame too.
   os.execute(("cd %s && cp -r one damaged"):format(quote(folder)))
   local files = {}
   for file in page "damaged/frames.pvd":gmatch 'file="([^"]*)"' do files[#files + 1] = file end

@@ -41,7 +41,6 @@ case("the viewer in the tree is the one that its sources make", function()
 end)
 
 case("each way in which the copy can differ from its sources is noticed", function()
-  -- Each way in which the copy can differ from its sources is noticed.
   local copy = support.temporary_folder()
   local function changed(command)
     local copying = ("rm -rf %s/* && cd %s && cp -R --parents %s %s %s %s && cd %s && "):format(quote(copy),

@@ -80,7 +80,6 @@ case("each way to fail is noticed and what comes after it runs", function()
 end)
 
 case("sound summaries pass, and what an earlier call left does not count", function()
-  -- What is as it should be passes; what an earlier call left does not count.
   local sound = '{"references": [1, 2], "quantities": {"a": {"state": "sound"}}}'
   status, printed = run(("{ name = 'a', %s }, { name = 'b', %s }, { name = 'c', %s },"):format(
     leaves('{"verdict": "completed"}', "completed"), leaves(sound, "compared"), leaves('{"effects": [{}]}',
@@ -91,14 +90,12 @@ case("sound summaries pass, and what an earlier call left does not count", funct
 end)
 
 case("Ctrl-C ends the jobs", function()
-  -- Ctrl-C ends it: what comes after is not run, and said so.
   status, printed, rows = run("{ name = 'bad', command = 'kill -2 $$' }, " .. good)
   equal(status, 1, "status after Ctrl-C: " .. printed)
   row(rows, "good", "not run", "interrupted before", "Ctrl-C")
 end)
 
 case("jobs are chosen by the beginning of their name", function()
-  -- One job, or those whose names begin alike; names that there are not.
   local three = "{ name = 'a', command = 'exit 1' }, { name = 'b x', command = 'true' }, "
     .. "{ name = 'b y', command = 'true' }, "
   equal(run(three, "only=a"), 1, "only the one that fails")
@@ -113,7 +110,6 @@ case("jobs are chosen by the beginning of their name", function()
 end)
 
 case("the jobs of this tree are listed and their commands are there", function()
-  -- What it runs when it is not told: all that takes too long for ctest.
   local listed
   status, listed = support.run(in_build .. "list")
   equal(status, 0, "list")

@@ -83,7 +83,6 @@ local function badly_written(folder, files)
 end
 
 case("the tools notice what they are asked for", function()
-  -- The tools notice what they are asked for.
   local version = support.output(clang_format .. " --version")
   expect(version:find "version 14%.", "files are as clang-format 14 of Debian 12 has them; this is %s", version)
   local bad = support.temporary_folder()

@@ -95,7 +95,6 @@ case("the program reads the library of its own prefix", function()
 end)
 
 case("pictures are drawn after the install where they were built", function()
-  -- Pictures, where they were built.
   if support.is_there(arg[1] .. "/libhinge_output.so") then
     support.write(folder .. "/frame.lua", support.frame_script())
     equal(run(("cd %s && %s/bin/hinge run frame.lua --out frame"):format(folder, quote(prefix))), 0,
@@ -119,7 +118,6 @@ case("pictures are drawn after the install where they were built", function()
 end)
 
 case("completion of the shells is installed as the program writes it", function()
-  -- Completion of the shells, as the program writes it; pages and examples.
   for shell, to in pairs { bash = "bash-completion/completions/hinge", fish =
     "fish/vendor_completions.d/hinge.fish" } do
     local _, written = run(("%s/bin/hinge completion %s"):format(quote(prefix), shell))
@@ -137,7 +135,6 @@ case("completion of the shells is installed as the program writes it", function(
 end)
 
 case("a library laid out by LuaRocks takes the engine alone from the build", function()
-  -- A library that Lua finds by itself, as LuaRocks lays it out, takes the engine alone out of the module.
   run(("mkdir -p %s/rock/lib/lua/5.4 %s/rock/share/lua && cp %s/lib/lua/5.4/hinge.so %s/rock/lib/lua/5.4 && "
     .. "cp -r %s/share/hinge/lua %s/rock/share/lua/5.4")
     :format(folder, folder, quote(prefix), folder, quote(prefix), folder))

@@ -96,7 +96,6 @@ end)
 
 case("Ubuntu and Fedora get their own packages", function()
   local status
-  -- Ubuntu and Fedora: the program without the tests.
   local _, printed, complaint, calls = machine { system = "ubuntu", packages = of_program:gsub("file", ""), command =
     "demo" }
   expect(printed:find "hinge: installing file\n" and not calls:find "catch2", "Ubuntu: %s%s", printed, complaint)
@@ -116,7 +115,6 @@ end)
 
 case("setup.sh alone installs, and prints what it would for a system", function()
   local printed, complaint
-  -- setup.sh alone installs; with --print it prints what would be done on a bare system, and does nothing.
   local status, _, _, calls = machine { packages = all:gsub("file", ""), command = "setup" }
   expect(status == 0 and calls:find "install %-y %-%-no%-install%-recommends file\n" and not calls:find "cmake",
     "setup.sh: %s", calls)
@@ -147,7 +145,6 @@ end)
 
 case("package.sh builds for any processor in a folder of its own", function()
   local _
-  -- package.sh builds for any processor, in a folder of its own, and packs that.
   local in_package = configures:gsub("/build/", "/build-package/")
   local status, printed, complaint, calls = machine { packages = of_program, command = "package", cmake = in_package,
     cpack = (": >%s/build-package/hinge_1_any.deb"):format(quote(root)) }
@@ -163,7 +160,6 @@ case("package.sh builds for any processor in a folder of its own", function()
 end)
 
 case("the container is built by package.sh from files that are there", function()
-  -- The container is built by package.sh from files that are there.
   local container = support.read(support.root .. "scripts/Containerfile") or ""
   expect(container:find "\nRUN scripts/package%.sh\n", "the container is built by another script")
   for names in container:gmatch "\nCOPY ([^-][^\n]*) %S+\n" do
@@ -187,7 +183,6 @@ case("a folder that cannot be written to is named, and ctest's status and argume
 end)
 
 case(".ci/run builds for this processor and for plain x86-64 and tests both", function()
-  -- .ci/run builds for this processor and for plain x86-64; one ctest tests both and gives the status.
   local status, _, complaint, calls = machine { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide",
     cmake = configures .. ("; echo \"ccache in $CCACHE_BASEDIR\" >>%s"):format(log) }
   equal(status, 8, ".ci/run: " .. complaint)
@@ -205,7 +200,6 @@ case(".ci/run builds for this processor and for plain x86-64 and tests both", fu
 end)
 
 case("demo.sh builds no tests and hands its arguments to the program", function()
-  -- demo.sh builds no tests and hands its arguments to the program; a second call does not configure again.
   local program = ("#!/usr/bin/env bash\necho \"hinge $*\" >>%s\nexit 3\n"):format(log)
   local builds = ("%s; printf %%s %s >%s/build/hinge; chmod +x %s/build/hinge")
     :format(configures, quote(program), quote(root), quote(root))
