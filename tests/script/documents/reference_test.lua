@@ -6,6 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local reference = require "hinge.program.reference"
+local with = require "scenes".with
 local checks = support.checks "reference"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 
@@ -192,65 +193,26 @@ end)
 
 local building, aircraft = require "hinge.models.ten_storey", require "hinge.models.aircraft"
 local space_frame = require "hinge.models.space_frame"
-local function with(options, more)
-  for k, v in pairs(more) do options[k] = v end
-  return options
-end
--- How each call with a table of options is made: whole, and with the fields of `x`. A table within is `call.field`.
+-- How a call with a table of options is made, whole and with the fields of `x`, where it takes more than that table
+-- (call_of). A table within is `call.field`.
 local square = { width = 0.1, depth = 0.1 }
 local record_file = os.tmpname()
 support.write(record_file, "0 0\n0.1 1\n0.2 0\n")
 local calls = {
-  ["hinge.model"] = function(x) hinge.model(x) end,
   ["hinge.material"] = function(x) hinge.material(with({ E = 1 }, x)) end,
+  ["grid:line"] = function(x) s.grid:line(with({ "A1, base", "A1, storey 1" }, x)) end,
+  ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
+  ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
   ["any_material:with"] = function(x) hinge.material({ E = 1 }):with(x) end,
   ["hinge.material.hardening"] = function(x) hinge.material { E = 1, yield_stress = 1, hardening = x } end,
   ["hinge.material.rate"] = function(x) hinge.material { E = 1, yield_stress = 1, rate = x } end,
-  ["hinge.backbone"] = function(x) hinge.backbone(x) end,
-  ["hinge.joint"] = function(x) hinge.joint(x) end,
-  ["hinge.pressure"] = function(x) hinge.pressure(x) end,
-  ["hinge.moving_load"] = function(x) hinge.moving_load(x) end,
-  ["hinge.moving_load.influence"] = function(x) hinge.moving_load.influence(x) end,
-  ["hinge.joint.end_plate"] = function(x) hinge.joint.end_plate(x) end,
-  ["hinge.joint.fin_plate"] = function(x) hinge.joint.fin_plate(x) end,
-  ["hinge.joint.web_cleats"] = function(x) hinge.joint.web_cleats(x) end,
-  ["hinge.joint.panel_zone"] = function(x) hinge.joint.panel_zone(x) end,
-  ["model:joint"] = function(x) s.model:joint(with({ s.wall, s.tip }, x)) end,
   ["model:joint.axes"] = function(x) s.model:joint { s.wall, s.model:node { s.wall.x, s.wall.y, s.wall.z },
     joint = s.joint, axes = x } end,
-  ["hinge.joint.base_plate"] = function(x) hinge.joint.base_plate(x) end,
-  ["hinge.benchmark"] = function(x) hinge.benchmark(x) end,
   ["benchmark:row"] = function(x) s.benchmark:row(with({ "sag" }, x)) end,
-  ["hinge.results.envelope"] = function(x) hinge.results.envelope(with({ s.run }, x)) end,
-  ["hinge.results.utilisation"] = function(x) hinge.results.utilisation(s.run, x) end,
-  ["hinge.results.members"] = function(x) hinge.results.members(s.run, x) end,
-  ["hinge.results.storeys"] = function(x) hinge.results.storeys(s.run, x) end,
-  ["hinge.results.base"] = function(x) hinge.results.base(s.run, x) end,
-  ["any_table:text"] = function(x) s.table:text(x) end,
-  ["any_table:markdown"] = function(x) s.table:markdown(x) end,
-  ["any_table:latex"] = function(x) s.table:latex(x) end,
   ["any_table:csv"] = function(x) s.table:csv("none.csv", x) end,
-  ["run:modes"] = function(x) s.run:modes(x) end,
-  ["run:buckling"] = function(x) s.run:buckling(x) end,
-  ["hinge.backbone.lignos"] = function(x) hinge.backbone.lignos(x) end,
-  ["hinge.backbone.nist"] = function(x) hinge.backbone.nist(x) end,
-  ["hinge.backbone.asce41"] = function(x) hinge.backbone.asce41(x) end,
-  ["hinge.backbone.ufc"] = function(x) hinge.backbone.ufc(x) end,
   ["hinge.section.box"] = function(x) hinge.section.box(with({ thickness = 0.01 }, with(x, square))) end,
-  ["hinge.section.h"] = function(x) hinge.section.h(x) end,
-  ["hinge.material.steel"] = function(x) hinge.material.steel("S355", x) end,
-  ["hinge.material.aluminium"] = function(x) hinge.material.aluminium("6082-T6", x) end,
-  ["hinge.material.timber"] = function(x) hinge.material.timber("C24", x) end,
-  ["hinge.material.concrete"] = function(x) hinge.material.concrete("C30/37", x) end,
-  ["hinge.material.bars"] = function(x) hinge.material.bars("B500B", x) end,
   ["hinge.section.named"] = function(x) hinge.section.named("HEB 300", x) end,
-  ["hinge.section.channel"] = function(x) hinge.section.channel(x) end,
-  ["hinge.section.angle"] = function(x) hinge.section.angle(x) end,
-  ["hinge.section.pipe"] = function(x) hinge.section.pipe(x) end,
-  ["hinge.section.solid"] = function(x) hinge.section.solid(x) end,
-  ["hinge.section.round"] = function(x) hinge.section.round(x) end,
   ["hinge.section.concrete"] = function(x) hinge.section.concrete(with(x, square)) end,
-  ["hinge.section.general"] = function(x) hinge.section.general(x) end,
   ["hinge.section.general.reinforcement"] = function(x)
     hinge.section.general { area = 0.01, Ix = 1, Iy = 1, J = 1, reinforcement = x,
       outline = { { corners = { { 0, 0 }, { 0.1, 0 }, { 0.1, 0.1 }, { 0, 0.1 } } } } }
@@ -261,82 +223,44 @@ local calls = {
   ["hinge.section.general.size"] = function(x)
     hinge.section.general { area = 1, Ix = 1, Iy = 1, J = 1, size = with(x, square) }
   end,
-  ["hinge.ground"] = function(x) hinge.ground(with({ dt = 1, acceleration = { 0, 0 } }, x)) end,
-  ["hinge.scenario"] = function(x) hinge.scenario(x) end,
   ["hinge.study"] = function(x) hinge.study(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
   ["hinge.cost"] = function(x) hinge.cost(hinge.scenario { parameters = { dt = 1 }, run = function() end }, x) end,
-  ["model:member"] = function(x) s.model:member(x) end,
-  ["model:load"] = function(x) s.model:load(x) end,
-  ["case:load"] = function(x) s.case:load(x) end,
-  ["model:mass"] = function(x) s.model:mass(with({ node = s.tip, mass = 1 }, x)) end,
-  ["model:remove"] = function(x) s.model:remove(with({ member = s.member, at = 1 }, x)) end,
-  ["model:heat"] = function(x) s.model:heat(with({ member = s.member, temperature = 100 }, x)) end,
-  ["model:prestress"] = function(x) s.model:prestress(x) end,
-  ["model:imperfection"] = function(x) s.model:imperfection(with({ sway = 0 }, x)) end,
-  ["hinge.heat.steel"] = function(x) hinge.heat.steel(x) end,
-  ["hinge.heat.unprotected"] = function(x) hinge.heat.unprotected(with({ section_factor = 100, duration = 60 }, x)) end,
-  ["hinge.robustness"] = function(x) hinge.robustness(with({ build = function() end, limit = 0.1 }, x)) end,
-  ["hinge.import.s2k"] = function(x) hinge.import.s2k(with({ file = record_file }, x)) end,
-  ["hinge.import.e2k"] = function(x) hinge.import.e2k(with({ file = record_file }, x)) end,
-  ["hinge.import.tcl"] = function(x)
-    hinge.import.tcl(with({ file = record_file, units = { length = "m", force = "N" } }, x))
-  end,
-  ["hinge.import.csv"] = function(x) hinge.import.csv(with({ nodes = record_file, members = record_file }, x)) end,
-  ["hinge.record.read"] = function(x) hinge.record.read(with({ file = record_file, unit = "g" }, x)) end,
-  ["hinge.spectrum"] = function(x) hinge.spectrum(with({ dt = 0.1, acceleration = { 0, 1, 0 } }, x)) end,
-  ["hinge.blast"] = function(x) hinge.blast(with({ charge = 100, at = { 0, 0, 0 } }, x)) end,
-  ["hinge.blast.triangle"] = function(x) hinge.blast.triangle(with({ peak = 1, duration = 1 }, x)) end,
-  ["hinge.blast.friedlander"] = function(x)
-    hinge.blast.friedlander(with({ peak = 1, duration = 1, decay = 1 }, x))
-  end,
   ["explosion:load"] = function(x)
     local explosion = hinge.blast { charge = 100, at = { -10, 0, 0 } }
     explosion:load(s.model, with({ members = { s.member }, normal = { 0, -1, 0 }, width = 1 }, x))
   end,
-  ["hinge.grid"] = function(x) hinge.grid(with({ model = hinge.model(), x = { 0, 1 }, z = { 0, 1 } }, x)) end,
   ["model:defaults"] = function(x) hinge.model():defaults(x) end,
-  ["model:line"] = function(x) s.model:line(with({ s.wall, s.tip }, x)) end,
-  ["grid:defaults"] = function(x) s.grid:defaults(x) end,
-  ["grid:columns"] = function(x) s.grid:columns(x) end,
-  ["grid:beams"] = function(x) s.grid:beams(with({ along = "x" }, x)) end,
-  ["grid:braces"] = function(x) s.grid:braces(with({ from = "A1", to = "B1" }, x)) end,
-  ["grid:line"] = function(x) s.grid:line(with({ "A1, base", "A1, storey 1" }, x)) end,
-  ["grid:copy"] = function(x) s.grid:copy(with({ members = {}, by = { 1, 0, 0 } }, x)) end,
-  ["run:hinges"] = function(x) s.run:hinges(x) end,
-  ["model:move"] = function(x) s.model:move(with({ node = s.tip, x = math.sin }, x)) end,
-  ["model:settle"] = function(x) s.model:settle(with({ node = s.tip, x = 0.01 }, x)) end,
-  ["model:fracture"] = function(x) s.model:fracture(x) end,
-  ["model:damping"] = function(x) s.model:damping(x) end,
-  ["model:contact"] = function(x) s.model:contact(x) end,
-  ["model:connector"] = function(x) s.model:connector(with({ s.tip, ground = true }, x)) end,
-  ["model:rigid_link"] = function(x) s.model:rigid_link(with({ from = s.tip, to = s.tip }, x)) end,
-  ["model:diaphragm"] = function(x) s.model:diaphragm(with({ nodes = {} }, x)) end,
-  ["model:connector.axes"] = function(x) s.model:connector { s.tip, ground = true, axes = x } end,
-  ["model:connector.stiffness"] = function(x) s.model:connector { s.tip, ground = true, stiffness = x } end,
-  ["model:connector.damping"] = function(x) s.model:connector { s.tip, ground = true, damping = x } end,
-  ["model:connector.curve"] = function(x) s.model:connector { s.tip, ground = true, curve = x } end,
-  ["model:connector.law"] = function(x) s.model:connector { s.tip, ground = true, law = x } end,
-  ["model:connector.capacity"] = function(x) s.model:connector { s.tip, ground = true, capacity = x } end,
-  ["model:ground"] = function(x) s.model:ground(x) end,
-  ["model:static"] = function(x) s.model:static(x) end,
   ["model:static.control"] = function(x)
     s.model:static { control = with({ node = s.tip, "ux", to = 1 }, x), loads = {} }
   end,
-  ["model:dynamic"] = function(x) s.model:dynamic(x) end,
-  ["run:probe"] = function(x) s.run:probe(with({ node = s.tip, "uz" }, x)) end,
-  ["run:count"] = function(x) s.run:count(with({ state = "broken" }, x)) end,
-  ["job:picture"] = function(x) job:picture(s.run, x, "x.png") end,
-  ["hinge.picture"] = function(x) hinge.picture(s.run, x, "x.png") end,
-  ["hinge.plot"] = function(x) hinge.plot(s.run, x, "x.png") end,
-  ["job:animate"] = function(x) job:animate(s.run:modes({ n = 1 })[1], with({ frames = 4 }, x)) end,
-  ["hinge.animate"] = function(x) hinge.animate(s.run:modes({ n = 1 })[1], with({ frames = 4 }, x)) end,
   ["job:strip"] = function(x) job:strip({ { s.run, x } }, 1, "x.png") end,
-  ["job:plot"] = function(x) job:plot(s.run, x, "x.png") end,
   ["ten_storey.add"] = function(x) building.add(hinge.model(), x) end,
   ["aircraft.add"] = function(x) aircraft.add(hinge.model(), x) end,
   ["aircraft.add.shape"] = function(x) aircraft.add(hinge.model(), { shape = x }) end,
   ["space_frame.add"] = function(x) space_frame.add(hinge.model(), x) end,
 }
+for name, of in pairs { steel = "S355", aluminium = "6082-T6", timber = "C24", concrete = "C30/37", bars = "B500B" } do
+  calls["hinge.material." .. name] = function(x) hinge.material[name](of, x) end
+end
+for _, name in ipairs { "utilisation", "members", "storeys", "base" } do
+  calls["hinge.results." .. name] = function(x) hinge.results[name](s.run, x) end
+end
+for _, field in ipairs { "axes", "stiffness", "damping", "curve", "law", "capacity" } do
+  calls["model:connector." .. field] = function(x) s.model:connector { s.tip, ground = true, [field] = x } end
+end
+for name, args in pairs { picture = { s.run, "x.png" }, plot = { s.run, "x.png" }, animate = { s.mode } } do
+  calls["job:" .. name] = function(x) job[name](job, args[1], x, args[2]) end
+  calls["hinge." .. name] = function(x) hinge[name](args[1], x, args[2]) end
+end
+-- The call that a name says: hinge.section.box(x), s.model:load(x).
+local function call_of(what)
+  if calls[what] then return calls[what] end
+  local path, separator, name = what:match "^(.*)([.:])([%w_]+)$"
+  local owner = path:find "^hinge" and hinge or s[path:match "%w+$"]
+  for part in path:gmatch "%.([%w_]+)" do owner = owner and owner[part] end
+  if not owner then return nil end
+  return function(x) if separator == ":" then owner[name](owner, x) else owner[name](x) end end
+end
 -- Functions whose tables are data, or may hold any field.
 local free = set { "hinge.combinations", -- which takes some fields with one standard alone
   "hinge.import.build", "hinge.import.write",
@@ -360,7 +284,7 @@ local function looks_like_options(kind)
 end
 local used = {}
 local function compare(what, fields, line)
-  local call = calls[what]
+  local call = call_of(what)
   if not expect(call, "%s takes options (%s): add how it is called to `calls` of this test", what, line) then return end
   used[what] = true
   local there, why = taken(call)
