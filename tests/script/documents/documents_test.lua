@@ -58,6 +58,21 @@ case("counts on pages are those of the tree", function()
     "lines of the script of guide/grid.md")
 end)
 
+case("links of pages outside of the guide lead somewhere", function() -- guide_test.lua has the guide's
+  local count = 0
+  for path in support.output(("cd %s && git ls-files '*.md' || find . -name '*.md'"):format(support.quote(root)))
+    :gmatch "[^\n]+" do
+    local folder, text = root .. (path:match "^.*/" or ""), not path:find "lua/guide/" and support.read(root .. path)
+    for link in (text or ""):gsub("\n```.-\n```", ""):gmatch "%]%(([^)#%s]+)[^)]*%)" do
+      if not link:find "^https?:" and not link:find "^scripts/pictures/" then
+        count = count + 1
+        expect(support.is_there(folder .. link), "%s points to %s, which is not there", path, link)
+      end
+    end
+  end
+  expect(count > 80, "%d links", count)
+end)
+
 case("how long all tests take is said in one place", function()
   local places = {}
   for _, path in ipairs(pages) do
