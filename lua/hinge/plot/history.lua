@@ -80,9 +80,8 @@ local function unit_of(name) return units_of_default[name:match "^node%d+_(%a+)[
 
 -- Units of probes by name, as probes.json beside the history has them.
 local function units_in(folder)
-  local file, units = io.open(folder .. "/probes.json"), {}
-  local probes = file and core.from_json(file:read "a")
-  if file then file:close() end
+  local text, units = core.read_text(folder .. "/probes.json"), {}
+  local probes = text and core.from_json(text)
   for _, probe in ipairs(type(probes) == "table" and probes or {}) do
     if type(probe) == "table" and type(probe.name) == "string" and kinds[probe.unit] then
       units[probe.name] = probe.unit

@@ -1,37 +1,10 @@
 -- hinge completion names: what a shell may complete, "parameter NAME" and "case NAME" of a script, "call NAME" of the
 -- reference. A script's text is read; nothing of it runs.
+local core = require "hinge.core"
 local check = require "hinge.library.check"
 local parameters = require "hinge.program.parameters"
 
 local completion = {}
-
--- Where the string that begins at a place has ended.
-local function after_string(text, at)
-  local mark = text:sub(at, at)
-  repeat
-    at = text:find("[\\\n" .. mark .. "]", at + 1) or #text
-    local escaped = text:sub(at, at) == "\\"
-    if escaped then at = at + 1 end
-  until not escaped
-  return at + 1
-end
-
--- A text without its comments, its strings empty.
-local function bare(text)
-  local parts, at = {}, 1
-  while true do
-    local from = text:find("[-\"'%[]", at)
-    if not from then break end
-    parts[#parts + 1] = text:sub(at, from - 1)
-    local _, after = text:match("^%-?%-?%[(=*)%[.-%]%1%]()", from)
-    after = after or text:match("^%-%-[^\n]*()", from)
-    if not after and text:find("^[\"']", from) then after = after_string(text, from) end
-    parts[#parts + 1] = not after and text:sub(from, from) or text:sub(from, from) ~= "-" and '""' or nil
-    at = after or from + 1
-  end
-  parts[#parts + 1] = text:sub(at)
-  return table.concat(parts)
-end
 
 -- The fields of a table that is written out: { name = text of the value up to the next one }.
 local function fields(text)
@@ -64,7 +37,7 @@ end
 
 --- Two lists: the names of the parameters and of the cases of a script that its text shows.
 function completion.names(text)
-  local code = bare(text)
+  local code = parameters.bare(text)
   local from, to = code:match "%f[%w_]scenario%s*%(?%s*()%b{}()"
   if not from then return check.keys(parameters.names_in(text) or {}), {} end
   local options = fields(code:sub(from, to - 1))
@@ -88,9 +61,7 @@ function completion.main(options)
     say("call", check.keys(calls))
     return 0
   end
-  local file = io.open(options.script, "rb")
-  local text = file and file:read "a"
-  if file then file:close() end
+  local text = core.read_text(options.script)
   if not text then return 2 end
   local names, cases = completion.names(text)
   say("parameter", names)

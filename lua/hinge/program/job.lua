@@ -55,8 +55,9 @@ end
 
 --- Adds the structure as it is now to frames.pvd, for ParaView.
 function Job:frame(run, ...)
-  check.no_more(named(self, "frame"), ...)
-  must_be_run(named(self, "frame"), run)
+  local where = named(self, "frame")
+  check.no_more(where, ...)
+  must_be_run(where, run)
   if self.frames_failed then return end
   self.frames_failed = not try(self, "frames", core.write_frame, run:snapshot())
 end
@@ -84,33 +85,31 @@ end
 
 --- Draws the structure as it is now into a PNG picture in the output folder; without a name picture.png, picture-2.png.
 function Job:picture(run, view, filename, ...)
-  check.no_more(named(self, "picture"), ...)
-  must_be_run(named(self, "picture"), run)
-  local marks
-  view, marks = view_of(named(self, "picture"), view)
+  local where = named(self, "picture")
+  check.no_more(where, ...)
+  must_be_run(where, run)
+  local shown, marks = view_of(where, view)
   if filename == nil then
     self.unnamed = (self.unnamed or 0) + 1
     filename = self.unnamed == 1 and "picture.png" or ("picture-%d.png"):format(self.unnamed)
   end
-  try(self, filename, core.write_picture, run:snapshot(), view, picture_path(named(self, "picture"), self, filename),
-    marks)
+  try(self, filename, core.write_picture, run:snapshot(), shown, picture_path(where, self, filename), marks)
 end
 
 --- Draws snapshots side by side into one PNG picture: { { run or snapshot, view }, ... }, `columns` in a row.
 function Job:strip(snapshots, columns, filename, ...)
-  check.no_more(named(self, "strip"), ...)
-  check.value(named(self, "strip"), "snapshots", snapshots, { "table" })
-  check.value(named(self, "strip"), "columns", columns, { "number", whole = true, above = 0 })
+  local where = named(self, "strip")
+  check.no_more(where, ...)
+  check.value(where, "snapshots", snapshots, { "table" })
+  check.value(where, "columns", columns, { "number", whole = true, above = 0 })
   local pictures, views, marks = {}, {}, {}
   for i, item in ipairs(snapshots) do
-    must_be_run(named(self, "strip"), item[1])
+    must_be_run(where, item[1])
     pictures[i] = item[1].snapshot and item[1]:snapshot() or item[1]
-    views[i], marks[i] = view_of(named(self, "strip"), item[2])
+    views[i], marks[i] = view_of(where, item[2])
   end
-  if #pictures == 0 then check.fail("%s: snapshots is empty; must be { { run:snapshot(), view }, ... }",
-    named(self, "strip")) end
-  try(self, filename, core.write_strip, pictures, views, columns, picture_path(named(self, "strip"), self, filename),
-    marks)
+  if #pictures == 0 then check.fail("%s: snapshots is empty; must be { { run:snapshot(), view }, ... }", where) end
+  try(self, filename, core.write_strip, pictures, views, columns, picture_path(where, self, filename), marks)
 end
 
 --- Draws curves into a PNG, SVG or PDF picture in the output folder: a plot, or what a run recorded.
@@ -141,12 +140,13 @@ end
 
 --- Says how a job of several runs went as a whole; without it, the last run's verdict stands.
 function Job:verdict(verdict, reason, ...)
-  check.no_more(named(self, "verdict"), ...)
-  check.value(named(self, "verdict"), "verdict", verdict, { "string" })
+  local where = named(self, "verdict")
+  check.no_more(where, ...)
+  check.value(where, "verdict", verdict, { "string" })
   if verdict ~= "completed" and verdict ~= "failed" then
-    check.fail("%s: verdict is '%s'; must be 'completed' or 'failed'", named(self, "verdict"), verdict)
+    check.fail("%s: verdict is '%s'; must be 'completed' or 'failed'", where, verdict)
   end
-  if verdict == "failed" then check.value(named(self, "verdict"), "reason", reason, { "string" }) end
+  if verdict == "failed" then check.value(where, "reason", reason, { "string" }) end
   self.whole = { verdict = verdict, reason = verdict == "failed" and reason or nil }
 end
 

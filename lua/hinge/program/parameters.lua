@@ -6,9 +6,9 @@ local values = require "hinge.library.values"
 
 local parameters = {}
 
--- A script's text without comments and without the content of its strings. A string that is a field name stays, as in
--- p["speed"].
-local function bare(text)
+--- A script's text without comments and without the content of its strings. names: a string that is a field name
+--- stays, as in p["speed"].
+function parameters.bare(text, names)
   local parts, at = {}, 1
   while true do
     local from = text:find("[%-%[\"']", at)
@@ -22,11 +22,11 @@ local function bare(text)
       stop = (text:find("\n", comment, true) or #text + 1) - 1
     elseif text:find("^[\"']", from) then
       local quote, i = text:sub(from, from), from + 1
-      while i <= #text and text:sub(i, i) ~= quote do i = i + (text:sub(i, i) == "\\" and 2 or 1) end
+      while i <= #text and not text:find("^[\n" .. quote .. "]", i) do i = i + (text:sub(i, i) == "\\" and 2 or 1) end
       stop = math.min(i, #text)
     end
     parts[#parts + 1] = text:sub(at, from - 1)
-    local is_name = stop and not comment and not level and text:sub(1, from - 1):find "%[%s*$"
+    local is_name = names and stop and not comment and not level and text:sub(1, from - 1):find "%[%s*$"
     if not stop or is_name then parts[#parts + 1] = text:sub(from, stop or from)
     else parts[#parts + 1] = comment and " " or '""' end
     at = (stop or from) + 1
@@ -51,7 +51,7 @@ function parameters.names_in(whole)
   for module in whole:gmatch "%f[%w_]require%f[^%w_]%s*(.[^\n]*)" do
     if not module:find "^%(?%s*[\"']hinge[\"'%.]" then return nil end
   end
-  local text = bare(whole)
+  local text = parameters.bare(whole, true)
   if text:find "scenario" or runs_other_code(text) then return nil end
   local _, dots = text:gsub("%.%.%.", "")
   if dots == 0 then return {} end

@@ -54,9 +54,7 @@ end
 -- two it is. `overrides`: the settings, which plain statements get in a table, `...`; `sandbox`, whether the script is
 -- not trusted.
 function runner.load(path, overrides, sandbox)
-  local file = io.open(path, "rb")
-  local code = file and file:read "a" or ""
-  if file then file:close() end
+  local code = core.read_text(path) or ""
   local chunk, problem = loadfile(path, "t", sandbox and require "hinge.program.sandbox".environment() or _G)
   if not chunk then check.fail("%s", problem) end
   local watched, plain, must_be_read = parameters.of(overrides, path, code)
@@ -70,8 +68,7 @@ function runner.load(path, overrides, sandbox)
 end
 
 -- Runs a script without steps, so that its runs describe themselves. Errors of the script because results are missing
---         do
--- not count. For a check, errors that the engine raises count.
+-- do not count. For a check, errors that the engine raises count.
 local function plan_script(options)
   local checking = options.verb == "check"
   core.plan(checking)

@@ -88,9 +88,7 @@ function film.write(format, path, list, fps, folder, steps)
     quote.shell(folder .. "/encoder.txt"))
   local pipe = assert(io.popen(command, "w"))
   for _, one in ipairs(list) do
-    local file = assert(io.open(one.file, "rb"))
-    local bytes = file:read "a"
-    file:close()
+    local bytes = assert(core.read_text(one.file))
     for _ = 1, one.pictures do
       pipe:write(bytes)
       steps:next()
@@ -110,10 +108,7 @@ end
 
 --- What ffmpeg complained of last, or nil.
 function film.complaint(folder)
-  local file = io.open(folder .. "/encoder.txt")
-  local text = file and file:read "a" or ""
-  if file then file:close() end
-  return text:match "([^\n]+)%s*$"
+  return (core.read_text(folder .. "/encoder.txt") or ""):match "([^\n]+)%s*$"
 end
 
 return film
