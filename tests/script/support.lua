@@ -59,6 +59,16 @@ function support.checks(title, test)
     end
     return message or whole
   end
+  --- What a command returned (support.run): it ended with this status, and these words (a text or a list of texts;
+  --- numbers as numbers) are in what it printed, or, where the status is not 0, in its complaint. Returns both.
+  function checks.ended(wanted, words, status, printed, complaint)
+    local text = wanted == 0 and printed or complaint
+    checks.expect(status == wanted, "status %s, wanted %s: %s%s", status, wanted, printed, complaint)
+    for _, word in ipairs(type(words) == "table" and words or { words }) do
+      checks.expect(support.has(text, word), "'%s' is not in: %s", word, text)
+    end
+    return printed, complaint
+  end
   return checks
 end
 
@@ -285,15 +295,18 @@ function support.browser(who)
       :format(who))
 end
 
---- hinge_on(verb, text, arguments), and its folder, gone when the test ends: writes a script there and runs
---- `hinge VERB scene.lua ARGUMENTS` of a build folder; returns what support.run does.
+--- hinge_on(verb, text, arguments), its folder, gone when the test ends, and hinge(words): the first writes a script
+--- there and runs `hinge VERB scene.lua ARGUMENTS` of a build folder, the last runs `hinge WORDS` there; both return
+--- what support.run does.
 function support.scenes(build)
   local folder = support.temporary_folder()
+  local function hinge(words)
+    return support.run(("cd %s && %s %s"):format(support.quote(folder), support.quote(build .. "/hinge"), words))
+  end
   return function(verb, text, arguments)
     support.write(folder .. "/scene.lua", text)
-    return support.run(("cd %s && %s %s scene.lua %s"):format(support.quote(folder), support.quote(build .. "/hinge"),
-      verb, arguments or ""))
-  end, folder
+    return hinge(("%s scene.lua %s"):format(verb, arguments or ""))
+  end, folder, hinge
 end
 
 --- A script that writes one frame: a scenario, or plain statements.

@@ -5,41 +5,17 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "report"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, expect, equal, near = support.quote, checks.expect, checks.equal, checks.near
-local hinge_on, folder = support.scenes(arg[1])
-local hinge = quote(arg[1] .. "/hinge")
+local hinge_on, folder, hinge = support.scenes(arg[1])
 
--- A frame of two storeys; a bar flies into a column and breaks. Its groups are named so that they would hurt as markup.
-local scene = [=[
-local hinge = require "hinge"
-local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
-local tube = hinge.section.box { width = 0.15, depth = 0.15, thickness = 0.006 }
-local solid = hinge.section.solid { width = 0.1, depth = 0.1 }
-local evil = "<script>window.hurt = 1</script>"
-local how = ...
-
-local model = hinge.model { interaction = "paper" }
-local node = {}
-for i = 0, 1 do
-  node[i] = {}
-  for k = 0, 2 do node[i][k] = model:node { 4 * i, 0, 3 * k } end
-  model:fix(node[i][0])
-  for k = 1, 2 do
-    model:member { node[i][k - 1], node[i][k], section = tube, material = steel, group = "columns" }
-    if i > 0 then model:member { node[0][k], node[1][k], section = tube, material = steel, group = evil } end
-  end
-end
-local projectile = model:member { model:node { -0.2, -0.3, 1.5 }, model:node { -0.2, 0.3, 1.5 }, section = solid,
-  material = steel, group = "<img src=x onerror=window.hurt=1>, \"quoted\"" }
-model:velocity(projectile, { 90, 0, 0 })
-model:contact {}
+-- The bar breaks, by limits or by a rule of the script's own.
+local scene = require "report.storeys" .. [=[
 if how.rule == "own" then
   model:fracture(function(s) return math.abs(s.curvature_y) > 0.3 end)
 else
   model:fracture { curvature_x = 0.3, curvature_y = 0.3 }
 end
-model:gravity { 0, 0, -9.81 }
 local run = model:dynamic { dt = 2e-5, duration = 0.04 }
 run:probe { node = node[1][2], "ux", name = "sway" }
 if how.goes_on == "yes" then run:resume "./half.checkpoint" end
@@ -57,11 +33,9 @@ local function data_of(text)
 end
 
 assert(hinge_on("run -q", scene, "--out one") == 0, "the scene")
-local report_status, report_printed, report_complaint = support.run(("cd %s && %s report one"):format(quote(folder),
-  hinge))
+local _, said = hinge "report one"
 case("hinge report writes one page and says how large it is", function()
-  equal(report_status, 0, "hinge report: " .. report_complaint)
-  expect(report_printed:find "^one/report.html: 1 run, 20 frames, %d+%.%d MB\n$", "it says %s", report_printed)
+  expect(said:find "^one/report.html: 1 run, 20 frames, %d+%.%d MB\n$", "it says %s", said)
 end)
 
 local text = page "one/report.html"
@@ -99,9 +73,8 @@ case("units of probes stand beside the history, in the summary and in a plot", f
     local p = list[1] or {}
     equal(("%s %s %s %s"):format(p.name, p.node, p.quantity, p.unit), "sway 6 ux m", "a probe " .. what)
   end
-  local status, _, complaint = support.run(("cd %s && %s -e 'hinge.plot(\"one\", \"sway.svg\")'"):format(quote(folder),
-    hinge))
-  expect(status == 0 and page "sway.svg":find(">sway, mm<", 1, true), "the plot of a folder: %s", complaint)
+  ended(0, "", hinge "-e 'hinge.plot(\"one\", \"sway.svg\")'")
+  expect(page "sway.svg":find(">sway, mm<", 1, true), "the plot of a folder")
   near(run.summary.model.mass, 7850 * (20 * (0.15 ^ 2 - 0.138 ^ 2) + 0.6 * 0.1 ^ 2), 1e-6, "total mass, kg")
 end)
 
@@ -123,7 +96,7 @@ case("events.csv is in order, and each break has its cause", function()
   expect(broke[7] == "curvature_x" or broke[7] == "curvature_y", "it breaks by %s", broke[7])
   expect(math.abs(tonumber(broke[8])) >= 0.3 and math.abs(tonumber(broke[8])) < 1, "at a curvature of %s", broke[8])
   near(tonumber(broke[9]), 0.3, 1e-12, "its limit")
-  equal(broke[10], "scene.lua:26", "the rule's line")
+  equal(broke[10], "scene.lua:27", "the rule's line")
   local projectiles = run.summary.damage[3]
   equal(projectiles.members, 1, "members of the third group")
   equal(projectiles.broken, 1, "broken ones of the third group")
@@ -136,7 +109,7 @@ case("a run that goes on from a checkpoint tells the events before it too", func
   expect(page "one/events.csv" ~= "", "events.csv is empty")
   equal(page "second_half/events.csv", page "one/events.csv", "events of the run that went on")
   equal(hinge_on("run -q", scene, "rule=own --out own"), 0, "a rule of its own")
-  expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:24",\n'), "a rule of its own: %s",
+  expect(page "own/events.csv":find('fracture,13,7,2,[^\n]*,rule,,,"scene.lua:25",\n'), "a rule of its own: %s",
     page "own/events.csv")
 end)
 
@@ -166,29 +139,23 @@ model:dynamic { dt = 1e-3, duration = 1e-3, step_control = 0, energy_tolerance =
 end)
 
 case("several runs go on one page, with frames or without", function()
-  local _, complaint
-  equal(hinge_on("run -q", scene, "frames=none --out two"), 0, "the scene without frames")
-  local status, printed = support.run(("cd %s && %s report one two/ --out both.html"):format(quote(folder), hinge))
-  equal(status, 0, "two runs")
-  expect(printed:find "^both.html: 2 runs, 20 frames", "it says %s", printed)
+  ended(0, "", hinge_on("run -q", scene, "frames=none --out two"))
+  ended(0, "both.html: 2 runs, 20 frames", hinge "report one two/ --out both.html")
   local both = data_of(page "both.html").runs
   equal(both[2].name, "two", "name of the second run")
   equal(both[2].frames, nil, "frames of the second run")
   equal(both[2].summary.damage[1].yielded, both[1].summary.damage[1].yielded, "damage without frames")
-  status, printed = support.run(("cd %s && %s report two"):format(quote(folder), hinge))
-  expect(status == 0 and printed:find("no frames, so nothing to look at in 3D", 1, true), "without frames: %s", printed)
-  status, _, complaint = support.run(("cd %s && %s report nowhere"):format(quote(folder), hinge))
-  expect(status == 2 and complaint:find("no run was written to nowhere", 1, true), "no run: %s %s", status, complaint)
+  ended(0, "no frames, so nothing to look at in 3D", hinge "report two")
+  ended(2, "no run was written to nowhere", hinge "report nowhere")
 end)
 
 case("of a long history the page has at most 1500 rows and the last one", function()
-  -- Of a long history the page has at most 1500 rows, alike far apart, and the last one, whether it is among them or
-  -- not.
+  -- rows that are alike far apart, and the last one, whether it is among them or not
   for rows, kept in pairs { [1500] = 1500, [1501] = 751, [4000] = 1334, [4001] = 1335 } do
     local lines = { "time [s],kinetic [J]" }
     for i = 1, rows do lines[i + 1] = ("%d,%d"):format(i, 10 * i) end
     support.write(folder .. "/two/history.csv", table.concat(lines, "\n") .. "\n")
-    equal(support.run(("cd %s && %s report two --out long.html"):format(quote(folder), hinge)), 0, rows .. " rows")
+    equal(hinge "report two --out long.html", 0, rows .. " rows")
     local time, kinetic = table.unpack(data_of(page "long.html").runs[1].history.values)
     equal(#time, kept, "rows in the page of " .. rows)
     equal(time[1], 1, "the first of " .. rows)
@@ -206,8 +173,7 @@ case("frames that cannot be read are named and left out", function()
   cut(files[3])
   os.remove(folder .. "/damaged/" .. files[5])
   support.write(folder .. "/damaged/history.csv", (page "one/history.csv":match "^[^\n]*\n[^\n]*\n")) -- one row
-  local status, printed, complaint = support.run(("cd %s && %s report damaged"):format(quote(folder), hinge))
-  equal(status, 1, "a page without some frames")
+  local printed, complaint = ended(1, "", hinge "report damaged")
   expect(printed:find "^damaged/report.html: 1 run, 18 frames", "a page without some frames: %s", printed)
   for _, i in ipairs { 3, 5 } do
     expect(complaint:find("hinge: not in the page: [^\n]*damaged/" .. files[i]:gsub("%p", "%%%0")),
@@ -220,10 +186,9 @@ case("frames that cannot be read are named and left out", function()
   equal(#damaged.damaged, 2, "frames that are damaged")
   equal(damaged.damaged[1].file, "damaged/" .. files[3], "the first that is damaged")
   for _, file in ipairs(files) do cut(file) end
-  status, printed, complaint = support.run(("cd %s && %s report damaged --out none.html"):format(quote(folder), hinge))
-  expect(status == 1 and printed:find "^none.html: 1 run, 0 frames" and not printed:find "a script asks for them",
+  printed = ended(1, "hinge: not in the page: 12 more frames\n", hinge "report damaged --out none.html")
+  expect(printed:find "^none.html: 1 run, 0 frames" and not printed:find "a script asks for them",
     "no frame that is whole: %s", printed)
-  expect(complaint:find "hinge: not in the page: 12 more frames\n", "many damaged frames: %s", complaint)
   equal(data_of(page "none.html").runs[1].frames, nil, "frames where all are damaged")
 end)
 
@@ -261,11 +226,8 @@ for step in run:steps() do
 end
 ]=]
 assert(hinge_on("run -q", storeys, "--out storeys") == 0, "the frame that loses a column")
-local storeys_status, storeys_printed, storeys_complaint = support.run(("cd %s && %s report "
-  .. "storeys"):format(quote(folder), hinge))
 case("a column that is lost before the first frame is broken in the summary of the page", function()
-  expect(storeys_status == 0 and storeys_printed:find "1 run, 4 frames", "its page: %s %s", storeys_printed,
-    storeys_complaint)
+  ended(0, "1 run, 4 frames", hinge "report storeys")
   local lost = data_of(page "storeys/report.html").runs[1]
   equal(lost.summary.damage[2].broken, 1, "broken ones of the group that is lost")
 end)
@@ -291,23 +253,18 @@ model:load { node = beam(6, { q = { 0, 0, -10e3 } }), moment = { 0, 20e3, 0 } }
 local run = model:static { steps = 2 }
 for _ in run:steps() do hinge.frame(run) end
 ]=]
-  equal(hinge_on("run -q", diagrams, "--out diagrams"), 0, "two beams")
-  local status, printed, complaint = support.run(("cd %s && %s report diagrams"):format(quote(folder), hinge))
-  expect(status == 0 and printed:find "1 run, 2 frames", "their page: %s %s", printed, complaint)
-
+  ended(0, "", hinge_on("run -q", diagrams, "--out diagrams"))
+  ended(0, "1 run, 2 frames", hinge "report diagrams")
   local look = support.browser "report"
+  local function shows(least, test, ...)
+    local seen = ended(0, "checked", look(test, ...))
+    expect((tonumber(seen:match "(%d+) checked") or 0) > least, "%s: %s", test, seen)
+  end
   if look then
-    local seen, said, wrong = look("page_test.js", folder .. "/one/report.html", folder .. "/damaged/report.html",
-      arg[2])
-    equal(seen, 0, "in a browser: " .. said .. wrong)
-    expect((tonumber(said:match "(%d+) checked") or 0) > 40, "in a browser: %s", said)
-    seen, said, wrong = look("words_test.js", folder .. "/one/report.html", folder .. "/storeys/report.html",
-      folder .. "/diagrams/report.html")
-    equal(seen, 0, "what it says: " .. said .. wrong)
-    expect((tonumber(said:match "(%d+) checked") or 0) > 20, "what it says: %s", said)
-    seen, said, wrong = look("player_test.js", folder .. "/one/report.html", folder .. "/diagrams/report.html")
-    equal(seen, 0, "what the player shows: " .. said .. wrong)
-    expect((tonumber(said:match "(%d+) checked") or 0) > 50, "what the player shows: %s", said)
+    local function of(name) return folder .. "/" .. name .. "/report.html" end
+    shows(40, "page_test.js", of "one", of "damaged", arg[2])
+    shows(20, "words_test.js", of "one", of "storeys", of "diagrams")
+    shows(50, "player_test.js", of "one", of "diagrams")
   end
 end)
 

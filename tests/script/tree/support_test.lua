@@ -63,6 +63,19 @@ case("a call that is not refused as wanted fails its check", function()
   equal(#printed, 5, "the case and what fails in it: " .. table.concat(printed, "\n"))
 end)
 
+case("a command that ends otherwise or says something else fails its check", function()
+  local printed = {}
+  local inner = support.checks("inner", { print = function(text) printed[#printed + 1] = text end, exit = print })
+  inner.case("all", function()
+    inner.ended(0, { "two", "-0.0 m" }, support.run "echo two of 0.0 m") -- as wanted
+    inner.ended(3, "two", support.run "echo two >&2; exit 3")
+    inner.ended(0, "two", support.run "echo two; exit 3")
+    inner.ended(3, "two", support.run "echo two; exit 3")
+    inner.ended(0, { "one", "two" }, support.run "echo one")
+  end)
+  equal(#printed, 4, "the case and what fails in it: " .. table.concat(printed, "\n"))
+end)
+
 -- Printed text: words as words, numbers as numbers -------------------------------------------------------------------
 
 case("printed text is compared word by word, its numbers within their last digit", function()
