@@ -65,7 +65,7 @@ function support.checks(title, test)
     local text = wanted == 0 and printed or complaint
     checks.expect(status == wanted, "status %s, wanted %s: %s%s", status, wanted, printed, complaint)
     for _, word in ipairs(type(words) == "table" and words or { words }) do
-      checks.expect(support.has(text, word), "'%s' is not in: %s", word, text)
+      checks.expect(text:find(word, 1, true) or support.has(text, word), "'%s' is not in: %s", word, text)
     end
     return printed, complaint
   end

@@ -4,20 +4,19 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "program"
-local case = checks.case
-local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+local case, ended = checks.case, checks.ended
+local quote, expect, equal = support.quote, checks.expect, checks.equal
 
-local hinge = quote(arg[1] .. "/hinge")
 local version = (support.read(support.root .. "CMakeLists.txt") or ""):match "project%(hinge VERSION ([%d.]+)"
-local ten_storey = quote(support.root .. "scripts/ten_storey_impact.lua")
-local folder = support.temporary_folder()
+local ten_storey = support.output("realpath " .. quote(support.root .. "scripts/ten_storey_impact.lua")):sub(1, -2)
+local _, folder, hinge = support.scenes(arg[1])
 local function path(name) return folder .. "/" .. name end
 local function script(name, text) support.write(path(name), text) return quote(path(name)) end
 
 -- Help ----------------------------------------------------------------------------------------------------------------
 
 case("help is printed for the program, each verb and a wrong verb", function()
-  for arguments, wanted in pairs {
+  for words, wanted in pairs {
     ["--help"] = { "Usage: hinge ", "run ", "check ", "render ", "reference ", "'hinge -e CODE'", "'hinge -i'",
       "--version" },
     ["run --help"] = { "Usage: hinge run ", "script", "--case", "--out", "key=value", "--quiet", "--json",
@@ -27,37 +26,23 @@ case("help is printed for the program, each verb and a wrong verb", function()
     ["cost --help"] = { "Usage: hinge cost ", "script", "--case", "--within", "--quantity", "--budget", "--out" },
     ["-e --help"] = { "Usage: hinge do ", "code", "key=value" },
     ["-i --help"] = { "Usage: hinge prompt ", "script", "--case", "--out" },
-    ["reference --help"] = { "name" },
-    ["render --help"] = { "folder" },
+    ["reference --help"] = "name",
+    ["render --help"] = "folder",
     ["report --help"] = { "folders", "--out", "3D", "Exit status: 0; 1 ", "2 where no run was written" },
     ["history --help"] = { "folders", "whose", "Exit status: 0; 2 " },
     ["--version"] = { "hinge " .. version .. "\nbuild ", "\nprocessor ", "\nthreads ", "\nLua        5.4.",
       "library in ", "\nEigen      3.", "\nVTK        " },
-  } do
-    local status, printed = run(hinge .. " " .. arguments)
-    equal(status, 0, arguments)
-    for _, part in ipairs(wanted) do
-      expect(printed:find(part, 1, true), "%s does not say '%s':\n%s", arguments, part, printed)
-    end
+  } do ended(0, wanted, hinge(words)) end
+  for words, as in pairs { ["help"] = "--help", ["help run"] = "run --help",
+    ["help reference"] = "reference --help" } do
+    equal(ended(0, "", hinge(words)), select(2, hinge(as)), words)
   end
-  for words, as in pairs { ["help"] = "--help", ["help run"] = "run --help", ["help reference"] =
-    "reference --help" } do
-    local status, printed = run(hinge .. " " .. words)
-    equal(status, 0, words)
-    equal(printed, select(2, run(hinge .. " " .. as)), words)
-  end
-end)
-
-case("help on an unknown verb is refused with the nearest one", function()
-  local status, printed, complaint = run(hinge .. " help rn")
-  equal(status, 2, "help on a verb that there is not")
-  equal(printed .. complaint, "hinge: there is no verb 'rn' (did you mean 'run'?); hinge --help lists the verbs, "
-    .. "hinge reference NAME tells about a call\n", "help on a verb that there is not")
+  ended(2, { "no verb 'rn' (did you mean 'run'?)", "hinge --help", "hinge reference NAME" }, hinge "help rn")
 end)
 
 case("--version names version, commit and what hinge was built with", function()
   -- Scripts read the version from the first line; the commit is there where it is known.
-  local _, about = run(hinge .. " --version")
+  local about = select(2, hinge "--version")
   equal(about:match "^([^\n]*)\n", "hinge " .. version, "the first line")
   equal(about:find "\n\n", nil, "an empty line in " .. about)
   if support.run(("git -C %s rev-parse HEAD"):format(quote(support.root))) == 0 then
@@ -68,7 +53,7 @@ end)
 case("the manual page knows every verb", function()
   local manual = support.read(support.root .. "src/hinge.1") or ""
   local verbs = 0
-  for verb in (select(2, run(hinge .. " --help")):match "Subcommands:\n(.*)" or ""):gmatch "%f[^\n%z]  (%l+)" do
+  for verb in (select(2, hinge "--help"):match "Subcommands:\n(.*)" or ""):gmatch "%f[^\n%z]  (%l+)" do
     verbs = verbs + 1
     expect(manual:find("\n.BR " .. verb .. " ", 1, true), "src/hinge.1 does not have %s", verb)
   end
@@ -78,48 +63,37 @@ end)
 -- Wrong input: status 2, a message on stderr, nothing written ---------------------------------------------------------
 
 local plain = script("plain.lua", "return { given = (...).answer }")
-local out = " --out " .. quote(path "never")
 case("wrong arguments end with status 2 and a message, and write nothing", function()
-  for arguments, message in pairs {
-    [""] = "...subcommand is required...",
-    ["rnu " .. plain] = "hinge: there is no verb and no script 'rnu' (did you mean 'run'?)...",
-    ["nonsense"] = "hinge: there is no verb and no script 'nonsense'; ...",
-    ["run"] = "...script is required...",
-    ["run nowhere.lua"] = "hinge: there is no script nowhere.lua",
-    ["nowhere.lua"] = "hinge: there is no script nowhere.lua",
-    ["run " .. plain .. " speed"] = "hinge: 'speed' is not a setting; write key=value, for example speed=100",
-    ["run " .. plain .. " =5"] = "hinge: '=5' is not a setting; write key=value, for example speed=100",
-    ["run " .. plain .. " --csae II"] = "...--csae...",
-    ["run " .. plain .. " --case II"] = "hinge: --case II: ... has no cases; it does not return a hinge.scenario",
-    ["run " .. ten_storey .. " --case V"] = "hinge: --case: unknown case 'V'...; there are I, II, III, IV, heavy",
-    ["run " .. ten_storey .. " sped=100"] =
-      "hinge: sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ...",
-    ["run " .. ten_storey .. " speed=fast"] =
-      "hinge: speed=fast: speed is 'fast'; must be a number in SI units or a sum such as 440/3.6",
-    ["run " .. ten_storey .. " speed=400km/h"] = "hinge: speed=400km/h: speed is '400km/h'; must be a number in SI "
-      .. "units or a sum such as 440/3.6; a number in SI units, without its unit, is speed=111.1111111",
+  local in_si = "a number in SI units, without its unit, is "
+  for words, message in pairs {
+    [""] = "subcommand is required",
+    ["rnu " .. plain] = "there is no verb and no script 'rnu' (did you mean 'run'?)",
+    ["nonsense"] = "there is no verb and no script 'nonsense';",
+    ["run"] = "script is required",
+    ["run nowhere.lua"] = "hinge: there is no script nowhere.lua\n",
+    ["nowhere.lua"] = "hinge: there is no script nowhere.lua\n",
+    ["run " .. plain .. " speed"] = "'speed' is not a setting; write key=value, for example speed=100",
+    ["run " .. plain .. " =5"] = "'=5' is not a setting; write key=value, for example speed=100",
+    ["run " .. plain .. " --csae II"] = "--csae",
+    ["run " .. plain .. " --case II"] = { "--case II: ", " has no cases; it does not return a hinge.scenario" },
+    ["run " .. ten_storey .. " --case V"] = { "unknown case 'V'", "there are I, II, III, IV, heavy" },
+    ["run " .. ten_storey .. " sped=100"] = "sped=100: unknown parameter 'sped' (did you mean 'speed'?); there are ",
+    ["run " .. ten_storey .. " speed=fast"] = "speed is 'fast'; must be a number in SI units or a sum such as 440/3.6",
+    ["run " .. ten_storey .. " speed=400km/h"] = { "speed is '400km/h'", in_si .. "speed=111.1111111" },
     ["run " .. script("adds.lua", "local p = ...\nreturn p.load + 1\n") .. " load=2kN"] =
-      "hinge: ...adds.lua:2: attempt to ...\n  at ...adds.lua:2\nload=2kN is text for the script; a number in SI "
-      .. "units, without its unit, is load=2000",
-    ["run " .. ten_storey .. " size=-15"] =
-      "hinge: ...ten_storey_impact.lua:...: aircraft.add: field 'size' is -15 m; must be a number above 0 m",
-    ["run " .. script("syntax.lua", "local x =\n= 2\n")] = "hinge: ...syntax.lua:2: unexpected symbol near '='",
+      { "adds.lua:2: attempt to ", "\n  at ", "load=2kN is text for the script; " .. in_si .. "load=2000" },
+    ["run " .. ten_storey .. " size=-15"] = { "ten_storey_impact.lua:", "field 'size' is -15 m", "above 0 m" },
+    ["run " .. script("syntax.lua", "local x =\n= 2\n")] = "syntax.lua:2: unexpected symbol near '='",
     ["run " .. script("stumbles.lua", "local hinge = require 'hinge'\nlocal t = nil\nreturn t.x\n")] =
-      "hinge: ...stumbles.lua:3: attempt to index a nil value (local 't')\n  at ...stumbles.lua:3",
-    ["run " .. script("raises.lua", "error { 1 }")] = "hinge: the script raised a table\n  at ...raises.lua:1",
+      { "stumbles.lua:3: attempt to index a nil value (local 't')\n  at ", "stumbles.lua:3\n" },
+    ["run " .. script("raises.lua", "error { 1 }")] = { "hinge: the script raised a table\n  at ", "raises.lua:1\n" },
     ["run " .. script("wrong.lua", "local hinge = require 'hinge'\n\nhinge.model { formulaton = 'asi' }\n")] =
-      "hinge: ...wrong.lua:3: hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes ...",
+      { "wrong.lua:3: hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes " },
+    ["render nowhere"] = { "no frames to draw", "job:frame(run) or hinge.frame(run)" },
   } do
-    local status, _, complaint = run(hinge .. " " .. arguments .. (arguments:find "^run" and out or ""))
-    equal(status, 2, "status of: hinge " .. arguments)
-    expect(support.says(complaint:gsub("\n$", ""), message), "hinge %s\n    says   %s\n    wanted %s", arguments,
-      complaint, message)
-    expect(not support.is_there(path "never"), "something was written by: hinge %s", arguments)
+    ended(2, message, hinge(words .. (words:find "^run" and " --out never" or "")))
+    expect(not support.is_there(path "never"), "something was written by: hinge %s", words)
   end
-  local status, _, complaint = run(hinge .. " render " .. quote(path "nowhere"))
-  expect(status == 2 and complaint:find "no frames to draw"
-    and complaint:find "job:frame%(run%) or hinge%.frame%(run%)",
-    "render without frames: %s %s", status, complaint)
 end)
 
 -- A folder that cannot be written is the world's fault, not the script's: status 1.
@@ -139,22 +113,17 @@ end
 local two_nodes = script("two_nodes.lua", beam .. "local model, tip = cantilever(-1000)\n"
   .. "local _, _, uz = model:static { steps = 1 }:finish():displacement(tip)\nreturn { uz = uz }\n")
 case("a folder that cannot be written to ends with status 1", function()
-  local status, _, complaint = run(hinge .. " run " .. two_nodes .. " --out " .. quote(path "plain.lua"))
-  equal(status, 1, "status with a file where the folder should be")
-  expect(complaint:find("cannot make folder " .. path "plain.lua", 1, true), "unwritable folder: %s", complaint)
+  ended(1, "cannot make folder plain.lua", hinge("run " .. two_nodes .. " --out plain.lua"))
 end)
 
 -- A plan: which effects, why, and the line that asks; nothing is run or written ---------------------------------------
 
 case("hinge plan names the effects, why and where they were asked for, and runs nothing", function()
-  local status
-  local printed
-  status, printed = run(hinge .. " plan " .. ten_storey)
-  equal(status, 0, "status of a plan")
+  local printed = ended(0, "", hinge("plan " .. ten_storey))
   for effect, line in pairs { gravity = "model:gravity { 0, 0,", fracture = "model:fracture {",
     contact = "model:contact {", plasticity = "building.add(" } do
     local number, at = 0, nil
-    for text in io.lines(support.root .. "scripts/ten_storey_impact.lua") do
+    for text in io.lines(ten_storey) do
       number = number + 1
       if text:find(line, 1, true) then at = at or number end
     end
@@ -164,21 +133,17 @@ case("hinge plan names the effects, why and where they were asked for, and runs 
   for _, effect in ipairs { "friction", "moving supports", "script functions" } do
     expect(printed:find("\n  " .. effect .. " +off "), "plan: %s off:\n%s", effect, printed)
   end
+  local function plan(text) return hinge("plan " .. script("plans.lua", text)) end
   for geometric, line in pairs { ["true"] = "on +part of large displacement", ["false"] = "off +geometric = false" } do
-    status, printed = run(hinge .. " plan " .. script("plans_geometric.lua", beam ..
-      "cantilever(-1000):dynamic { dt = 1e-5, duration = 1e-3, internals = { geometric = "
-      .. geometric .. " } }:finish()\n"))
-    expect(status == 0 and printed:find("\n  geometric stiffness +" .. line .. "\n"), "plan with geometric = %s:\n%s",
-      geometric, printed)
+    printed = ended(0, "", plan(beam .. "cantilever(-1000):dynamic { dt = 1e-5, duration = 1e-3, internals = { "
+      .. "geometric = " .. geometric .. " } }:finish()\n"))
+    expect(printed:find("\n  geometric stiffness +" .. line .. "\n"), "geometric = %s:\n%s", geometric, printed)
   end
-  status, printed = run(hinge .. " plan " .. script("plans.lua", beam ..
-    "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
-  expect(status == 0 and select(2, printed:gsub("static run", "")) == 1 and printed:find "needs results, so it",
-    "a loop is described once: %s", printed)
-  equal(run(hinge .. " plan " .. script("plans_nothing.lua", "local t = nil\nreturn t.x\n")), 2,
-    "status of a plan that fails before a run")
-  expect(not support.is_there(path "out") and not support.is_there "out/ten_storey_impact/planned",
-    "a plan writes nothing")
+  printed = ended(0, "needs results, so it", plan(beam
+    .. "for i = 1, 3 do cantilever(-1000):static { steps = 1 }:finish() end\nlocal t = nil\nreturn t.x\n"))
+  equal(select(2, printed:gsub("static run", "")), 1, "a loop is described once")
+  ended(2, "", plan "local t = nil\nreturn t.x\n") -- it fails before a run
+  expect(not support.is_there(path "out"), "a plan writes nothing")
 end)
 
 -- What a run leaves ---------------------------------------------------------------------------------------------------
@@ -193,16 +158,13 @@ local function lines(name)
   for line in (support.read(path(name)) or ""):gmatch "[^\n]*\n" do list[#list + 1] = line:sub(1, -2) end
   return list
 end
-local elsewhere = "cd " .. quote(folder) .. " && " .. hinge .. " run "
 
 case("a run writes summary.json into the folder of its script and case", function()
-  equal(run(hinge .. " " .. plain .. " answer=6*7 --out " .. quote(path "plain")), 0, "hinge SCRIPT")
-  equal(summary "plain".results.given, 42, "key=value of a script of plain statements")
-  for _, how in ipairs { "--answer 6*8", "--answer=6*8" } do
-    equal(run(hinge .. " " .. plain .. " " .. how .. " --out " .. quote(path "plain")), 0, how)
-    equal(summary "plain".results.given, 48, how)
+  for how, given in pairs { ["answer=6*7"] = 42, ["--answer 6*8"] = 48, ["--answer=6*8"] = 48 } do
+    ended(0, "", hinge(plain .. " " .. how .. " --out plain"))
+    equal(summary "plain".results.given, given, how)
   end
-  equal(run(elsewhere .. two_nodes), 0, "status of a finished run")
+  ended(0, "", hinge("run " .. two_nodes))
   equal(summary "out/two_nodes".verdict, "completed", "verdict, in out/SCRIPT")
   local s = summary "out/two_nodes"
   for part, names in pairs {
@@ -216,7 +178,7 @@ case("a run writes summary.json into the folder of its script and case", functio
     equal(type(effect.name) .. type(effect.active) .. type(effect.because), "stringbooleanstring", "an effect")
   end
   local cases = script("cases.lua", "return require 'hinge'.scenario { cases = { II = {} }, run = function() end }")
-  equal(run(elsewhere .. cases .. " --case II"), 0, "a case")
+  ended(0, "", hinge("run " .. cases .. " --case II"))
   equal(summary "out/cases-II".case, "II", "case, in out/SCRIPT-CASE")
 end)
 
@@ -227,75 +189,58 @@ return require "hinge".scenario { parameters = { speed = 100, dt = 1e-4, name = 
 ]]
 local parametric = script("parametric.lua", study_of)
 case("a run with other parameters goes to a folder named by them", function()
-  local _
-  local status, printed, complaint
-  for arguments, wanted in pairs {
+  local function writes(words, folder_of_it)
+    equal(ended(0, "", hinge("run " .. words)), "written to " .. folder_of_it .. "\n", words)
+  end
+  for words, wanted in pairs {
     [""] = "parametric", ["speed=100 on=true list={1,2}"] = "parametric", ["speed=150"] = "parametric-speed=150",
     ["dt=2e-5 speed=400/3.6"] = "parametric-dt=2e-05-speed=111.111", ["--case II"] = "parametric-II",
     ["--case II speed=100"] = "parametric-II-speed=100", ["speed=200 --case II"] = "parametric-II",
     ["name=x/y list={3,4} on=false"] = "parametric-list=3,4-name=x_y-on=false",
   } do
     for _ = 1, 2 do
-      status, printed, complaint = run(elsewhere .. parametric .. " " .. arguments)
-      equal(status, 0, "status of: " .. arguments)
-      equal(printed, "written to out/" .. wanted .. "\n", "folder of: " .. arguments .. complaint)
-      equal(summary("out/" .. wanted).results.out, "out/" .. wanted, "job.out of: " .. arguments)
+      writes(parametric .. " " .. words, "out/" .. wanted)
+      equal(summary("out/" .. wanted).results.out, "out/" .. wanted, "job.out of: " .. words)
     end
   end
-  _, printed = run(elsewhere .. parametric .. " speed=111.1111")
-  equal(printed, "written to out/parametric-speed=111.111\n", "close to another")
-  _, printed = run(elsewhere .. parametric .. " speed=111.11111")
-  equal(printed, "written to out/parametric-speed=111.111-2\n", "a name that is taken")
-  _, printed = run(elsewhere .. plain .. " answer=6*7")
-  equal(printed, "written to out/plain-answer=42\n", "plain statements")
+  writes(parametric .. " speed=111.1111", "out/parametric-speed=111.111")
+  writes(parametric .. " speed=111.11111", "out/parametric-speed=111.111-2") -- a name that is taken
+  writes(plain .. " answer=6*7", "out/plain-answer=42")
   support.run("mkdir " .. quote(path "beside"))
   local namesake = script("beside/parametric.lua", study_of)
-  for _ = 1, 2 do
-    _, printed = run(elsewhere .. namesake)
-    equal(printed, "written to out/parametric-2\n", "another script of that name")
-  end
+  for _ = 1, 2 do writes(namesake, "out/parametric-2") end
   for speed, said in pairs { [150] = "",
     [160] = "given held the run of parametric.lua, speed = 150, which is replaced\n" } do
-    if speed == 160 then run(elsewhere .. parametric .. " speed=150 --out given") end
-    _, printed, complaint = run(elsewhere .. parametric .. " --out given speed=" .. speed)
+    if speed == 160 then hinge("run " .. parametric .. " speed=150 --out given") end
+    local printed, complaint = ended(0, "", hinge("run " .. parametric .. " --out given speed=" .. speed))
     expect(printed == "written to given\n" and complaint == said, "--out given: %s%s", printed, complaint)
-    run("rm -r " .. quote(path "given"))
+    support.run("rm -r " .. quote(path "given"))
   end
 end)
 
--- hinge history says whose they are.
-local function history(arguments) return run(("cd %s && %s history %s"):format(quote(folder), hinge, arguments)) end
 case("hinge history lists the runs of a folder", function()
-  local _, complaint
-  local status, printed = history ""
-  equal(status, 0, "history: status")
-  for _, part in ipairs { "out/parametric\n  parametric.lua, default parameters\n  completed; hinge 0.",
+  ended(0, { "out/parametric\n  parametric.lua, default parameters\n  completed; hinge 0.",
     "out/parametric-2\n  beside/parametric.lua, default parameters\n",
     "out/parametric-II-speed=100\n  parametric.lua, case II, speed = 100\n",
-    "out/plain-answer=42\n  plain.lua, answer = 42\n", "out/two_nodes\n" } do
-    expect(printed:find(part, 1, true), "history: no '%s' in\n%s", part, printed)
-  end
-  status, printed = history "out/parametric-speed=150"
+    "out/plain-answer=42\n  plain.lua, answer = 42\n", "out/two_nodes\n" }, hinge "history")
+  local printed = ended(0, "", hinge "history out/parametric-speed=150")
   local told = "out/parametric-speed=150\n  parametric.lua, speed = 150\n  script " .. path "parametric.lua"
     .. "\n  parameters dt = 0.0001, list = { 1, 2 }, name = a, on = true, speed = 150\n  completed; hinge "
-  expect(status == 0 and printed:sub(1, #told) == told
+  expect(printed:sub(1, #told) == told
     and printed:sub(#told + 1):find "^[%d.]+; 20%d%d%-%d%d%-%d%d %d%d:%d%d\n$", "history of one: %s", printed)
-  status, _, complaint = history "nowhere"
-  expect(status == 2 and complaint == "hinge: no run was written to nowhere\n", "history of nothing: %s", complaint)
+  ended(2, "hinge: no run was written to nowhere\n", hinge "history nowhere")
 end)
 
 case("failed, stopped and stumbling runs leave a true summary.json and whole rows of history.csv", function()
   local overloaded = script("overloaded.lua", beam .. "cantilever(-1e6):static {}:finish()")
-  local status, _, complaint = run(hinge .. " run " .. overloaded .. " --out " .. quote(path "failed"))
-  equal(status, 1, "status of a failed run")
+  local _, complaint = ended(1, "", hinge("run " .. overloaded .. " --out failed"))
   local failed = summary "failed"
   expect(failed.verdict == "failed" and failed.reason:find "no equilibrium found beyond load factor 0%.%d"
     and complaint:find(failed.reason, 1, true), "reason: %s", failed.reason)
 
   local stopping = beam .. "local run = cantilever(-1):dynamic { dt = 1e-5, duration = 1e-3 }\n"
     .. "for step in run:steps() do if step.index == 7 then run:stop() end end\n"
-  equal(run(hinge .. " run " .. script("stopping.lua", stopping) .. " --out " .. quote(path "stopped")), 0,
-    "status of a stopped run")
+  ended(0, "", hinge("run " .. script("stopping.lua", stopping) .. " --out stopped"))
   equal(summary "stopped".verdict, "stopped", "verdict")
   equal(summary "stopped".steps, 7, "steps of a stopped run")
 
@@ -311,8 +256,7 @@ end)
 
 model:dynamic { dt = 1e-5, duration = 5e-2, record = 1 }:finish()
 ]]
-  status, _, complaint = run(hinge .. " run " .. script("failing.lua", failing) .. " --out " .. quote(path "stopped"))
-  equal(status, 2, "status of an error in a fracture rule")
+  _, complaint = ended(2, "", hinge("run " .. script("failing.lua", failing) .. " --out stopped"))
   expect(complaint:find("failing%.lua:16: this rule is wrong %(fracture rule of .-failing%.lua:14, "
     .. "element %d of member 1, .-the step was taken back to t = %S+ s\n"), "a fracture rule's error: %s", complaint)
   expect(not support.is_there(path "stopped/summary.json"), "a summary was left by a script that stumbled")
@@ -324,15 +268,14 @@ model:dynamic { dt = 1e-5, duration = 5e-2, record = 1 }:finish()
 end)
 
 case("a job of several runs has the verdict of the whole", function()
-  local status, _, complaint
   local function study(last, says)
-    return script("study.lua", beam .. ([[
+    return hinge("run --out study " .. script("study.lua", beam .. ([[
 return hinge.scenario { run = function(_, job)
   cantilever(%s):static {}:finish()
   %s
   return { kept = 7 }
 end }
-]]):format(last, says))
+]]):format(last, says)))
   end
   for says, wanted in pairs {
     ["1e6 "] = { 1, "failed" }, ["1e6 job:verdict 'completed'"] = { 0, "completed" }, ["1e3 "] = { 0, "completed" },
@@ -340,26 +283,18 @@ end }
     ["1e6 job:verdict('completed', 'whatever')"] = { 0, "completed" },
   } do
     local last, words = says:match "^(%S+) (.*)$"
-    status, _, complaint = run(hinge .. " run " .. study("-" .. last, words) .. " --out " .. quote(path "study"))
-    equal(status, wanted[1], says .. ": status; " .. complaint)
+    ended(wanted[1], wanted[3] and "hinge: the run failed: " .. wanted[3] .. "\n" or "", study("-" .. last, words))
     local s = summary "study"
     equal(s.verdict, wanted[2], says .. ": verdict")
     equal(s.results.kept, 7, says .. ": results")
     if wanted[2] == "completed" then equal(s.reason, nil, says .. ": reason") end
-    if wanted[3] then
-      equal(s.reason, wanted[3], says .. ": reason")
-      expect(complaint:find("hinge: the run failed: " .. wanted[3] .. "\n", 1, true), "%s: it says %s", says, complaint)
-    end
+    if wanted[3] then equal(s.reason, wanted[3], says .. ": reason") end
   end
   for says, message in pairs {
     ["job:verdict 'stopped'"] = "job:verdict: verdict is 'stopped'; must be 'completed' or 'failed'",
     ["job:verdict 'failed'"] = "job:verdict: field 'reason' is missing",
     ["job:verdict()"] = "job:verdict: field 'verdict' is missing",
-  } do
-    status, _, complaint = run(hinge .. " run " .. study("-1e3", says) .. " --out " .. quote(path "study"))
-    equal(status, 2, says .. ": status")
-    expect(complaint:find(message, 1, true), "%s: it says %s", says, complaint)
-  end
+  } do ended(2, message, study("-1e3", says)) end
 end)
 
 -- Two runs side by side keep their histories apart.
@@ -374,7 +309,7 @@ while runs[1]:step() and runs[2]:step() do end
 runs[2]:finish()
 ]]
 case("two runs side by side keep their histories apart", function()
-  equal(run(hinge .. " run " .. script("pair.lua", side_by_side) .. " --out " .. quote(path "pair")), 0, "two runs")
+  ended(0, "", hinge("run " .. script("pair.lua", side_by_side) .. " --out pair"))
   local first, second = lines "pair/history-1.csv", lines "pair/history.csv"
   expect(#first == 12 and #second == 12, "two histories of 11 rows: %d, %d", #first - 1, #second - 1)
   expect((first[1] or ""):find "uz1$" and (second[1] or ""):find "uz2$", "their probes: %s, %s", first[1], second[1])
@@ -385,17 +320,14 @@ case("two runs side by side keep their histories apart", function()
 end)
 
 case("a run without probes leaves none of an earlier run", function()
-  equal(run(hinge .. " run " .. script("bare.lua", (side_by_side:gsub("runs%[i%]:probe[^\n]*", ""))) .. " --out "
-    .. quote(path "pair")), 0, "two runs without probes")
+  ended(0, "", hinge("run --out pair " .. script("bare.lua", (side_by_side:gsub("runs%[i%]:probe[^\n]*", "")))))
   for _, name in ipairs { "probes", "probes-1" } do
     expect(not support.is_there(path("pair/" .. name .. ".json")), "%s.json of another run", name)
   end
 end)
 
 case("the ten-storey impact of 400 steps writes frames, pictures, history and summary", function()
-  local status, _, complaint = run(hinge .. " run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out "
-    .. quote(path "impact"))
-  equal(status, 0, "status of the ten-storey impact: " .. complaint)
+  ended(0, "", hinge("run " .. ten_storey .. " --case II duration=0.004 frame_every=200 --out impact"))
   local s = summary "impact"
   for name, wanted in pairs { verdict = "completed", case = "II", kind = "dynamic", steps = 400 } do
     equal(s[name], wanted, name)
@@ -447,7 +379,7 @@ case("the ten-storey impact of 400 steps writes frames, pictures, history and su
   for _, name in ipairs { "frame.png", "upper_storeys.png" } do
     expect((support.read(path("impact/" .. name)) or ""):sub(1, 8) == "\137PNG\r\n\26\n", "%s is a picture", name)
   end
-  equal(run(hinge .. " render " .. quote(path "impact")), 0, "render")
+  ended(0, "", hinge "render impact")
   expect(support.is_there(path "impact/frames/frame_00002.png"), "render draws the frames")
 end)
 
