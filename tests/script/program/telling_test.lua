@@ -5,11 +5,10 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "telling"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
-local hinge = quote(arg[1] .. "/hinge")
-local hinge_on, folder = support.scenes(arg[1])
+local hinge_on, folder, hinge = support.scenes(arg[1])
 local function hinge_run(...) return hinge_on("run", ...) end
 local function summary() return support.json(support.read(folder .. "/out/scene/summary.json")) end
 
@@ -49,8 +48,7 @@ run:finish()
 print "the script's own words"
 ]]
 case("changes of state are printed once each and counted, as events with --json, not with --quiet", function()
-  local status, printed, complaint = hinge_run(bouncing)
-  equal(status, 0, "status; " .. complaint)
+  local printed, complaint = ended(0, "", hinge_run(bouncing))
   local awake, asleep = 0, 0
   for _, w in ipairs(summary().state_changes) do
     if w.effect == "contact" then awake, asleep = awake + (w.awake and 1 or 0), asleep + (w.awake and 0 or 1) end
@@ -62,14 +60,12 @@ case("changes of state are printed once each and counted, as events with --json,
   expect(complaint:find(("contact: awake %d times, asleep %d times in all, the last at t = "):format(awake, asleep), 1,
     true), "counted: %s", complaint)
 
-  local quiet
-  status, quiet, complaint = hinge_run(bouncing, "--quiet")
-  expect(status == 0 and quiet == "the script's own words\n" and complaint == "", "--quiet: %s%s", quiet, complaint)
   expect(printed:find "written to out/scene\n$", "not quiet: %s", printed)
+  printed, complaint = ended(0, "", hinge_run(bouncing, "--quiet"))
+  equal(printed .. complaint, "the script's own words\n", "--quiet")
 
-  status, printed, complaint = hinge_run(bouncing, "--json")
+  printed, complaint = ended(0, "", hinge_run(bouncing, "--json"))
   local said = events(printed)
-  equal(status, 0, "--json: status")
   equal(complaint, "the script's own words\n", "--json: stderr")
   equal(said[1] and said[1].event, "run_begun", "--json: the first line")
   equal(said[#said] and said[#said].event, "summary", "--json: the last line")
@@ -91,17 +87,16 @@ case("changes of state are printed once each and counted, as events with --json,
   expect(last.folder == "out/scene" and last.summary.verdict == "completed" and last.summary.state_hash
     == summary().state_hash, "--json: the summary")
 
-  status, printed = hinge_run("local t = nil\nreturn t.x\n", "--json")
+  printed = ended(2, "", hinge_run("local t = nil\nreturn t.x\n", "--json"))
   said = events(printed)
-  expect(status == 2 and #said == 1 and said[1].event == "error" and said[1].status == 2
+  expect(#said == 1 and said[1].event == "error" and said[1].status == 2
     and said[1].message:find "scene.lua:2: attempt to index a nil value", "--json: an error: %s", printed)
-  equal(run(hinge .. " run scene.lua --json --quiet"), 2, "--json and --quiet")
+  ended(2, "", hinge "run scene.lua --json --quiet")
 end)
 
 -- The energy error is held against the largest energy, whenever that was, not against what is left at the end ---------
 
 case("the energy error is given as a part of the largest energy", function()
-  local status
   local swinging = [[
 local hinge = require "hinge"
 local model = hinge.model()
@@ -119,10 +114,9 @@ return { most = most, of_work = run.energy.energy_error / run.energy.work, error
   of_most = run.energy.energy_error / most }
 ]]
   for _, record in ipairs { "1", "100000", "false" } do
-    status = hinge_run((swinging:gsub("RECORD", record)))
+    ended(0, "", hinge_run((swinging:gsub("RECORD", record))))
     local r = summary().results
-    expect(status == 0 and math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work,
-      r.of_most)
+    expect(math.abs(r.of_work) > 50 * math.abs(r.of_most), "the work goes back: %s %s", r.of_work, r.of_most)
     expect(r.error / r.of_most > 0.5 and r.error / r.of_most < 1.01, "record = %s: energy error %s, of the largest %s",
       record, r.error, r.of_most)
     expect(math.abs(summary().energy_error - r.error) < 1e-12, "record = %s: summary.json %s", record,
@@ -189,15 +183,12 @@ local slip_lines = { "E is 206 Pa (the material of member 1) (scene.lua:2); in G
     .. "positions are in m",
   "nodes 2 and 3 are both at {0, 0, 3000} m, but not joined; use one node for both where their members meet" }
 case("likely mistakes of units and supports are warned of before the run", function()
-  local _
-  local status, printed, complaint = hinge_run(slips)
-  expect(status == 2 and printed == "" and support.says(complaint, "warning: " .. table.concat(slip_lines,
-    "\nwarning: ")
-    .. "\nhinge: scene.lua:11: model:static: ... can ... without resistance: ..."), "slips: %s", complaint)
-  _, _, complaint = hinge_run(slips, "--quiet")
-  expect(not complaint:find "warning", "slips, quiet: %s", complaint)
-  _, printed = hinge_run(slips, "--json")
-  local said = events(printed)
+  local printed, complaint = ended(2, "warning: " .. table.concat(slip_lines, "\nwarning: ")
+    .. "\nhinge: scene.lua:11: model:static: ", hinge_run(slips))
+  expect(printed == "" and complaint:find "^warning" and complaint:find " can .* without resistance: ", "slips: %s%s",
+    printed, complaint)
+  expect(not select(3, hinge_run(slips, "--quiet")):find "warning", "slips, quiet")
+  local said = events(select(2, hinge_run(slips, "--json")))
   equal(said.warning and #said.warning, 3, "slips, --json")
   expect(said.warning and said.warning[1].text:find "^E is 206 Pa" and said.warning[1].line == "scene.lua:2"
     and said.warning[1].advice == "in GPa? 206 GPa is 206e9", "slips, --json: the first")
@@ -217,30 +208,25 @@ for i = 1, 100 do
 end
 ]]
 case("a hundred models with a slip each give ten lines", function()
-  local status, _, complaint = hinge_run((many:gsub("WHICH", "100 + i")))
-  local count = select(2, complaint:gsub("warning: ", ""))
-  expect(status == 0 and count == 10
-    and complaint:find "\nwarning: and more than these 9; hinge check tells all\n$", "many: %d lines: %s", count,
-    complaint)
-  equal(#(summary().warnings or {}), 50, "many: summary.json")
-  _, _, complaint = hinge_run((many:gsub("WHICH", "100")))
-  equal(select(2, complaint:gsub("warning: ", "")), 1, "the same one")
-  _, _, complaint = hinge_run((many:gsub("WHICH", "206e9")))
-  equal(complaint, "", "none")
+  for E, count in pairs { ["206e9"] = 0, ["100"] = 1, ["100 + i"] = 10 } do -- none, the same one, many
+    local _, complaint = ended(0, "", hinge_run((many:gsub("WHICH", E))))
+    equal(select(2, complaint:gsub("warning: ", "")), count, "lines with E = " .. E)
+    if count == 10 then
+      expect(complaint:find "\nwarning: and more than these 9; hinge check tells all\n$", "the last: %s", complaint)
+      equal(#(summary().warnings or {}), 50, "many: summary.json")
+    elseif count == 0 then equal(complaint, "", "none") end
+  end
 end)
 
 case("loads that strain beyond reason, and a foot that spins, are warned of by name", function()
-  local status
   local post = many:gsub("100 do", "1 do"):gsub("WHICH", "206e9, yield_stress = 245e6")
   local _, _, complaint = hinge_run((post:gsub("model:static", "model:load { node = b, force = { 1e8, 0, 0 } } "
     .. "model:static")))
   expect(complaint:find("^warning: the loads would strain member 1 by 109 %% in a linear solution of them; the largest "
     .. "of them is 1e%+08 N, on node 2 %(scene.lua:8%); are the loads in N and N m, "), "loads too large: %s",
     complaint)
-  status, _, complaint = hinge_run((post:gsub('"all"%)', '"xyz") model:fix(b, "xy")')))
-  expect(status == 2 and complaint:find("model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 "
-    .. "more node can rotate about z through that node without resistance; fix what", 1, true), "a foot that spins: %s",
-    complaint)
+  ended(2, { "model:static: a mechanism", "node 1 at {0, 0, 0} m and 1 more node can rotate about z", "fix what" },
+    hinge_run((post:gsub('"all"%)', '"xyz") model:fix(b, "xy")'))))
 end)
 
 -- Words ---------------------------------------------------------------------------------------------------------------
@@ -255,39 +241,30 @@ model:member { wall, tip, section = hinge.section.solid { width = 0.05, depth = 
 model:load { node = tip, force = { 0, 0, -1000 } }
 ]]
 case("hinge plan and hinge check use numbers with fitting units", function()
-  local _, printed = hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = "
-    .. "4e-3 }")
-  expect(printed:find("static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n", 1, true)
-    and support.has(printed, "Newmark's method, steps of 2 ms\n"), "plan: %s", printed)
-  _, printed = hinge_on("plan", beam .. "model:dynamic { dt = 1.5e-8, duration = 3e-8, integrator = 'explicit' }\n"
-    .. "model:dynamic { dt = 1.25e-5, duration = 1 }\nmodel:dynamic { dt = 2, duration = 4 }")
+  ended(0, { "static run, scene.lua:8: 1 member, 2 elements, 12 degrees of freedom, 1 step\n",
+    "Newmark's method, steps of 2 ms\n" },
+    hinge_on("plan", beam .. "model:static { steps = 1 }\nmodel:dynamic { dt = 2e-3, duration = 4e-3 }"))
+  local printed = ended(0, { "explicit steps of 15 ns, lumped masses\n", "steps of 12.5 us\n", "steps of 2 s\n",
+    " 2 steps\n" }, hinge_on("plan", beam .. "model:dynamic { dt = 1.5e-8, duration = 3e-8, integrator = 'explicit' }\n"
+    .. "model:dynamic { dt = 1.25e-5, duration = 1 }\nmodel:dynamic { dt = 2, duration = 4 }"))
   expect(not printed:find "model", "plan: what it does not say: %s", printed)
-  for _, part in ipairs { "explicit steps of 15 ns, lumped masses\n", "steps of 12.5 us\n", "steps of 2 s\n",
-    " 2 steps\n" } do
-    expect(support.has(printed, part), "plan, %s: %s", part, printed)
-  end
-  _, printed = hinge_on("check", beam .. "model:static { steps = 1 }\nmodel:static { steps = 2 }")
-  expect(printed:find("\n  the same model as that of the run made at scene.lua:8, with the same warnings\n", 1, true),
-    "check: %s", printed)
+  ended(0, "\n  the same model as that of the run made at scene.lua:8, with the same warnings\n",
+    hinge_on("check", beam .. "model:static { steps = 1 }\nmodel:static { steps = 2 }"))
 end)
 
 case("a run that fails names the remedy that holds in a trial", function()
-  local status, _
+  local newton = { "Newton did not converge in 2 iterations (last correction ", "iterations = 30 holds: tried from " }
+  local gradients = "conjugate gradients did not converge in 1 iteration; solver = 'direct' holds: tried from t = "
   for options, wanted in pairs {
-    ["dt = 1e-3, internals = { solver_iterations = 1 }"] = "conjugate gradients did not converge in 1 "
-      .. "iteration; solver = 'direct' holds: tried from t = ... s to ... s",
-    ["dt = 1e-3, internals = { solver_iterations = 1 }, energy_tolerance = 0"] =
-      "conjugate gradients did not converge in 1 iteration; solver = 'direct' holds: ...",
-    ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = "Newton did not converge in 2 iterations (last correction ... "
-      .. "of the first); iterations = 30 holds: ...",
-    ["dt = 5e-3, iterations = 2, integrator = 'energy-momentum', step_control = 0"] = "Newton did not converge in 2 "
-      .. "iterations (last correction ... of the first); iterations = 30 holds: ...",
+    ["dt = 1e-3, internals = { solver_iterations = 1 }"] = { gradients, " s to " },
+    ["dt = 1e-3, internals = { solver_iterations = 1 }, energy_tolerance = 0"] = gradients,
+    ["dt = 1e-3, iterations = 2, rho_infinity = 0.8"] = newton,
+    ["dt = 5e-3, iterations = 2, integrator = 'energy-momentum', step_control = 0"] = newton,
   } do
-    local failed
     local loaded = beam:gsub("%-1000", "-4e4"):gsub("r = 2", "r = 16")
-    status, _, failed = hinge_on("run", loaded .. "model:dynamic { duration = 0.1, " .. options .. " }:finish()")
-    expect(status == 1 and support.says(failed, "...hinge: the run failed: step ..., t = ... s: " .. wanted .. "..."),
-      "%s:\n    says   %s\n    wanted %s", options, failed, wanted)
+    local run_it = loaded .. "model:dynamic { duration = 0.1, " .. options .. " }:finish()"
+    local _, failed = ended(1, wanted, hinge_run(run_it))
+    expect(failed:find "hinge: the run failed: step %d+, t = %S+ s: ", "%s: %s", options, failed)
     expect(select(2, failed:gsub("holds", "")) == 1, "%s: one remedy: %s", options, failed)
   end
 end)
@@ -297,19 +274,17 @@ case("a failed run that another goes on from is told of", function()
 local first = model:static { steps = 2 }:finish()
 model:dynamic { from = first, duration = 1e-4, dt = 1e-5 }:finish()
 ]]
-  local _, _, told = hinge_run(two)
-  expect(told:find("hinge: static run 1, made at scene.lua:%d+, failed: "), "a failed run before the last: %s", told)
-  expect(support.has(told, "warning: this run goes on from static run 1, which failed at "), "from a failed run: %s",
-    told)
+  ended(1, { "hinge: static run 1, made at scene.lua:8, failed: ", "goes on from static run 1, which failed at " },
+    hinge_run(two))
   local failed = summary().failed_runs
   expect(failed and #failed == 1 and failed[1]:find("^static run 1"), "summary.json: failed_runs")
 end)
 
 case("a failed run points back at the units that were doubted", function()
-  local _, _, complaint = hinge_run((beam:gsub("206e9", "206e3")) .. "model:static { steps = 1 }:finish()\n")
-  expect(support.says(complaint, "...hinge: the run failed: ...; the cause may be what the warning at scene.lua:6 "
-    .. "says: E is 206000 Pa (the material of member 1)\n"), "units: %s", complaint)
-  _, _, complaint = hinge_run((beam:gsub("%-1000", "-1e9")) .. "model:static { to_limit = true }:finish()\n")
+  local cause = "; the cause may be what the warning at scene.lua:6 says: E is 206000 Pa (the material of member 1)\n"
+  ended(1, { "hinge: the run failed: ", cause },
+    hinge_run((beam:gsub("206e9", "206e3")) .. "model:static { steps = 1 }:finish()\n"))
+  local _, _, complaint = hinge_run((beam:gsub("%-1000", "-1e9")) .. "model:static { to_limit = true }:finish()\n")
   expect(not complaint:find "the cause may be what the warning at scene.lua:6", "no units: %s", complaint)
 end)
 
@@ -335,8 +310,6 @@ model:dynamic { from = rest, dt = 1e-4, duration = 1e-2 }:finish()
 end)
 
 case("plain Lua prints the same warnings and failures on stderr", function()
-  local _
-  local status, printed, complaint
   -- Plain Lua: the same warnings and failures on stderr, nothing else there, and nothing of it where it is to be quiet.
   local function plain(text, before)
     support.write(folder .. "/scene.lua", text)
@@ -347,35 +320,27 @@ case("plain Lua prints the same warnings and failures on stderr", function()
   local doubted = soft:gsub("1e9", "0.9e9")
   for text, wanted in pairs { [soft] = "", [doubted] = "warning: E is 9e+08 Pa (the material of member 1) "
     .. "(scene.lua:6); in kN/m^2? in Pa that would be 9e+11\n" } do
-    status, printed, complaint = plain(text .. "print 'done'\n")
-    expect(status == 0 and printed == "done\n" and complaint == wanted, "plain Lua: %s %s %s", status, printed,
-      complaint)
-    _, _, complaint = plain(text, "HINGE_QUIET=1")
-    equal(complaint, "", "plain Lua, quiet")
+    local printed, complaint = ended(0, "", plain(text .. "print 'done'\n"))
+    expect(printed == "done\n" and complaint == wanted, "plain Lua: %s %s", printed, complaint)
+    equal(select(3, plain(text, "HINGE_QUIET=1")), "", "plain Lua, quiet")
   end
   local fails = beam:gsub("%-1000", "-1e9") .. "local run = model:static { steps = 2 }:finish()\n"
   for after, told in pairs { [""] = true, ["print(run.factor)"] = true, ["print(run.verdict)"] = false,
     ["if run.reason then end"] = false } do
-    status, _, complaint = plain(fails .. after)
-    expect(status == 0 and (complaint:find "hinge: static run 1, made at scene.lua:8, failed: " ~= nil) == told,
+    local _, complaint = ended(0, "", plain(fails .. after))
+    expect((complaint:find "hinge: static run 1, made at scene.lua:8, failed: " ~= nil) == told,
       "plain Lua, a failed run, %s: %s", after, complaint)
   end
-  _, _, complaint = plain(fails, "HINGE_QUIET=1")
-  equal(complaint, "", "plain Lua, a failed run, quiet")
+  equal(select(3, plain(fails, "HINGE_QUIET=1")), "", "plain Lua, a failed run, quiet")
 end)
 
 case("hinge render draws the frames of a scenario", function()
-  local status = hinge_on("run", beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
-    .. "function(_, job) for _ in run:steps() do job:frame(run) end end }")
-  equal(status, 0, "frames")
-  local _, printed = run(("cd %s && %s render out/scene"):format(quote(folder), hinge))
-  expect(printed == "3 pictures in out/scene\n", "render: %s", printed)
+  ended(0, "", hinge_run(beam .. "local run = model:static { steps = 3 }\nreturn hinge.scenario { run = "
+    .. "function(_, job) for _ in run:steps() do job:frame(run) end end }"))
+  equal(ended(0, "", hinge "render out/scene"), "3 pictures in out/scene\n", "render")
 end)
 
--- Pictures, plots, frames and notes of a script that gets no job, in the program and in plain Lua ---------------------
-
 case("pictures, plots, frames and notes go without a job, in the program and in plain Lua", function()
-  local _
   local drawing = beam .. [[
 local run = model:static { steps = 2 }
 for _ in run:steps() do hinge.frame(run) end
@@ -384,44 +349,38 @@ hinge.strip({ { run }, { run:snapshot() } }, 2, "strip.png")
 hinge.plot({ series = { { x = { 0, 1 }, y = { 0, 1 } } } }, "curve.png")
 hinge.note "looked at"
 ]]
-  local drawn = { "beam.png", "strip.png", "curve.png", "frames.pvd", "frames/frame_00002.vtp" }
-  local status, printed, complaint = hinge_run(drawing)
-  equal(status, 0, "without a job: " .. complaint)
-  for _, name in ipairs(drawn) do
-    expect(support.is_there(folder .. "/out/scene/" .. name), "without a job, in the program: no %s", name)
+  local printed = ended(0, "note: looked at\n", hinge_run(drawing))
+  equal((summary().notes or {})[1], "looked at", "without a job: the note in " .. printed)
+  ended(0, "", run(("mkdir %s/plain && cd %s/plain && LUA_CPATH=%s/?.so lua5.4 ../scene.lua"):format(folder, folder,
+    quote(arg[1]))))
+  for _, name in ipairs { "beam.png", "strip.png", "curve.png", "frames.pvd", "frames/frame_00002.vtp" } do
+    for _, where in ipairs { "/out/scene/", "/plain/" } do
+      expect(support.is_there(folder .. where .. name), "no %s in %s", name, where)
+    end
   end
-  expect((summary().notes or {})[1] == "looked at" and printed:find "note: looked at\n", "without a job: the note")
-  status, _, complaint = run(("mkdir %s/plain && cd %s/plain && LUA_CPATH=%s/?.so lua5.4 ../scene.lua"):format(folder,
-    folder, quote(arg[1])))
-  equal(status, 0, "without a job, plain Lua: " .. complaint)
-  for _, name in ipairs(drawn) do
-    expect(support.is_there(folder .. "/plain/" .. name), "without a job, plain Lua: no %s", name)
-  end
-  status, _, complaint = hinge_run(beam .. "hinge.picture(5, {}, 'a.png')")
-  expect(status == 2 and complaint:find("hinge.picture: the run is 5; give what model:static or model:dynamic returned",
-    1, true), "no run: %s", complaint)
-  expect(hinge_on("plan", drawing) == 0 and hinge_on("check", drawing) == 0, "plan and check of it")
+  ended(2, "hinge.picture: the run is 5; give what model:static or model:dynamic returned",
+    hinge_run(beam .. "hinge.picture(5, {}, 'a.png')"))
+  for _, verb in ipairs { "plan", "check" } do ended(0, "", hinge_on(verb, drawing)) end
 end)
 
 case("a scenario under plain Lua says how to run it", function()
-  local printed
-  support.write(folder .. "/returned.lua", "return require 'hinge'.scenario { run = function() end }\n")
-  local status, _, complaint = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 returned.lua"):format(folder, quote(arg[1])))
-  expect(status == 1 and complaint:find("hinge run returned.lua [key=value ...]", 1, true),
-    "a scenario, plain Lua: %s %s", status, complaint)
-  support.write(folder .. "/used.lua",
-    "local s = dofile 'returned.lua'\nprint(require 'hinge.program.scenario'.is(s))\n")
-  status, printed = run(("cd %s && LUA_CPATH=%s/?.so lua5.4 used.lua"):format(folder, quote(arg[1])))
-  expect(status == 0 and printed == "true\n", "a scenario that another script loads: %s %s", status, printed)
+  local function plain(name, text)
+    support.write(folder .. "/" .. name, text)
+    return run(("cd %s && LUA_CPATH=%s/?.so lua5.4 %s"):format(folder, quote(arg[1]), name))
+  end
+  ended(1, "hinge run returned.lua [key=value ...]",
+    plain("returned.lua", "return require 'hinge'.scenario { run = function() end }\n"))
+  ended(0, "true\n",
+    plain("used.lua", "local s = dofile 'returned.lua'\nprint(require 'hinge.program.scenario'.is(s))\n"))
 end)
 
 case("a run that takes no step is warned of", function()
-  local status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1 }")
-  expect(status == 0 and complaint:find("warning: 1 run made, and none has taken a step; call run:finish()", 1, true),
-    "a run without a step: %s %s", status, complaint)
-  status, _, complaint = hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1e-3 } run:finish()")
-  expect(status == 0 and not complaint:find("taken a step", 1, true), "a run that was stepped: %s %s", status,
-    complaint)
+  for stepped, warning in pairs { [""] = "warning: 1 run made, and none has taken a step; call run:finish()",
+    ["run:finish()"] = "" } do
+    local _, complaint = ended(0, "", hinge_run(beam .. "local run = model:dynamic { dt = 1e-4, duration = 1e-3 } "
+      .. stepped))
+    expect(complaint:find(warning, 1, true) and (warning ~= "" or complaint == ""), "%s: %s", stepped, complaint)
+  end
 end)
 
 checks.done()

@@ -7,7 +7,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local gif = require "render.gif"
 local checks = support.checks "render"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, expect, equal, near = support.quote, checks.expect, checks.equal, checks.near
 local hinge_on, folder = support.scenes(arg[1])
 local hinge = quote(arg[1] .. "/hinge")
@@ -22,9 +22,8 @@ local function seen(...)
   for i, one in ipairs(list) do parts[i] = ("%d*%d"):format(one.frame, one.pictures) end
   return table.concat(parts, " "), length, span
 end
-local status, printed, complaint
-local order, length, span = seen({ 0.1, 0.2, 0.3, 0.4 }, 25)
 case("a frame of a film is seen as long as it is the nearest in time", function()
+  local order, length, span = seen({ 0.1, 0.2, 0.3, 0.4 }, 25)
   equal(order, "1*1 2*1 3*1 4*1", "even frames")
   near(length, 0.16, 1e-12, "length of four pictures at 25 a second")
   near(span, 0.4, 1e-12, "how long what it shows took")
@@ -63,20 +62,22 @@ end
 ]=]
 assert(hinge_on("run -q", scene, "--out one") == 0, "the scene")
 
-local function render(arguments, before)
-  return support.run(("cd %s && %s %s render %s"):format(quote(folder), before or "", hinge, arguments))
+-- Runs a command in that folder, hinge render there, and gives what that prints and complains of; it ends with `status`
+-- and these words.
+local function there(command) return support.run(("cd %s && %s"):format(quote(folder), command)) end
+local function render(status, words, arguments, before)
+  return ended(status, words, there(("%s %s render %s"):format(before or "", hinge, arguments)))
 end
 local function read(path) return support.read(folder .. "/" .. path) end
 local function left_over()
-  return support.output(("cd %s && find . -name '.hinge-render*' -o -name '*.part'"):format(quote(folder)))
+  return select(2, there "find . -name '.hinge-render*' -o -name '*.part'")
 end
 
 -- A GIF ------------------------------------------------------------------------------------------------------------
 
 local small = " --size 160x120 "
-status, printed, complaint = render("one --gif -j 1" .. small)
 case("hinge render --gif writes a film and says how fast it is", function()
-  equal(status, 0, "a GIF: " .. complaint)
+  local printed, complaint = render(0, "", "one --gif -j 1" .. small)
   equal(complaint, "", "on stderr, which is no terminal")
   expect(printed:find "^one/film%.gif: 0%.24 s for 0%.6 s: 2%.5 times faster; 6 pictures of 160 x 120, %d+ kB\n$",
     "it says %s", printed)
@@ -136,10 +137,9 @@ case("a film shows the column where it stands and the bar as it falls", function
 end)
 
 case("one process and two draw the same bytes, as a film and as single pictures", function()
-  equal(render("one --gif -j 2 --out two.gif" .. small), 0, "by two processes")
+  render(0, "", "one --gif -j 2 --out two.gif" .. small)
   checks.same_files(folder .. "/one/film.gif", folder .. "/two.gif", "by two processes")
-  equal(render("one --gif --fps 50 --seconds 0.5 --out slow.gif --groups column --title Column --from 0,-1,0" .. small),
-    0, "options of a film")
+  render(0, "", "one --gif --fps 50 --seconds 0.5 --out slow.gif --groups column --title Column --from 0,-1,0" .. small)
   local slow = gif_of "slow.gif"
   equal(#slow.frames, 6, "pictures of a film of half a second")
   local hundredths = 0
@@ -148,10 +148,9 @@ case("one process and two draw the same bytes, as a film and as single pictures"
   for i, frame in ipairs(slow.frames) do -- nothing moves but the time in the corner
     expect(i == 1 or frame.top + frame.height < 20, "--groups: something moves in row %d", frame.top + frame.height)
   end
-  status, printed = render("one -j 1" .. small)
-  expect(status == 0 and printed == "6 pictures in one\n", "pictures alone: %s %s", status, printed)
-  support.run(("cd %s/one && mkdir alone && mv frames/*.png alone"):format(quote(folder)))
-  equal(render("one -j 2" .. small), 0, "pictures alone, by two processes")
+  equal(render(0, "", "one -j 1" .. small), "6 pictures in one\n", "pictures alone")
+  there "cd one && mkdir alone && mv frames/*.png alone"
+  render(0, "", "one -j 2" .. small)
   for i = 1, 6 do
     local name = ("/frame_%05d.png"):format(i)
     checks.same_files(folder .. "/one/alone" .. name, folder .. "/one/frames" .. name, "by two processes")
@@ -163,9 +162,7 @@ end)
 
 -- What lay in a plane at the start: the column alone, or the bar alone although it falls; seen across the plane.
 local function drawn(options)
-  local problem
-  status, printed, problem = render("one -j 1 --title x " .. options .. small)
-  equal(status .. printed, "06 pictures in one\n", options .. problem)
+  equal(render(0, "", "one -j 1 --title x " .. options .. small), "6 pictures in one\n", options)
   return read "one/frames/frame_00005.png"
 end
 case("--plane draws what lay in the plane at the start", function()
@@ -210,9 +207,7 @@ case("a picture has one scale for all frames and shows what its options say", fu
       ["--ghost --scale 30"] = { ghost = true, scale = 30 }, ["--show Mx"] = { show = "Mx" },
       ["--show N"] = { show = "N" }, ["--show none"] = { show = "none" },
       ["--loads --labels"] = { loads = true, labels = true }, ["--from 0,-1,0"] = { from = { 0, -1, 0 } } } do
-    status, printed, complaint = render("loaded -j 1 --title x " .. option .. small)
-    equal(status, 0, option .. complaint)
-    equal(printed, "4 pictures in loaded\n", option)
+    equal(render(0, "", "loaded -j 1 --title x " .. option .. small), "4 pictures in loaded\n", option)
     view.title = "x"
     view_of_all(view)
     for i = 1, 4, 3 do
@@ -227,72 +222,59 @@ end)
 case("pictures in which the structure is small say so, and what draws it larger", function()
   local far = scene:gsub("duration = 0%.6", "duration = 2"):gsub("%% 10 ==", "%% 100 ==")
   equal(hinge_on("run -q", far, "--out far"), 0, "the scene")
-  status, printed, complaint = render("far -j 1" .. small)
-  equal(status, 0, complaint)
+  local _, complaint = render(0, "", "far -j 1" .. small)
   -- the bar falls by 19.6 m beside a column of 3 m
   local x, z = complaint:match "^hinge: all pictures show ([%d.]+) x [%d.e-]+ x ([%d.]+) m, so that nothing leaves them"
   near(tonumber(x) or 0 / 0, 3, 0.2, "the width that all pictures show, m: " .. complaint)
   near(tonumber(z) or 0 / 0, 20, 3, "and the height")
   expect(complaint:find("--groups NAMES", 1, true), "what to do: %s", complaint)
-  status, printed, complaint = render("far -j 1 --groups column" .. small)
-  equal(complaint, "", "the column alone")
+  equal(select(2, render(0, "", "far -j 1 --groups column" .. small)), "", "the column alone")
 end)
 
 -- Other formats, where there is ffmpeg.
-local function there(program) return support.run("command -v " .. program) == 0 end
-local encoders = there "ffmpeg" and support.output "ffmpeg -hide_banner -encoders 2>/dev/null" or ""
+local function installed(program) return support.run("command -v " .. program) == 0 end
+local encoders = installed "ffmpeg" and support.output "ffmpeg -hide_banner -encoders 2>/dev/null" or ""
 local function stream(path)
-  return support.output(("cd %s && ffprobe -v error -count_frames -select_streams v -show_entries "
-    .. "stream=codec_name,width,height,pix_fmt,nb_read_frames,r_frame_rate -of csv=p=0 %s 2>&1"):format(quote(folder),
-    path))
+  return select(2, there("ffprobe -v error -count_frames -select_streams v -show_entries "
+    .. "stream=codec_name,width,height,pix_fmt,nb_read_frames,r_frame_rate -of csv=p=0 " .. path .. " 2>&1"))
 end
-if encoders:find " libx264 " and there "ffprobe" then
+if encoders:find " libx264 " and installed "ffprobe" then
   case("an MP4 of H.264 is written by ffmpeg", function()
-    equal(render("one --film" .. small), 0, "--film")
+    render(0, "", "one --film" .. small)
     equal(stream "one/film.mp4", "h264,160,120,yuv420p,25/1,6\n", "an MP4")
     local bytes = read "one/film.mp4" or ""
     expect((bytes:find("moov", 1, true) or math.huge) < (bytes:find("mdat", 1, true) or 0),
       "an MP4 that begins before all of it is there")
-    equal(render("one --mp4 -j 2 --seconds 2 --out 'a film.mp4'" .. small), 0, "--mp4")
+    render(0, "", "one --mp4 -j 2 --seconds 2 --out 'a film.mp4'" .. small)
     equal(stream "'a film.mp4'", "h264,160,120,yuv420p,25/1,50\n", "an MP4 of two seconds")
   end)
 else
   print "render: MP4 is not tested: no ffmpeg with libx264, or no ffprobe"
 end
-if encoders:find " libvpx%-vp9 " and there "ffprobe" then
+if encoders:find " libvpx%-vp9 " and installed "ffprobe" then
   case("a WebM of VP9 is written by ffmpeg", function()
-    equal(render("one --out one/film.webm" .. small), 0, "a WebM by its name")
+    render(0, "", "one --out one/film.webm" .. small)
     equal(stream "one/film.webm", "vp9,160,120,yuv420p,25/1,6\n", "a WebM")
   end)
 else
   print "render: WebM is not tested: no ffmpeg with libvpx-vp9, or no ffprobe"
 end
 
--- Without ffmpeg.
-support.run(("mkdir %s/bin && cd %s/bin && for t in sh Xvfb; do ln -s $(command -v $t) $t; done"):format(quote(folder),
-  quote(folder)))
-local without = ("PATH=%s/bin"):format(quote(folder))
-local function says(text, what) expect(complaint:find(text, 1, true), "%s: %s", what, complaint) end
-local function in_time(words)
-  status, printed, complaint = support.run(("cd %s && timeout 20 %s %s"):format(quote(folder), hinge, words))
-end
 case("without ffmpeg --mp4 is refused and --film writes a GIF", function()
-  status, printed, complaint = render("one --mp4" .. small, without)
-  equal(status, 2, "--mp4 without ffmpeg")
+  there "mkdir bin && cd bin && for t in sh Xvfb; do ln -s $(command -v $t) $t; done"
+  local without = ("PATH=%s/bin"):format(quote(folder))
+  local printed = render(2, { "hinge: --mp4: the program ffmpeg is not installed (apt-get install ffmpeg)", "--gif" },
+    "one --mp4" .. small, without)
   equal(printed, "", "it prints nothing")
-  says("hinge: --mp4: the program ffmpeg is not installed (apt-get install ffmpeg); a GIF needs no other program: "
-    .. "--gif",
-    "--mp4 without ffmpeg")
   os.remove(folder .. "/one/film.gif")
-  status, printed, complaint = render("one --film" .. small, without)
-  equal(status, 0, "--film without ffmpeg")
-  says("hinge: a GIF, for an MP4 cannot be written: the program ffmpeg is not installed", "--film without ffmpeg")
-  expect(printed:find "^one/film%.gif: ", "--film without ffmpeg: %s", printed)
+  local said, complaint = render(0, "one/film.gif: ", "one --film" .. small, without)
+  expect(said:find "^one/film%.gif: " and complaint:find("hinge: a GIF, for an MP4 cannot be written: the program "
+    .. "ffmpeg is not installed", 1, true), "--film without ffmpeg: %s%s", said, complaint)
   equal(#gif_of "one/film.gif".frames, 6, "its pictures")
 end)
 
 case("wrong options of hinge render are named and nothing is drawn", function()
-  local there_before = support.output(("cd %s && find . | sort"):format(quote(folder)))
+  local _, there_before = there "find . | sort"
   for arguments, text in pairs {
     ["--gif --mp4"] = "--mp4: one film at a time; --gif is asked for, too",
     ["--view frnt"] = "--view frnt: must be one of front, back, left, right, top, iso, perspective "
@@ -321,82 +303,64 @@ case("wrong options of hinge render are named and nothing is drawn", function()
     ["--plane y=inf"] = "--plane y=inf: must be x, y or z with",
     ["--groups ,"] = "--groups ,: must be names of groups",
   } do
-    status, printed, complaint = render("one " .. arguments)
-    equal(status, 2, arguments)
-    says("hinge: " .. text, arguments)
-    equal(printed, "", arguments .. " prints")
+    equal(render(2, "hinge: " .. text, "one " .. arguments), "", arguments .. " prints")
   end
-  status, printed, complaint = render("one --colour red")
-  equal(printed, "", "an unknown option prints")
-  expect(status == 2 and complaint:find "%-%-colour", "an unknown option: %s %s", status, complaint)
-  equal(support.output(("cd %s && find . | sort"):format(quote(folder))), there_before, "files after wrong options")
+  equal(render(2, "--colour", "one --colour red"), "", "an unknown option prints")
+  equal(select(2, there "find . | sort"), there_before, "files after wrong options")
 end)
 
 case("frames that cannot be read are named and the others drawn", function()
-  support.run(("cd %s && cp -r one broken && cd broken/frames && rm *.png frame_00002.vtp && "
-    .. "head -c 900 frame_00005.vtp >x && mv x frame_00005.vtp"):format(quote(folder)))
-  status, printed, complaint = render("broken" .. small)
-  equal(status, 1, "broken frames")
-  equal(printed, "4 pictures in broken\n", "broken frames: printed")
-  says("hinge: not drawn: cannot read broken/frames/frame_00002.vtp: No such file or directory", "a frame that is gone")
-  says("hinge: not drawn: cannot read broken/frames/frame_00005.vtp: it is damaged", "a frame that is damaged")
+  there("cp -r one broken && cd broken/frames && rm *.png frame_00002.vtp && "
+    .. "head -c 900 frame_00005.vtp >x && mv x frame_00005.vtp")
+  equal(render(1, { "hinge: not drawn: cannot read broken/frames/frame_00002.vtp: No such file or directory",
+    "hinge: not drawn: cannot read broken/frames/frame_00005.vtp: it is damaged" }, "broken" .. small),
+    "4 pictures in broken\n", "broken frames: printed")
   for i = 1, 6 do
     equal(read(("broken/frames/frame_%05d.png"):format(i)) ~= nil, i ~= 2 and i ~= 5,
       ("a picture of frame %d"):format(i))
   end
-  status, printed, complaint = render("broken --gif" .. small)
-  equal(status, 1, "a film of broken frames")
+  local printed = render(1, "frame_00005.vtp", "broken --gif" .. small)
   expect(printed:find "^broken/film%.gif: 0%.24 s .* 4 pictures", "a film of broken frames: %s", printed)
-  says("frame_00005.vtp", "a film of broken frames")
   local held = {}
   for i, frame in ipairs(gif_of "broken/film.gif".frames) do held[i] = frame.delay end
   equal(table.concat(held, " "), "8 4 8 4", "the frame before a broken one stays")
-  support.run(("cd %s/broken/frames && rm *.vtp"):format(quote(folder)))
-  os.remove(folder .. "/broken/film.gif")
-  status, printed, complaint = render("broken --gif" .. small)
-  expect(status == 1 and printed == "" and read "broken/film.gif" == nil, "without any frame: %s %s", status, printed)
-  says("hinge: no film: none of 6 frames could be drawn", "without any frame")
-  says("frame_00001.vtp: No such file", "without any frame")
-  says("hinge: not drawn for the same reason: frame_00002.vtp, frame_00003.vtp, ", "without any frame")
+  there "rm broken/frames/*.vtp broken/film.gif"
+  printed = render(1, { "hinge: no film: none of 6 frames could be drawn", "frame_00001.vtp: No such file",
+    "hinge: not drawn for the same reason: frame_00002.vtp, frame_00003.vtp, " }, "broken --gif" .. small)
+  expect(printed == "" and read "broken/film.gif" == nil, "without any frame: %s", printed)
 end)
 
+local function in_time(words) return there(("timeout 20 %s %s"):format(hinge, words)) end
 case("a pipe in the place of a frame is named and not waited for", function()
-  support.run(("cd %s && cp -r one strange && cd strange/frames && rm *.png frame_00002.vtp && mkfifo frame_00002.vtp")
-    :format(quote(folder)))
-  in_time("render strange" .. small)
-  expect(status == 1 and printed == "5 pictures in strange\n", "with a pipe: %s %s", status, printed)
-  says("hinge: not drawn: cannot read strange/frames/frame_00002.vtp: it is a pipe", "a pipe")
-  support.run(("cd %s/strange && rm history.csv && mkfifo history.csv"):format(quote(folder)))
-  in_time "report strange"
-  expect(status == 1 and printed:find "^strange/report.html: 1 run, 5 frames", "a report with pipes: %s %s", status,
-    printed)
+  there "cp -r one strange && cd strange/frames && rm *.png frame_00002.vtp && mkfifo frame_00002.vtp"
+  equal(ended(1, "hinge: not drawn: cannot read strange/frames/frame_00002.vtp: it is a pipe",
+    in_time("render strange" .. small)), "5 pictures in strange\n", "with a pipe")
+  there "cd strange && rm history.csv && mkfifo history.csv"
+  local printed = ended(1, "", in_time "report strange")
+  expect(printed:find "^strange/report.html: 1 run, 5 frames", "a report with pipes: %s", printed)
 end)
 
 case("frames outside the folder are refused", function()
-  -- Frames outside the folder are refused: a picture would be written beside them. So is a link that leads out of it.
-  support.run(("cd %s && cp -r one elsewhere && rm elsewhere/frames/*.png"):format(quote(folder)))
-  local elsewhere = support.output(("ls %s/elsewhere/frames"):format(quote(folder)))
+  -- a picture would be written beside them; so is a link that leads out of it
+  there "cp -r one elsewhere && rm elsewhere/frames/*.png"
+  local _, elsewhere = there "ls elsewhere/frames"
   local whole = support.output("readlink -f " .. quote(folder)):gsub("%s+$", "")
   for _, frame in ipairs { "../elsewhere/frames/frame_00001.vtp", whole .. "/elsewhere/frames/frame_00001.vtp",
     "frames/../../elsewhere/frames/frame_00001.vtp", ".." } do
     support.write(folder .. "/strange/frames.pvd", ('<DataSet timestep="1" group="" part="0" '
       .. 'file="%s"/>'):format(frame))
-    for _, verb in ipairs { "render", "report" } do
-      in_time(("%s strange%s"):format(verb, verb == "render" and small or ""))
-      expect(status == 2 and complaint:find(("strange/frames.pvd lists the frame '%s', which is not inside strange")
-        :format(frame), 1, true), "%s of a frame %s: %s %s", verb, frame, status, complaint)
+    for _, words in ipairs { "render strange" .. small, "report strange" } do
+      ended(2, ("strange/frames.pvd lists the frame '%s', which is not inside strange"):format(frame), in_time(words))
     end
   end
-  support.run(("cd %s/strange && rm -r frames && ln -s ../elsewhere/frames frames"):format(quote(folder)))
+  there "cd strange && rm -r frames && ln -s ../elsewhere/frames frames"
   support.write(folder .. "/strange/frames.pvd", read "one/frames.pvd")
-  in_time("render strange" .. small)
-  expect(status == 2 and complaint:find("a link leads to " .. whole .. "/elsewhere/frames, outside strange", 1, true),
-    "a link: %s %s", status, complaint)
-  equal(support.output(("ls %s/elsewhere/frames"):format(quote(folder))), elsewhere, "files outside the folder")
+  ended(2, "a link leads to " .. whole .. "/elsewhere/frames, outside strange", in_time("render strange" .. small))
+  equal(select(2, there "ls elsewhere/frames"), elsewhere, "files outside the folder")
 end)
 
 -- Ctrl-C leaves no film, no folder and no Xvfb.
-support.run(("cp -r %s/one %s/long && rm %s/long/film.*"):format(quote(folder), quote(folder), quote(folder)))
+there "cp -r one long && rm long/film.*"
 local lines = {}
 for i = 1, 2000 do
   lines[i] = ('    <DataSet timestep="%d" group="" part="0" file="frames/frame_%05d.vtp"/>'):format(i, i % 6 + 1)
@@ -409,15 +373,12 @@ case("Ctrl-C leaves no film, no folder and no Xvfb", function()
   os.remove(folder .. "/bin/Xvfb")
   support.write(folder .. "/bin/Xvfb", ("#!/bin/sh\necho $$ >>%s/servers\nexec %s \"$@\"\n"):format(quote(folder),
     support.output "command -v Xvfb":gsub("%s+$", "")))
-  support.run(("chmod +x %s/bin/Xvfb"):format(quote(folder)))
+  there "chmod +x bin/Xvfb"
   for signal, wanted in pairs { INT = 130, TERM = 143 } do
     os.remove(folder .. "/servers")
-    status, printed, complaint = support.run(("cd %s && { env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long --gif%s "
-      .. "& } && p=$! && %s; kill -%s $p; wait $p"):format(
-      quote(folder), quote(folder), hinge, small, third_frame, signal))
-    equal(status, wanted, "status after SIG" .. signal)
-    equal(complaint, "hinge: interrupted; there is no film\n", "after SIG" .. signal)
-    equal(printed, "", "printed after SIG" .. signal)
+    local printed, complaint = ended(wanted, "", there(("{ env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long --gif%s & } "
+      .. "&& p=$! && %s; kill -%s $p; wait $p"):format(quote(folder), hinge, small, third_frame, signal)))
+    equal(printed .. complaint, "hinge: interrupted; there is no film\n", "after SIG" .. signal)
     equal(left_over(), "", "left over after SIG" .. signal)
     expect(not read "long/film.gif", "a film is left after SIG%s", signal)
     local servers = 0
@@ -436,9 +397,8 @@ case("a process that is killed loses its frame alone", function()
   -- A process that is killed loses the frame that it was at; another one takes its place. pgrep does not end with the
   -- sanitizer in it.
   support.write(folder .. "/long/frames.pvd", table.concat(lines, "\n", 1, 100))
-  status, printed, complaint = support.run(("cd %s && { %s render long --gif -j 1%s & } && p=$! && "
-    .. "%s; kill -KILL $(LD_PRELOAD= pgrep -P $p -x hinge); wait $p"):format(quote(folder), hinge, small, third_frame))
-  equal(status, 1, "status after a process was killed")
+  local printed, complaint = ended(1, "", there(("{ %s render long --gif -j 1%s & } && p=$! && "
+    .. "%s; kill -KILL $(LD_PRELOAD= pgrep -P $p -x hinge); wait $p"):format(hinge, small, third_frame)))
   expect(printed:find "^long/film%.gif: .* 99 pictures", "after a process was killed: %s", printed)
   local _, named = complaint:gsub("hinge: not drawn: [^\n]*: the process that worked on it ended by signal 9\n", "")
   equal(named, 1, "the frame that is named: " .. complaint)
@@ -451,9 +411,8 @@ case("a full disk ends a film with a message", function()
   support.run("mkdir " .. quote(tiny))
   local mounted = ("unshare -rm sh -c 'mount -t tmpfs -o size=16k tmpfs %s && cd %s && %%s'"):format(tiny, folder)
   if support.run(mounted:format "true") == 0 then
-    status, printed, complaint = support.run(mounted:format(("%s render one --gif --out tiny/film.gif%s; s=$?; "
-      .. "ls -A tiny; exit $s"):format(arg[1] .. "/hinge", small)))
-    equal(status, 1, "a full disk")
+    local printed, complaint = ended(1, "", support.run(mounted:format(("%s render one --gif --out tiny/film.gif%s; "
+      .. "s=$?; ls -A tiny; exit $s"):format(arg[1] .. "/hinge", small))))
     equal(printed, "", "on a full disk there is")
     expect(complaint:find "^hinge: cannot write tiny/film%.gif: No space left on device; [^\n]*\n$", "a full disk: %s",
       complaint)
