@@ -157,7 +157,7 @@ case("every way out of the sandbox is closed", function()
       .. "assert(not next(h.scenario { run = function() end }.cases))", 0, "" },
     -- names of files are texts without line breaks, whatever stands for them
     { in_job("job.out = setmetatable({}, { __concat = function(a) return setmetatable({ match = function() return "
-      .. "'png' end }, getmetatable(a)) end }) job:plot(" .. series .. ", 'x.png')"), 2, "the picture's name is no text" },
+      .. "'png' end }, getmetatable(a)) end }) job:plot(" .. series .. ", 'x.png')"), 2, "picture's name is no text" },
     { plot_to "job.out .. '/a\\nb'", 2, "goes on with the character number 10; it must not have line breaks" },
     { "local h = require 'hinge' h.cost(h.scenario { run = function() return { v = 1 } end }, { out = './x' })", 2,
       "s.lua:1: hinge.cost: field 'out' is not available to a script in the sandbox" },

@@ -260,8 +260,8 @@ else
   print "render: WebM is not tested: no ffmpeg with libvpx-vp9, or no ffprobe"
 end
 
+there "mkdir bin && cd bin && for t in sh Xvfb; do ln -s $(command -v $t) $t; done" -- all but ffmpeg
 case("without ffmpeg --mp4 is refused and --film writes a GIF", function()
-  there "mkdir bin && cd bin && for t in sh Xvfb; do ln -s $(command -v $t) $t; done"
   local without = ("PATH=%s/bin"):format(quote(folder))
   local printed = render(2, { "hinge: --mp4: the program ffmpeg is not installed (apt-get install ffmpeg)", "--gif" },
     "one --mp4" .. small, without)
@@ -376,8 +376,8 @@ case("Ctrl-C leaves no film, no folder and no Xvfb", function()
   there "chmod +x bin/Xvfb"
   for signal, wanted in pairs { INT = 130, TERM = 143 } do
     os.remove(folder .. "/servers")
-    local printed, complaint = ended(wanted, "", there(("{ env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long --gif%s & } "
-      .. "&& p=$! && %s; kill -%s $p; wait $p"):format(quote(folder), hinge, small, third_frame, signal)))
+    local printed, complaint = ended(wanted, "", there(("{ env -u DISPLAY PATH=%s/bin:\"$PATH\" %s render long --gif%s "
+      .. "& } && p=$! && %s; kill -%s $p; wait $p"):format(quote(folder), hinge, small, third_frame, signal)))
     equal(printed .. complaint, "hinge: interrupted; there is no film\n", "after SIG" .. signal)
     equal(left_over(), "", "left over after SIG" .. signal)
     expect(not read "long/film.gif", "a film is left after SIG%s", signal)
