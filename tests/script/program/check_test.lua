@@ -5,11 +5,10 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "check"
-local case = checks.case
-local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
+local case, ended = checks.case, checks.ended
+local quote, expect, equal = support.quote, checks.expect, checks.equal
 
-local hinge = quote(arg[1] .. "/hinge")
-local hinge_on, folder = support.scenes(arg[1])
+local hinge_on, folder, hinge = support.scenes(arg[1])
 local function check(...) return hinge_on("check", ...) end
 
 -- A scene with what is to be looked at in the places that $name marks.
@@ -56,19 +55,13 @@ end
 -- What is counted -----------------------------------------------------------------------------------------------------
 
 case("hinge check counts members, elements and degrees of freedom", function()
-  local status, printed, complaint = check(scene {})
-  equal(status, 0, "status " .. complaint)
-  expect(support.has(printed, "dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 degrees of freedom, 785 "
-    .. "kg\n"
-    .. "  3 members on 2 supported nodes, 785 kg: natural periods ")
-    and support.has(printed,
-      "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1-2\n  no warnings\n"),
-    "a plain frame:\n%s", printed)
+  ended(0, { "dynamic run, scene.lua:12: 3 members, 6 elements, 7 nodes, 30 degrees of freedom, 785 kg\n"
+    .. "  3 members on 2 supported nodes, 785 kg: natural periods ",
+    "\n  shortest wave time 0.0002928 s, through element 1 of member 1, nodes 1-2\n  no warnings\n" }, check(scene {}))
   expect(not support.is_there(folder .. "/out"), "a check writes nothing")
 end)
 
 case("hinge check prints the lowest periods and their error", function()
-  local _, complaint
   -- A cantilever that carries all its mass at its tip but for its own 2 %: T = 2 pi sqrt(m L^3 / 3 E I),
   -- with Rayleigh's 33/140 of its own.
   local cantilever = [[
@@ -88,23 +81,15 @@ model:static {}
   expect(status == 0 and period and math.abs(period / exact - 1) < 2e-3,
     "a weight on a cantilever: %s s, wanted %.6g s\n%s", period, exact, printed)
 
-  status, printed = check("local hinge = require 'hinge'\nhinge.model()\n")
-  expect(status == 0 and printed:find "nothing to check: the script makes no run", "no run: %s", printed)
-  status, _, complaint = check(scene { E = "-1" })
-  expect(status == 2 and complaint:find "scene.lua:2: hinge.material: field 'E' is %-1 Pa", "wrong input: %s %s",
-    status, complaint)
-  status, _, complaint = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nmodel:nod {}" })
-  expect(status == 2 and complaint:find "scene.lua:13: model has no field or method 'nod'",
-    "wrong input after a run: %s %s", status, complaint)
-  status, printed = check(scene { make = "dynamic { dt = 1e-5, duration = 1 }\nlocal t = nil\nreturn t.x" })
-  expect(status == 0 and printed:find "the rest of the script needs results", "a script that needs results: %s %s",
-    status, printed)
-  _, printed = check(scene { more = "model:static {}" })
-  expect(select(2, printed:gsub("natural periods", "")) == 1
-    and printed:find "the same model as that of the run made at scene.lua:11, with",
-    "one model, two runs: %s", printed)
-  status, printed = check("local p = ...\n" .. scene { E = "p.E" }, "E=206e6*1000")
-  expect(status == 0 and printed:find "no warnings", "settings: %s", printed)
+  ended(0, "nothing to check: the script makes no run", check("local hinge = require 'hinge'\nhinge.model()\n"))
+  ended(2, "scene.lua:2: hinge.material: field 'E' is -1 Pa", check(scene { E = "-1" }))
+  local makes = "dynamic { dt = 1e-5, duration = 1 }\n"
+  ended(2, "scene.lua:13: model has no field or method 'nod'", check(scene { make = makes .. "model:nod {}" }))
+  ended(0, "the rest of the script needs results", check(scene { make = makes .. "local t = nil\nreturn t.x" }))
+  printed = ended(0, "the same model as that of the run made at scene.lua:11, with",
+    check(scene { more = "model:static {}" }))
+  equal(select(2, printed:gsub("natural periods", "")), 1, "one model, two runs")
+  ended(0, "no warnings", check("local p = ...\n" .. scene { E = "p.E" }, "E=206e6*1000"))
 end)
 
 -- What looks like a slip ----------------------------------------------------------------------------------------------
@@ -112,9 +97,9 @@ end)
 -- `changes` brings the one warning, which begins with `says` and names the line that holds `part`; `fine` brings none.
 local function suspicious(what, changes, says, part, fine)
   local text = scene(changes)
-  local ended, said = check(text)
+  local said = ended(0, "", check(text))
   local list = warnings(said)
-  expect(ended == 0 and #list == 1, "%s: status %s, %d warnings:\n%s", what, ended, #list, said)
+  expect(#list == 1, "%s: %d warnings:\n%s", what, #list, said)
   local line = part and "scene.lua:" .. line_of(text, part) or ""
   expect(support.says(list[1] or "", says .. "...") and list[1]:find(line, 1, true),
     "%s:\n    says   %s\n    wanted %s ... %s", what, list[1], says, line)
@@ -400,10 +385,9 @@ end)
 
 case("hinge check prints what pulls, by source, and the damping of the first modes", function()
   -- What pulls, by source; and Rayleigh damping at the first modes: alpha / (2 w) + beta w / 2.
-  local _, printed = check(scene { more = floor:format "-2e3" })
-  expect(support.has(printed, "\n  along gravity: members 7698 N, point masses 1.177e+04 N (1200 kg), loads on members "
-    .. "8000 N, together 2.747e+04 N\n"), "what pulls: %s", printed)
-  _, printed = check(scene { more = "model:damping { alpha = 0.5, beta = 2e-3 }" })
+  ended(0, "\n  along gravity: members 7698 N, point masses 1.177e+04 N (1200 kg), loads on members 8000 N, together "
+    .. "2.747e+04 N\n", check(scene { more = floor:format "-2e3" }))
+  local printed = ended(0, "", check(scene { more = "model:damping { alpha = 0.5, beta = 2e-3 }" }))
   local periods, ratios = printed:match "natural periods ([%d., e-]+) s; damping ratios ([%d., e-]+) %%\n"
   local ratio_of, told = (ratios or ""):gmatch "[^, ]+", 0
   for T in (periods or ""):gmatch "[^, ]+" do
@@ -416,32 +400,26 @@ case("hinge check prints what pulls, by source, and the damping of the first mod
 end)
 
 case("a projectile is no mechanism in dynamics and refused in statics", function()
-  local _, complaint
-  local status, printed = check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" })
-  expect(status == 0 and support.has(printed, "\n  free body of 1 member, 78.5 kg: natural periods ")
-    and #warnings(printed) == 0, "a free body:\n%s", printed)
-  status, _, complaint = check(scene { feet = '"xyz"', make = "static {}" })
-  expect(status == 2 and complaint:find("scene.lua:12: model:static: a mechanism: what is supported at node 1 at {0, "
-    .. "0, 0} m and 1 more node can rotate about x through that node without resistance; fix what it may not do with "
-    .. "model:fix", 1, true), "a mechanism in statics: %s %s", status, complaint)
+  local printed = ended(0, "\n  free body of 1 member, 78.5 kg: natural periods ",
+    check(scene { more = "member(joint(-2, 0, 2), joint(-1, 0, 2))" }))
+  equal(#warnings(printed), 0, "warnings")
+  ended(2, { "scene.lua:12: model:static: a mechanism: what is supported at node 1 at {0, 0, 0} m and 1 more node can "
+    .. "rotate about x through that node without resistance", "model:fix" },
+    check(scene { feet = '"xyz"', make = "static {}" }))
 end)
 
 case("the project's own scenes have no warning but that eq 14 is unsafe for their columns", function()
   check(scene {})
-  local status, printed, complaint
-  -- The project's own scenes have none but that the paper's eq 14 is unsafe for the columns of its building.
   local root = support.output("readlink -f " .. quote(support.root)):gsub("%s+$", "")
   for _, name in ipairs { "01_first_cantilever", "02_portal_collapse", "ten_storey_impact", "paper/two_beam_impact",
     "paper/space_frame_dynamic", "paper/space_frame_static", "paper/fracture_figures", "paper/ten_storey_cases" } do
-    local script = quote(root .. "/scripts/" .. name .. ".lua")
-    status, printed, complaint = run("cd " .. quote(folder) .. " && " .. hinge .. " check " .. script)
+    local printed = ended(0, "", hinge("check " .. quote(root .. "/scripts/" .. name .. ".lua")))
     local others = 0
     for _, warning in ipairs(warnings(printed)) do
       local known = warning:find '^member %d+ %(columns%), .* eq 14, interaction = "paper", gives it'
       others = others + (name:find "ten_storey" and known and 0 or 1)
     end
-    expect(status == 0 and others == 0 and (printed:find "no warnings" or printed:find "eq 14"),
-      "scripts/%s.lua: status %s\n%s%s", name, status, printed, complaint)
+    expect(others == 0 and (printed:find "no warnings" or printed:find "eq 14"), "scripts/%s.lua: %s", name, printed)
   end
   equal(support.output("ls " .. quote(folder)), "scene.lua\n", "what checks leave behind")
 end)

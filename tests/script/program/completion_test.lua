@@ -94,18 +94,13 @@ case("completion knows the parameters and cases of a script", function()
     equal(run(program .. " completion names " .. quote(path)), 0, "names of " .. path)
   end
 
-  equal(run(program .. " completion names " .. folder .. "/nowhere.lua"), 2, "names of no script")
-  equal(run(program .. " completion csh"), 2, "another shell")
+  for _, words in ipairs { "names " .. folder .. "/nowhere.lua", "csh" } do
+    equal(run(program .. " completion " .. words), 2, words)
+  end
   for _, shell in ipairs { "bash", "fish", "zsh" } do
-    local status, printed = run(program .. " completion " .. shell)
-    equal(status, 0, "completion " .. shell)
-    support.write(folder .. "/script", printed)
-    expect(printed:find("hinge completion " .. shell, 1, true) and printed:find("instructions", 1, true),
-      "the script for %s", shell)
-    if run("command -v " .. shell) == 0 then
-      local wrong, _, complaint = run(("%s -n %s/script"):format(shell, folder))
-      equal(wrong, 0, "the script for " .. shell .. ": " .. complaint)
-    end
+    support.write(folder .. "/script", (checks.ended(0, { "hinge completion " .. shell, "instructions" },
+      run(program .. " completion " .. shell))))
+    if run("command -v " .. shell) == 0 then checks.ended(0, "", run(("%s -n %s/script"):format(shell, folder))) end
   end
 end)
 

@@ -7,7 +7,7 @@ local support = require "support"
 require "hinge"
 local reference, overview = require "hinge.program.reference", require "hinge.program.help".overview
 local checks = support.checks "help"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 local program = quote(arg[1] .. "/hinge")
 
@@ -21,9 +21,7 @@ local function headings(text)
 end
 
 case("hinge reference NAME prints the declaration, the guide page and near names", function()
-  local status, printed = asks "model:fix"
-  equal(status, 0, "reference model:fix")
-  equal(printed, [[
+  equal(ended(0, "", asks "model:fix"), [[
 #### `model:fix(node, what?)`
 
 Fixes degrees of freedom of one node or of a list of nodes, in addition to those that are already fixed.
@@ -49,15 +47,12 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     ["vec3"] = "vec3",
     ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
   } do
-    status, printed = asks(name)
-    equal(headings(printed), wanted, "headings of " .. name)
-    equal(status, 0, "status of " .. name)
+    equal(headings(ended(0, "", asks(name))), wanted, "headings of " .. name)
   end
-  expect(select(2, asks "hinge.node"):find("- `node:reaction(run?)`", 1, true), "a class lists its functions")
-  expect(select(2, asks "friction"):find("`hinge.contact_rule`\n\n%- `friction%?`: `number` — surface: Coulomb"),
-    "a field is told with its class: %s", select(2, asks "friction"))
-  expect(select(2, asks "verdict"):find("Fields with this name: `hinge.run.verdict`, "
-    .. "`hinge.study_case.verdict`, `hinge.robustness_row.verdict`", 1, true), "fields of a call's name")
+  ended(0, "- `node:reaction(run?)`", asks "hinge.node") -- a class lists its functions
+  ended(0, "`hinge.contact_rule`\n\n- `friction?`: `number` — surface: Coulomb", asks "friction") -- a field its class
+  ended(0, "Fields with this name: `hinge.run.verdict`, `hinge.study_case.verdict`, `hinge.robustness_row.verdict`",
+    asks "verdict")
   equal(select(2, asks "examples"), "Every example runs as it stands after these lines.\n\n```lua\n"
     .. reference.preamble .. "\n```\n", "what examples start from")
 
@@ -69,15 +64,11 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     ["-s nowhereatall"] = "hinge: the reference does not mention 'nowhereatall'\n",
     ["-s dampng"] = "hinge: the reference does not mention 'dampng' (did you mean 'damping'?)\n",
   } do
-    local status_of, said, complaint = asks(name)
-    equal(status_of, 2, "status of " .. name)
+    local said, complaint = ended(2, "", asks(name))
     equal(said .. complaint, message, name)
   end
-  equal(asks "node -s word", 2, "a name and a word")
-
-  status, printed = asks "--search Rayleigh"
-  equal(status, 0, "a search")
-  equal(printed, [[
+  ended(2, "", asks "node -s word")
+  equal(ended(0, "", asks "--search Rayleigh"), [[
 model:damping(options)
     Rayleigh damping in dynamics, C = alpha M + beta K of each element (Rayleigh 1877, section 81): by ...
 hinge.energy.damping
@@ -102,10 +93,8 @@ case("hinge reference finds a call by words that the reference does not use", fu
 end)
 
 case("hinge reference of several words finds their page", function()
-  local status_of, said, complaint = asks "membrane"
-  expect(status_of == 2 and said == "" and support.says(complaint,
-    "hinge: nothing is called 'membrane'; 'membrane' is not available; see hinge.pressure, ..."),
-    "the name of what there is not: %d %s%s", status_of, said, complaint)
+  equal(ended(2, "nothing is called 'membrane'; 'membrane' is not available; see hinge.pressure, ", asks "membrane"),
+    "", "the name of what there is not")
 end)
 
 case("what the reference has is not denied", function()
@@ -178,8 +167,8 @@ end)
 
 case("help at the prompt prints what is known of a name, and of values of the session", function()
   for _, typed in ipairs { "help", "help()" } do
-    local ended, said, complaint = types(typed)
-    expect(ended == 0 and said == overview and complaint == "", "%s: %s%s", typed, said, complaint)
+    local said, complaint = ended(0, "", types(typed))
+    expect(said == overview and complaint == "", "%s: %s%s", typed, said, complaint)
   end
   local beam = "m = hinge.model() a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 } "
   for typed, wanted in pairs {
@@ -195,8 +184,7 @@ case("help at the prompt prints what is known of a name, and of values of the se
     ['help(require "hinge.models.aircraft".add)'] = "aircraft.add(model, options?) aircraft.options",
     ['help "no such word at all"'] = "", ['help ""'] = "", ["help(3)"] = "", ["help(print)"] = "", ["help(nil)"] = "",
   } do
-    local ended, said, complaint = types(typed)
-    equal(ended, 0, typed)
+    local said, complaint = ended(0, "", types(typed))
     equal(headings(said), wanted, typed)
     equal(complaint == "", wanted ~= "", typed .. " says " .. complaint)
   end
@@ -214,7 +202,7 @@ case("the guide's page on the prompt shows what the prompt prints", function()
   expect(#keys == 4 and support.says(select(2, types(table.concat(keys))), table.concat(shown)),
     "the session in lua/guide/prompt.md: %s", select(2, types(table.concat(keys))))
   for command in guide:gmatch "\n| `hinge (reference[^`]*)` |" do
-    equal(run(program .. " " .. command), 0, "lua/guide/prompt.md: hinge " .. command)
+    ended(0, "", run(program .. " " .. command))
   end
   local one_liner = guide:match "`hinge (%-e '[^`]*')`"
   expect(select(2, run(program .. " " .. one_liner)):find "^[%d.e-]+\n$", "lua/guide/prompt.md: " .. one_liner)

@@ -94,10 +94,8 @@ case("what cannot be left is named, and the second signal ends it", function()
   end
 end)
 
--- A factorisation that takes seconds: it is named, and no other one begins.
-local n = 11
+-- It is named, and no other one begins.
 case("a factorisation of seconds is left", function()
-  local status, complaint
   local frame = ([[
 local hinge = require "hinge"
 local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850 }
@@ -115,9 +113,8 @@ for z = 0, n do for x = 0, n do for y = 0, n do
   end
 end end end
 model:gravity { 0, 0, -9.81 }
-]]):format(n)
-  local seconds
-  status, complaint, seconds = run(frame .. signals { { 0.3, "TERM" } }
+]]):format(11)
+  local status, complaint, seconds = run(frame .. signals { { 0.3, "TERM" } }
     .. "for i = 1, 100 do model:static { steps = 10, record = false }:finish() end\n")
   local _, lines = frame:gsub("\n", "")
   equal(status, 143, "a factorisation: status; " .. complaint)

@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "new project"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 local program = quote(arg[1] .. "/hinge")
 local pictures = support.is_there(arg[1] .. "/libhinge_output.so")
@@ -14,8 +14,7 @@ local folder = support.temporary_folder()
 local here = "cd " .. quote(folder) .. " && "
 local project = folder .. "/my portal"
 case("hinge new writes a project with its files", function()
-  local status, printed, complaint = run(here .. program .. " new 'my portal'")
-  equal(status, 0, "hinge new: " .. complaint)
+  local printed = ended(0, "", run(here .. program .. " new 'my portal'"))
   equal(printed, "written to my portal: main.lua, README.md, .luarc.json, .gitignore\n"
     .. "next: cd 'my portal' && hinge run main.lua\n", "what it says")
   equal(support.output("ls -A " .. quote(project)), ".gitignore\n.luarc.json\nREADME.md\nmain.lua\n", "what it writes")
@@ -29,20 +28,17 @@ end)
 -- Nothing is overwritten.
 local main = support.read(project .. "/main.lua")
 case("hinge new overwrites nothing", function()
-  local status, printed, complaint
   support.write(folder .. "/file", "mine")
   run(("mkdir -p %s/full %s/empty && touch %s/full/.hidden"):format(folder, folder, folder))
   for _, name in ipairs { "'my portal'", "file", "full" } do
-    status, printed, complaint = run(here .. program .. " new " .. name)
-    expect(status == 2 and printed == "" and complaint:find("already; nothing was written", 1, true),
-      "hinge new %s: status %s, %s%s", name, status, printed, complaint)
+    equal(ended(2, "already; nothing was written", run(here .. program .. " new " .. name)), "", name)
   end
   equal(support.read(folder .. "/file"), "mine", "a file of that name")
   equal(support.output("ls -A " .. folder .. "/full"), ".hidden\n", "a folder of that name")
-  status = run(here .. program .. " new empty/../empty")
-  expect(status == 0 and support.read(folder .. "/empty/main.lua"):find "^%-%- empty:", "into an empty folder")
-  equal(run(here .. program .. " new file/inside"), 1, "where no folder can be made")
-  equal(run(program .. " new"), 2, "without a name")
+  ended(0, "", run(here .. program .. " new empty/../empty"))
+  expect(support.read(folder .. "/empty/main.lua"):find "^%-%- empty:", "into an empty folder")
+  ended(1, "", run(here .. program .. " new file/inside")) -- no folder can be made there
+  ended(2, "", run(program .. " new"))
 end)
 
 -- It runs -------------------------------------------------------------------------------------------------------------
@@ -50,8 +46,7 @@ end)
 local there = "cd " .. quote(project) .. " && "
 case("the new project runs in the program and in plain Lua", function()
   local function results(arguments)
-    local ended, said, wrong = run(there .. program .. " run main.lua --out out/test " .. arguments)
-    equal(ended, 0, "hinge run main.lua " .. arguments .. ": " .. said .. wrong)
+    ended(0, "", run(there .. program .. " run main.lua --out out/test " .. arguments))
     local summary = support.json(support.read(project .. "/out/test/summary.json") or "{}")
     run(there .. "rm -r out/test/summary.json")
     return summary.results or {}, summary
@@ -70,18 +65,15 @@ case("the new project runs in the program and in plain Lua", function()
   local weak, more = results "--case weak", results "impulse=15e3"
   expect(weak.yielded == 0 and weak.largest_sway_mm < 50, "a weak blow: %s mm", weak.largest_sway_mm)
   expect((more.largest_sway_mm or 0) > 120, "a stronger one: %s mm", more.largest_sway_mm)
-  local status, printed, complaint = run(there .. ("LUA_CPATH=%s lua5.4 main.lua"):format(quote(arg[1] .. "/?.so")))
-  equal(status, 0, "plain Lua: " .. complaint)
+  local printed = ended(0, "", run(there .. ("LUA_CPATH=%s lua5.4 main.lua"):format(quote(arg[1] .. "/?.so"))))
   checks.near(tonumber(printed:match "largest_sway_mm%s+(%S+)"), plain.largest_sway_mm, 1e-9, "its result")
 end)
 
 case("every command of its README runs", function()
-  local status, printed, complaint
   local page, count = support.read(project .. "/README.md"), 0
   for command in page:gmatch "\n| `(hinge [^`]*)`" do
     count = count + 1
-    status, printed, complaint = run(there .. (command:gsub("^hinge", function() return program end)))
-    equal(status, 0, command .. ": " .. complaint)
+    local printed = ended(0, "", run(there .. (command:gsub("^hinge", function() return program end))))
     expect(not printed:find "warning:", "%s: %s", command, printed)
     if command:find " plan " then -- its own weight acts, and no load counts the floor a second time
       expect(printed:find "\n  gravity +on " and printed:find "\n  member loads +off ", "%s: %s", command, printed)
@@ -89,8 +81,7 @@ case("every command of its README runs", function()
   end
   equal(count, 8, "commands in its README")
   for line in main:match "^.-\n\n":gmatch "%-%-   (hinge .-)   " do
-    status, printed, complaint = run(there .. (line:gsub("^hinge", function() return program end)))
-    equal(status, 0, line .. ": " .. printed .. complaint)
+    ended(0, "", run(there .. (line:gsub("^hinge", function() return program end))))
   end
 end)
 

@@ -4,7 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "prompt"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
@@ -27,35 +27,25 @@ case("hinge -e evaluates one line and prints its values", function()
     ["local t = {} for i = 1, 100 do t[i] = 7 end return t"] = "{\n" .. ("  7,\n"):rep(40) .. "  ... 60 more\n}\n",
     ["{ ('x'):rep(60), { ('y'):rep(60) } }"] = '{\n  "' .. ("x"):rep(60) .. '",\n  { "' .. ("y"):rep(60) .. '" }\n}\n',
   } do
-    local status, printed, complaint = run(hinge .. " -e " .. quote(code))
-    equal(status, 0, code .. ": status " .. complaint)
-    equal(printed, wanted, code)
+    equal(ended(0, "", run(hinge .. " -e " .. quote(code))), wanted, code)
   end
-  local status, printed, complaint = run(hinge .. " -e 'local p = ... return p.speed, p.name' speed=2*3 name=II")
-  expect(status == 0 and printed == "6\tII\n", "settings: %s%s", printed, complaint)
+  ended(0, "6\tII\n", run(hinge .. " -e 'local p = ... return p.speed, p.name' speed=2*3 name=II"))
   for code, message in pairs {
     ["x ="] = "hinge: (command line):1: unexpected symbol near <eof>\n",
-    ["hinge.modle()"] = "hinge: (command line):1: hinge: unknown field 'modle' (did you mean 'model'?); there are "
-    .. "...\n",
+    ["hinge.modle()"] = "hinge: (command line):1: hinge: unknown field 'modle' (did you mean 'model'?); there are ",
     ["error 'no'"] = "hinge: (command line):1: no\n  at (command line):1\n",
-  } do
-    status, printed, complaint = run(hinge .. " -e " .. quote(code))
-    expect(status == 2 and printed == "" and support.says(complaint, message), "%s: status %s, %s%s", code, status,
-      printed, complaint)
-  end
+  } do equal(ended(2, message, run(hinge .. " -e " .. quote(code))), "", code) end
   local overloaded = [[
 local m = hinge.model() local a, b = m:node { 0, 0, 0 }, m:node { 1, 0, 0 } m:fix(a)
 m:member { a, b, section = hinge.section.solid { width = 0.05, depth = 0.05 },
   material = hinge.material { E = 2e11, yield_stress = 2e8 } }
 m:load { node = b, force = { 0, 0, -1e6 } }
 return m:static {}:finish().verdict]]
-  status, printed, complaint = run(hinge .. " -e " .. quote(overloaded))
-  expect(status == 1 and printed == "failed\n" and complaint:find "^hinge: the run failed: no equilibrium",
-    "a failed run: %s %s%s", status, printed, complaint)
+  equal(ended(1, "hinge: the run failed: no equilibrium", run(hinge .. " -e " .. quote(overloaded))), "failed\n",
+    "a failed run")
   expect(not support.is_there(path "out") and not support.is_there(path "summary.json"),
     "hinge -e leaves nothing behind")
-  equal(run(hinge .. " -e 1 speed"), 2, "a setting without a value")
-  equal(run(hinge .. " -e"), 2, "no code")
+  for _, words in ipairs { " -e 1 speed", " -e" } do ended(2, "", run(hinge .. words)) end
 end)
 
 -- Lines from a pipe ---------------------------------------------------------------------------------------------------
@@ -64,14 +54,12 @@ local function typed(lines, arguments)
   return run(("printf %%s %s | ( %s -i %s )"):format(quote(lines), hinge, arguments or ""))
 end
 case("lines from a pipe are run one after the other, errors do not end them", function()
-  local status, printed, complaint
-  status, printed, complaint = typed("print(1)\n1 +\n2\nt = { 1,\n 'a' }\nt\n"
-    .. "for i = 1, 2 do\n  print(i)\nend\nlocal gone = 1\ngone\nx = 5 return x")
+  local printed, complaint = ended(0, "", typed("print(1)\n1 +\n2\nt = { 1,\n 'a' }\nt\n"
+    .. "for i = 1, 2 do\n  print(i)\nend\nlocal gone = 1\ngone\nx = 5 return x"))
   equal(complaint, "", "nothing is wrong")
   equal(printed, '1\n3\n{ 1, "a" }\n1\n2\nnil\n5\n', "what the lines print")
-  equal(status, 0, "status at the end of the input")
-  status, printed, complaint = typed "error 'one'\nhinge.model { formulaton = 1 }\nx = = 2\nerror { 1 }\n7 * 6\nprint("
-  equal(status, 0, "status after errors")
+  printed, complaint = ended(0, "",
+    typed "error 'one'\nhinge.model { formulaton = 1 }\nx = = 2\nerror { 1 }\n7 * 6\nprint(")
   equal(printed, "42\n", "the line after them")
   expect(support.says(complaint, "hinge: prompt:1: one\n  at prompt:1\n"
     .. "hinge: prompt:1: hinge.model: unknown field 'formulaton' (did you mean 'formulation'?); it takes ...\n"
@@ -81,38 +69,27 @@ case("lines from a pipe are run one after the other, errors do not end them", fu
 
   support.write(path "scene.lua",
     "assert(hinge == nil, 'a global')\nmodel = require 'hinge'.model()\nmodel:node { 1, 2, 3 }\ngiven = (...).n\n")
-  status, printed, complaint = typed("model, given\n", "scene.lua n=3")
-  expect(status == 0 and printed == "model: 1 node, 0 members\t3\n", "after a script: %s %s%s", status,
-    printed, complaint)
+  ended(0, "model: 1 node, 0 members\t3\n", typed("model, given\n", "scene.lua n=3"))
   support.write(path "wrong.lua", "error 'wrong'\n")
-  equal(typed("1\n", "wrong.lua"), 2, "status of a script that stumbles, in a pipe")
-  equal(typed("1\n", "nowhere.lua"), 2, "status where there is no script")
+  for _, name in ipairs { "wrong.lua", "nowhere.lua" } do ended(2, "", typed("1\n", name)) end -- in a pipe
 end)
 
 -- At a terminal: `script` is one --------------------------------------------------------------------------------------
 
 case("at a terminal the prompt prints values, goes on over several lines and keeps a history", function()
-  local complaint
-  local function at_terminal(keys, environment)
-    return run(("printf %%b %s | env %s timeout 20 script -qec %s /dev/null")
-      :format(quote(keys), environment or "TERM=xterm", quote(hinge .. " -i")))
+  local function at_terminal(keys, program, environment)
+    return run(("printf %%b %s | env %s TERM=xterm timeout 20 script -qec %s /dev/null"):format(quote(keys),
+      environment or "", quote(program .. " -i")))
   end
-  local status, printed = at_terminal "hinge.sec\\t.pi\\t\\nprint(40+\\n2)\\nerror [[here]]\\n'still ' .. 'there'\\n"
-  equal(status, 0, "status at a terminal")
-  for _, part in ipairs { "function: ", "42\r\n", "hinge: prompt:1: here", "still there" } do
-    expect(printed:find(part, 1, true), "the terminal does not show '%s':\n%s", part, printed)
-  end
+  ended(0, { "function: ", "42\r\n", "hinge: prompt:1: here", "still there" },
+    at_terminal("hinge.sec\\t.pi\\t\\nprint(40+\\n2)\\nerror [[here]]\\n'still ' .. 'there'\\n", hinge))
   local history = support.read(path "state/hinge/history") or ""
   expect(history:find "hinge%.section%.pipe\n" and history:find "here", "history: %s", history)
-  printed = select(2, at_terminal "\\020\\n")
-  expect(printed:find "still there\r\n", "the last session's last line, by Ctrl-P: %s", printed)
+  ended(0, "still there\r\n", at_terminal("\\020\\n", hinge)) -- the last session's last line, by Ctrl-P
   support.write(path "file", "")
   for _, state in ipairs { "XDG_STATE_HOME=" .. path "file", "-u XDG_STATE_HOME -u HOME" } do
-    local elsewhere = ("printf %%b %s | env %s TERM=xterm timeout 20 script -qec %s /dev/null")
-      :format(quote "1+1\\n", state, quote(quote(arg[1] .. "/hinge") .. " -i"))
-    status, printed, complaint = run(elsewhere)
-    expect(status == 0 and printed:find "2\r\n" and not (printed .. complaint):find "hinge: ",
-      "no place for a history: %s %s%s", status, printed, complaint)
+    local printed, complaint = ended(0, "2\r\n", at_terminal("1+1\\n", quote(arg[1] .. "/hinge"), state))
+    expect(not (printed .. complaint):find "hinge: ", "no place for a history: %s%s", printed, complaint)
   end
 end)
 

@@ -7,11 +7,9 @@ local support = require "support"
 local checks = support.checks "resume"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 local quote = support.quote
-local program = quote(arg[1] .. "/hinge")
-
-local folder = support.temporary_folder()
+local _, folder, program = support.scenes(arg[1])
 local function path(name) return folder .. "/" .. name end
-local function hinge(words) return support.run(("cd %s && %s run %s"):format(quote(folder), program, words)) end
+local function hinge(words) return program("run " .. words) end
 
 -- A bar that swings as a pendulum, in steps so long that energy is lost; with `strict` the run fails for that. With
 -- `wall` it strikes a post, which breaks.
@@ -70,9 +68,7 @@ end
 case("a folder in the place of a checkpoint is an error and stays", function()
   for _, resume in ipairs { "", " --resume" } do
     support.output("mkdir -p " .. quote(path "way/swing.checkpoint"))
-    local status, _, said = hinge("-q swing.lua --out way" .. resume)
-    equal(status, 1, "status")
-    expect(said:find("way/swing.checkpoint", 1, true) and said:find "folder", "message: %s", said)
+    checks.ended(1, { "way/swing.checkpoint", "folder" }, hinge("-q swing.lua --out way" .. resume))
     expect(support.is_there(path "way/swing.checkpoint/.") and not support.is_there(path "way/swing.checkpoint.before"),
       "the folder has moved")
   end
@@ -105,9 +101,7 @@ for _, one in ipairs { { "an output folder that is removed", "rm -rf gone", "gon
   { "an output folder that another one has replaced", "mv new_one old && mkdir new_one && touch new_one/history.csv",
     "new_one" } } do
   case(one[1] .. " while a run writes to it is an error", function()
-    local status, _, said = hinge(("-q long.lua then=%s --out %s"):format(quote(one[2]), one[3]))
-    equal(status, 1, "status")
-    expect(said:find "removed", "message: %s", said)
+    checks.ended(1, "removed", hinge(("-q long.lua then=%s --out %s"):format(quote(one[2]), one[3])))
     local left = support.read(path(one[3] .. "/history.csv"))
     expect(left == nil or left == "", "a history without a head: %s", (left or ""):sub(1, 100))
     local moved = support.read(path(one[3] == "moved" and "moved_to/history.csv" or "old/history.csv"))
@@ -133,9 +127,8 @@ end)
 case("the unfinished file of a writer that is at work stays", function()
   if support.output "command -v flock" == "" then return expect(true, "no flock here") end
   support.write(path "parts/summary.json.4712.part", "half")
-  local status = support.run(("cd %s && flock -x parts/summary.json.4712.part %s run -q swing.lua --out parts"):format(
-    quote(folder), program))
-  equal(status, 0, "status")
+  checks.ended(0, "", support.run(("cd %s && flock -x parts/summary.json.4712.part %s run -q swing.lua --out parts")
+    :format(quote(folder), quote(arg[1] .. "/hinge"))))
   expect(support.is_there(path "parts/summary.json.4712.part"), "it was removed")
 end)
 

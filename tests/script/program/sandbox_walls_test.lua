@@ -6,7 +6,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local core = require "hinge" and require "hinge.core"
 local checks = support.checks "sandbox_walls"
-local case, expect, equal = checks.case, checks.expect, checks.equal
+local case, ended, expect, equal = checks.case, checks.ended, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
 local lua = arg[-1]
@@ -24,8 +24,7 @@ local function refused(what, done, why) if done then print(what .. " was possibl
   return support.run(("cd %s && rm -rf out && %s s.lua"):format(support.quote(folder), lua))
 end
 
-local _ -- a result that is not looked at
-local status, printed, complaint = behind "print 'there'"
+local _, _, complaint = behind "print 'there'"
 if complaint:find "this kernel lacks" then
   print("SKIPPED, nothing was tried: " .. complaint)
   os.exit(77)
@@ -33,7 +32,7 @@ end
 
 case("nothing is started and nothing is opened outside of the folder", function()
   support.write(folder .. "/mine", "mine")
-  status, printed, complaint = behind [[
+  local printed = ended(0, "", behind [[
 refused("os.execute", os.execute "touch ../started")
 refused("io.popen", io.popen "touch ../started")
 refused("reading", io.open "/etc/passwd")
@@ -49,8 +48,7 @@ assert(os.rename("out/file", "out/other"))
 assert(os.remove "out/other")
 assert(io.open "s.lua")
 print "end"
-]]
-  equal(status, 0, complaint)
+]])
   expect(not printed:find "possible" and printed:find "end\n$", "what it could: %s", printed)
   for _, name in ipairs { "started", "new" } do
     expect(not support.is_there(folder .. "/" .. name), "%s was made", name)
@@ -78,15 +76,12 @@ run:checkpoint "out/again.checkpoint"
   local files = { "frames.pvd", "frames/frame_00001.vtp", "x.png", "strip.png", "x.gp", "x.dat", "x.svg", "run.gp",
     "run.dat", "history.csv" }
   local inside, outside = {}, {}
-  status, printed, complaint = behind(script)
-  equal(status, 0, complaint)
-  equal(printed, "", "notes")
+  equal(ended(0, "", behind(script)), "", "notes")
   for _, name in ipairs(files) do inside[name] = support.read(folder .. "/out/" .. name) end
   expect(support.is_there(folder .. "/out/again.checkpoint") and support.is_there(folder .. "/out/run.pdf"), "files")
   support.write(folder .. "/s.lua", "local hinge = require 'hinge' local core = require 'hinge.core' "
     .. "core.own_output('out', {}, true)\n" .. script)
-  status, _, complaint = support.run(("cd %s && rm -rf out && %s s.lua"):format(support.quote(folder), lua))
-  equal(status, 0, complaint)
+  ended(0, "", support.run(("cd %s && rm -rf out && %s s.lua"):format(support.quote(folder), lua)))
   for _, name in ipairs(files) do outside[name] = support.read(folder .. "/out/" .. name) end
   for _, name in ipairs(files) do
     expect(inside[name] and inside[name] == outside[name], "%s differs from the one without walls", name)
@@ -103,8 +98,7 @@ case("the process that draws refuses what is no plot and what lies outside", fun
       "is outside the output folder out",
     ["core.draw_packed('out/\\nx.svg', '')"] = "it must not have line breaks",
   } do
-    status, _, complaint = behind("print(" .. script .. ")")
-    expect(status ~= 0 and complaint:find(message, 1, true), "%s: %d %s", script, status, complaint)
+    ended(1, message, behind("print(" .. script .. ")"))
   end
   expect(not support.is_there(folder .. "/x.svg"), "a plot outside")
 end)
