@@ -55,4 +55,23 @@ function scenes.portal(options)
   return model, node, member
 end
 
+--- Calls f without what it prints; what pcall(f, ...) returns, and all runs that were made. `watch` gets each of them.
+function scenes.runs_of(f, watch, ...)
+  local runs, say = {}, print
+  local methods = debug.getregistry()["hinge.model"].methods
+  local static, dynamic = methods.static, methods.dynamic
+  local function kept(make)
+    return function(...)
+      local run = make(...)
+      runs[#runs + 1] = run
+      if watch then watch(run) end
+      return run
+    end
+  end
+  methods.static, methods.dynamic, _G.print = kept(static), kept(dynamic), function() end
+  local ok, result = pcall(f, ...)
+  methods.static, methods.dynamic, _G.print = static, dynamic, say
+  return ok, result, runs
+end
+
 return scenes

@@ -23,33 +23,20 @@ local checks = support.checks "examples"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 require "hinge"
 local reference = require "hinge.program.reference"
+local runs_of = require "scenes".runs_of
 local new_job = require "hinge.program.job".new
 os.execute "mkdir -p job"
 local has_pictures = support.is_there(arg[1] .. "/libhinge_output.so")
 
 -- Runs an example without what it prints; returns nil, or what is wrong. Its runs are looked at when it has ended.
 local function problem_of(example, name)
-  local runs = {}
-  local meta = debug.getregistry()["hinge.model"].methods
-  local static, dynamic = meta.static, meta.dynamic
-  local function kept(make)
-    return function(...)
-      local run = make(...)
-      runs[#runs + 1] = run
-      return run
-    end
-  end
-  meta.static, meta.dynamic = kept(static), kept(dynamic)
   local environment = setmetatable({ job = new_job "job", print = function() end }, { __index = _G })
-  local ok, message
-  local say = print
-  _G.print = environment.print -- what the library prints
   local chunk, wrong = load(reference.preamble .. "\n" .. example, "=" .. name, "t", environment)
-  if chunk then ok, message = pcall(chunk) else ok, message = false, wrong end
-  if ok and type(message) == "table" and message.run then -- a scenario: it is run as the program would
-    ok, message = pcall(message.run, message:values(), environment.job)
-  end
-  meta.static, meta.dynamic, _G.print = static, dynamic, say
+  if not chunk then return wrong end
+  local ok, message, runs = runs_of(function()
+    local made = chunk()
+    if type(made) == "table" and made.run then made.run(made:values(), environment.job) end -- as the program would
+  end)
   if not ok then return tostring(message) end
   for _, run in ipairs(runs) do
     local open, verdict = pcall(function() return run.verdict end) -- the model of a run may be closed by now

@@ -7,7 +7,8 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local hinge = require "hinge"
 local checks = support.checks "benchmarks"
-local case, equal, expect = checks.case, checks.equal, checks.expect
+local case, ended, equal, expect = checks.case, checks.ended, checks.equal, checks.expect
+local with = require "scenes".with
 local quote = support.quote
 local program = quote(arg[1] .. "/hinge")
 local root = support.output("realpath " .. quote(support.root)):gsub("\n$", "")
@@ -46,7 +47,7 @@ end
 
 case("the fast benchmarks are right, each row of them", function()
   local status, printed, told, out = run_all "fast=true"
-  equal(status, 0, "exit status: " .. told)
+  ended(0, "", status, printed, told)
   local rows, kinds = 0, {}
   local summary = support.json(support.read(out .. "/summary.json") or "{}")
   equal(summary.verdict, "completed", "verdict: " .. tostring(summary.reason))
@@ -69,15 +70,15 @@ case("a row outside its tolerance makes the verdict failed, and names it", funct
   local folder = folder_of { good = benchmark("Good", "elastic", right .. order), off = benchmark("Off", "dynamics",
     right .. "b:row { 'wrong', computed = 1.003, reference = 1, tolerance = 0.002, elements = 2, steps = 7 }") }
   local status, printed, told, out = run_all("folder=" .. quote(folder))
-  equal(status, 1, "exit status")
-  expect(told:find("the run failed: off", 1, true), "names it: %s", told)
+  ended(1, "the run failed: off", status, printed, told)
   expect(printed:find "not as they should be:\n  off: wrong: error %+0.3 %%, allowed 0.2 %%\n", "says: %s", printed)
   expect(printed:find "dynamics  off +wrong +1.003 +1 +%+0.3 %% ! +2 +7 ", "its row: %s", printed)
   expect(printed:find "dynamics +2 +0.2 %% +0.3 %% +1  off: wrong\n", "by kind: %s", printed)
   expect(printed:find "elastic +2 +0.1 %% +0.1 %% +0  good: right\n", "by kind, without the order: %s", printed)
   equal(#lines_of(out), 4, "rows")
-  equal(support.run(("cd %s && %s run off.lua"):format(quote(folder), program)), 1, "exit status of it alone")
-  equal(support.run(("cd %s && %s run good.lua"):format(quote(folder), program)), 0, "exit status of the other alone")
+  for name, alone in pairs { off = 1, good = 0 } do
+    ended(alone, "", support.run(("cd %s && %s run %s.lua"):format(quote(folder), program, name)))
+  end
 end)
 
 case("what is not a number, or has no end, is a wrong row, and the others stay", function()
@@ -85,10 +86,9 @@ case("what is not a number, or has no end, is a wrong row, and the others stay",
     local folder = folder_of { nan = benchmark("NaN", "test", right .. ("b:row { 'none', computed = %s, reference = 2, "
       .. "tolerance = 1e9, elements = 1 } "):format(text) .. right) }
     local status, printed, told, out = run_all("folder=" .. quote(folder))
-    equal(status, 1, text .. ": exit status: " .. told)
+    ended(1, "", status, printed, told)
     expect(printed:find("nan +none +%-?%l+ +2 +" .. shown .. " !"), "%s: its row: %s", text, printed)
-    local alone = support.run(("cd %s && %s run nan.lua"):format(quote(folder), program))
-    equal(alone, 1, text .. ": exit status of it alone")
+    ended(1, "", support.run(("cd %s && %s run nan.lua"):format(quote(folder), program)))
     local lines = lines_of(out)
     equal(#lines, 3, text .. ": rows")
     expect(lines[2] and lines[2]:find(",false,", 1, true), "%s: is not right: %s", text, tostring(lines[2]))
@@ -109,9 +109,7 @@ case("right rows do not hide a run that failed", function()
   local folder = folder_of { hidden = benchmark("Hidden", "stability", model .. right),
     known = benchmark("Known", "stability", model .. right):gsub("function%(b%)",
       "function(b, job) job:verdict 'completed'") }
-  local status, printed, told = run_all("folder=" .. quote(folder))
-  equal(status, 1, "exit status")
-  expect(told:find("the run failed: hidden\n", 1, true), "names it alone: %s", told)
+  local printed = ended(1, "the run failed: hidden\n", run_all("folder=" .. quote(folder)))
   expect(printed:find "\n  hidden failed: [^\n]*unstable", "with the run's reason: %s", printed)
 end)
 
@@ -124,9 +122,7 @@ case("an error, a dead process, no benchmark: a failed row with the reason", fun
     slow = benchmark("Slow", "elastic", "local t = os.time() + 60 while os.time() < t do end"),
     plain = "return 3\n", broken = "return hinge.benchmark {\n" }
   local status, printed, told, out = run_all("timeout=3 jobs=2 folder=" .. quote(folder))
-  equal(status, 1, "exit status")
-  expect(told:find("the run failed: empty, raises, slow, input, killed, leaves, broken, plain", 1, true), "names: %s",
-    told)
+  ended(1, "the run failed: empty, raises, slow, input, killed, leaves, broken, plain", status, printed, told)
   for name, reason in pairs { raises = "wrong: [^\n]*raises.lua:2: the frame is gone",
     input = "wrong: [^\n]*input.lua:2: hinge.model: unknown field 'nonsense'", killed = "crashed: ended by signal 9",
     leaves = "wrong", empty = "the benchmark has no row; run must call b:row", slow = "timed out: stopped after 3 s",
@@ -146,21 +142,16 @@ case("filter goes by name, kind and title; fast by what the file says", function
   for setting, names in pairs { ["filter=ALPHA"] = "alpha beta", ["filter=elastic"] = "alpha",
     ["filter=third"] = "gamma", ["filter=elas"] = "alpha beta", ["fast=true"] = "alpha",
     ["filter=dynamics"] = "gamma" } do
-    local status, printed = run_all(("folder=%s %s"):format(quote(folder), setting))
-    equal(status, 0, setting .. ": exit status")
+    local printed = ended(0, "", run_all(("folder=%s %s"):format(quote(folder), setting)))
     local found = {}
     for _, name in ipairs { "alpha", "beta", "gamma" } do
       if printed:find("\n%l+ +" .. name .. " +right") then found[#found + 1] = name end
     end
     equal(table.concat(found, " "), names, setting)
   end
-  local status, _, told = run_all("folder=" .. quote(folder) .. " filter=delta")
-  equal(status, 2, "exit status where none is left")
-  expect(told:find("no benchmark has this in its name, its kind or its title; there are alpha, beta, gamma", 1, true),
-    "says: %s", told)
-  status, _, told = run_all("folder=" .. quote(folder_of {}))
-  equal(status, 2, "exit status of an empty folder")
-  expect(told:find("it holds no benchmark", 1, true), "says: %s", told)
+  ended(2, { "no benchmark has this in its name, its kind or its title", "alpha, beta, gamma" },
+    run_all("folder=" .. quote(folder) .. " filter=delta"))
+  ended(2, "it holds no benchmark", run_all("folder=" .. quote(folder_of {})))
 end)
 
 case("rows whose reference is not confirmed are marked, and count in no median, largest error and picture", function()
@@ -171,14 +162,12 @@ case("rows whose reference is not confirmed are marked, and count in no median, 
     end }
   ]]
   local folder = folder_of { sure = of:format("Sure", "false", 0.01), quoted = of:format("Quoted", "true", 0.25) }
-  local status, printed, told = run_all("write=true folder=" .. quote(folder))
-  equal(status, 0, "exit status: " .. told)
+  ended(0, "load (reference not confirmed)", run_all("write=true folder=" .. quote(folder)))
   local text = support.read(folder .. "/README.md") or ""
   for _, wanted in ipairs { "| [Quoted](quoted.lua) | load (reference not confirmed) | 1.25 | 1 | +25",
     "| [Sure](sure.lua) | load | 1.01 | 1 | +1", "| test | 2 | 1 % | 1 % | sure: load |" } do
     expect(text:find(wanted, 1, true), "'%s' in\n%s", wanted, text)
   end
-  expect(printed:find("load (reference not confirmed)", 1, true), "printed: %s", printed)
 end)
 
 case("write=true writes the table between its marks, and copies pictures", function()
@@ -191,8 +180,7 @@ case("write=true writes the table between its marks, and copies pictures", funct
         job:plot({ series = { { x = { 0, 1 }, y = { 0, 1 } } } }, "other.png")
       end }
   ]] }
-  local status, _, told = run_all("write=true folder=" .. quote(folder))
-  equal(status, 0, "exit status: " .. told)
+  ended(0, "", run_all("write=true folder=" .. quote(folder)))
   local text = support.read(folder .. "/README.md") or ""
   for _, wanted in ipairs { "### Elastic\n", "| [Drawn \\| twice](drawn.lua) | right | 1.001 m | 1 | +0.1 % | 2 | 1 |",
     "- [Drawn | twice](drawn.lua): a book. Not in the model: the wind. [picture](pictures/drawn.png), "
@@ -203,48 +191,50 @@ case("write=true writes the table between its marks, and copies pictures", funct
     expect(#(support.read(("%s/pictures/%s.png"):format(folder, name)) or "") > 2000, "%s.png is there", name)
   end
   support.write(folder .. "/README.md", "Before.\n" .. text:gsub("| right |", "| old |") .. "After.\n")
-  equal(run_all("write=true folder=" .. quote(folder)), 0, "exit status of a second time")
+  ended(0, "", run_all("write=true folder=" .. quote(folder)))
   local second = support.read(folder .. "/README.md")
   expect(second:find "^Before.\n" and second:find "After.\n$" and not second:find("| old |", 1, true)
     and second:find("| right |", 1, true), "the table alone is new: %s", second)
-  status, _, told = run_all("write=true fast=true folder=" .. quote(folder))
-  expect(status == 2 and told:find("leave out filter and fast", 1, true), "a part is refused: %s", told)
+  ended(2, "leave out filter and fast", run_all("write=true fast=true folder=" .. quote(folder)))
   support.write(folder .. "/README.md", "No marks.\n")
-  status, _, told = run_all("write=true folder=" .. quote(folder))
-  expect(status == 2 and told:find("has not the two lines between which the table goes", 1, true), "says: %s", told)
+  ended(2, "has not the two lines between which the table goes", run_all("write=true folder=" .. quote(folder)))
   equal(support.read(folder .. "/README.md"), "No marks.\n", "and changes nothing")
 end)
 
 case("wrong input of a benchmark and of a row is refused", function()
-  local function run() end
-  local given = { title = "t", kind = "elastic", source = "s", run = run }
+  local given = { title = "t", kind = "elastic", source = "s", run = function() end }
   for field, what in pairs { title = "a string", kind = "one of elastic, stability, inelastic, dynamics, test",
     source = "a string", run = "a function" } do
-    local o = {}
-    for name, value in pairs(given) do o[name] = name ~= field and value or nil end
-    local good, message = pcall(hinge.benchmark, o)
-    expect(not good and tostring(message):find(("hinge.benchmark: field '%s' is missing; give %s"):format(field, what),
-      1, true), "without %s: %s", field, tostring(message))
+    local o = with(given)
+    o[field] = nil
+    checks.refused(("hinge.benchmark: field '%s' is missing; give %s"):format(field, what),
+      function() hinge.benchmark(o) end)
   end
-  local good, message = pcall(hinge.benchmark, { title = "t", kind = "plastic", source = "s", run = run })
-  expect(not good and tostring(message):find("field 'kind' is 'plastic'; must be one of", 1, true), "kind: %s",
-    tostring(message))
+  checks.refused("field 'kind' is 'plastic'; must be one of",
+    function() hinge.benchmark(with(given, { kind = "plastic" })) end)
+  local right_row = { "q", computed = 1, reference = 1, tolerance = 1, elements = 1 }
+  local function without(field)
+    local row = with(right_row)
+    row[field] = nil
+    return row
+  end
   local refused = {
-    { { "q", computed = 1, reference = 0, tolerance = 1, elements = 1 }, "the reference of 'q' is 0; scale must say" },
-    { { "q", computed = 1, reference = 1, elements = 1 }, "field 'tolerance' is missing; give a number above 0" },
-    { { "q", computed = 1, reference = 1, tolerance = 0, elements = 1 }, "field 'tolerance' is 0" },
-    { { "q", computed = 1, reference = 0 / 0, tolerance = 1, elements = 1 }, "field 'reference' is not a number" },
-    { { "q", reference = 1, tolerance = 1, elements = 1 }, "field 'computed' is missing; give a number" },
-    { { "q", computed = "1", reference = 1, tolerance = 1, elements = 1 }, "field 'computed' is '1'; must be a" },
-    { { "q", computed = 1, reference = 1, tolerance = 1 }, "field 'elements' is missing" },
-    { { "q", computed = 1, reference = 1, tolerance = 1, elements = 1.5 }, "field 'elements' is 1.5" },
-    { { computed = 1, reference = 1, tolerance = 1, elements = 1 }, "'options[1], the quantity' is missing" },
-    { { "q", computed = 1, reference = 1, tolerance = 1, elements = 1, error = 1 }, "unknown field 'error'" },
+    { with(right_row, { reference = 0 }), "the reference of 'q' is 0; scale must say" },
+    { without "tolerance", "field 'tolerance' is missing; give a number above 0" },
+    { with(right_row, { tolerance = 0 }), "field 'tolerance' is 0" },
+    { with(right_row, { reference = 0 / 0 }), "field 'reference' is not a number" },
+    { without "computed", "field 'computed' is missing; give a number" },
+    { with(right_row, { computed = "1" }), "field 'computed' is '1'; must be a" },
+    { without "elements", "field 'elements' is missing" },
+    { with(right_row, { elements = 1.5 }), "field 'elements' is 1.5" },
+    { without(1), "'options[1], the quantity' is missing" },
+    { with(right_row, { error = 1 }), "unknown field 'error'" },
     { 3, "field 'options' is 3; must be a table" },
   }
-  local said = {}
   local made = hinge.benchmark { title = "t", kind = "elastic", source = "s", run = function(b)
-    for i, o in ipairs(refused) do said[i] = tostring(select(2, pcall(b.row, b, o[1]))) end
+    for _, one in ipairs(refused) do
+      checks.refused({ "benchmark:row: ", one[2] }, function() b:row(one[1]) end)
+    end
     local row = b:row { "by scale", computed = 0.1, reference = 0, scale = 2, tolerance = 0.06, elements = 1 }
     equal(row.error, 0.05, "the error is a part of the scale")
     equal(row.right, true, "it is right")
@@ -256,10 +246,6 @@ case("wrong input of a benchmark and of a row is refused", function()
   made.run({}, { verdict = function(_, what) verdict = what end })
   print = say -- luacheck: ignore
   equal(verdict, nil, "no verdict of its own: that of the runs stands")
-  for i, o in ipairs(refused) do
-    expect(said[i]:find("benchmark:row: ", 1, true) and said[i]:find(o[2], 1, true), "%d: wanted '%s', says: %s", i,
-      o[2], said[i])
-  end
 end)
 
 checks.done()

@@ -13,26 +13,16 @@ local case, near, equal, expect = checks.case, checks.near, checks.equal, checks
 local path = support.root .. "scripts/office_building.lua"
 local office = dofile(path)
 local bays_x, bays_y, storeys, bay, height, g = 2, 1, 2, 6, 4, 9.80665
-local say = print
+local scenes = require "scenes"
+local with = scenes.with
 
 -- Runs a part of the small building. Returns its results and its runs; `watch` gets each dynamic run before it starts.
 local function part(name, changes, watch)
-  local runs, methods = {}, debug.getregistry()["hinge.model"].methods
-  local static, dynamic = methods.static, methods.dynamic
-  local function kept(make)
-    return function(...)
-      local run = make(...)
-      runs[#runs + 1] = run
-      if watch and run.kind == "dynamic" then watch(run) end
-      return run
-    end
-  end
-  methods.static, methods.dynamic, _G.print = kept(static), kept(dynamic), function() end
   local values = office:values "small"
-  values.part = name
-  for key, value in pairs(changes or {}) do values[key] = value end
-  local ok, results = pcall(office.run, values, new_job(support.temporary_folder()))
-  methods.static, methods.dynamic, _G.print = static, dynamic, say
+  for key, value in pairs(with({ part = name }, changes)) do values[key] = value end
+  local ok, results, runs = scenes.runs_of(office.run, function(run)
+    if watch and run.kind == "dynamic" then watch(run) end
+  end, values, new_job(support.temporary_folder()))
   assert(ok, results)
   return results, runs
 end

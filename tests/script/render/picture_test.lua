@@ -136,7 +136,6 @@ case("a picture goes to the next free name where none is given", function()
 end)
 
 case("wrong options of hinge.picture are refused", function()
-  local where = debug.getinfo(1, "S").short_src
   for text, view in pairs {
     ["field 'view' is 'frnt'; must be one of front, back, left, right, top, iso, perspective (did you mean 'front'?)"] =
       { view = "frnt" },
@@ -160,13 +159,7 @@ case("wrong options of hinge.picture are refused", function()
     ["field 'plane' is {}; must have x, y or z"] = { plane = {} },
     ["no group 'beam' (did you mean 'beams'?)"] = { groups = { "beam" } },
     ["unknown field 'labels_' (did you mean 'labels'?)"] = { labels_ = true },
-  } do
-    local line = debug.getinfo(1, "l").currentline + 1
-    local ok, problem = pcall(function() hinge.picture(run, view, "b.png") end)
-    problem = tostring(problem)
-    expect(not ok and problem:find(text, 1, true), "%s: %s", text, problem)
-    expect(problem:find(("%s:%d: "):format(where, line), 1, true), "the line of %s: %s", text, problem)
-  end
+  } do checks.refused(text, function() hinge.picture(run, view, "b.png") end) end
 end)
 
 checks.done()

@@ -4,7 +4,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "everything"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 local folder = support.temporary_folder()
 
@@ -81,10 +81,9 @@ end)
 
 case("sound summaries pass, and what an earlier call left does not count", function()
   local sound = '{"references": [1, 2], "quantities": {"a": {"state": "sound"}}}'
-  status, printed = run(("{ name = 'a', %s }, { name = 'b', %s }, { name = 'c', %s },"):format(
-    leaves('{"verdict": "completed"}', "completed"), leaves(sound, "compared"), leaves('{"effects": [{}]}',
-    "compared")))
-  equal(status, 0, "summaries as they should be: " .. printed)
+  equal(run(("{ name = 'a', %s }, { name = 'b', %s }, { name = 'c', %s },"):format(
+    leaves('{"verdict": "completed"}', "completed"), leaves(sound, "compared"),
+    leaves('{"effects": [{}]}', "compared"))), 0, "summaries as they should be")
   rows = select(3, run "{ name = 'a', command = 'true', look = 'completed' },")
   row(rows, "a", "FAILED", "no summary.json, or one that cannot be read", "what an earlier call left")
 end)
@@ -98,25 +97,19 @@ end)
 case("jobs are chosen by the beginning of their name", function()
   local three = "{ name = 'a', command = 'exit 1' }, { name = 'b x', command = 'true' }, "
     .. "{ name = 'b y', command = 'true' }, "
-  equal(run(three, "only=a"), 1, "only the one that fails")
-  status, printed = run(three, "only='b x'")
-  expect(status == 0 and printed:find "all 1 passed", "only one: %s", printed)
-  status, printed = run(three, "only=b")
-  expect(status == 0 and printed:find "all 2 passed", "those of one kind: %s", printed)
-  local refused, _, _, complaint = run(three, "only=c")
-  equal(refused, 2, "a name that there is not")
-  equal(complaint, "everything: only=c: there is no such job; there are a, b x, b y\n", "what it says")
-  equal(run(three, "quickly"), 2, "a word that it does not know")
+  for options, wanted in pairs { ["only=a"] = { 1, "" }, ["only='b x'"] = { 0, "all 1 passed" },
+    ["only=b"] = { 0, "all 2 passed" }, ["quickly"] = { 2, "" },
+    ["only=c"] = { 2, "everything: only=c: there is no such job; there are a, b x, b y\n" } } do
+    local ended_with, said, _, complaint = run(three, options)
+    ended(wanted[1], wanted[2], ended_with, said, complaint)
+  end
 end)
 
 case("the jobs of this tree are listed and their commands are there", function()
-  local listed
-  status, listed = support.run(in_build .. "list")
-  equal(status, 0, "list")
+  local listed = "\n" .. ended(0, "", support.run(in_build .. "list"))
   local function has(name, command)
     expect(listed:find("\n" .. name .. ": " .. command), "%s is not among the jobs: %s", name, listed)
   end
-  listed = "\n" .. listed
   has("main job", ".*/hinge' run scripts/ten_storey_impact.lua %-%-out")
   has("hard", ".*lua5.4 tests/hard/suite.lua\n") -- without a word: in full
   has("page", ".*/hinge' report .*tests/viewer/limits_test.js")

@@ -5,15 +5,14 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "install"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
 local prefix, cmake = folder .. "/a prefix", quote(arg[2] or "cmake")
 local clean = "env -u LUA_PATH -u LUA_CPATH "
 case("cmake --install puts a whole library into a prefix", function()
-  local status, _, complaint = run(("%s --install %s --prefix %s/first"):format(cmake, quote(arg[1]), folder))
-  equal(status, 0, "cmake --install: " .. complaint)
+  ended(0, "", run(("%s --install %s --prefix %s/first"):format(cmake, quote(arg[1]), folder)))
   assert(os.rename(folder .. "/first", prefix)) -- nothing in it may know where it was installed
 end)
 
@@ -21,32 +20,27 @@ end)
 
 case("a project of somebody else's builds against the installed library, on the same processor alone", function()
   local host = quote(folder .. "/host")
-  local status, _, complaint = run(("%s -S %s -B %s -D CMAKE_PREFIX_PATH=%s && %s --build %s")
-    :format(cmake, quote(support.root .. "scripts/host"), host, quote(prefix), cmake, host))
-  equal(status, 0, "the host builds: " .. complaint)
+  ended(0, "", run(("%s -S %s -B %s -D CMAKE_PREFIX_PATH=%s && %s --build %s"):format(cmake,
+    quote(support.root .. "scripts/host"), host, quote(prefix), cmake, host)))
   local cache = support.read(folder .. "/host/CMakeCache.txt") or ""
   expect(cache:find("hinge_DIR:PATH=" .. prefix, 1, true), "the host found another hinge: %s",
     cache:match "hinge_DIR[^\n]*")
-  local printed
-  status, printed, complaint = run(("%s %s/host %s %s/recorded"):format(clean, host, quote(prefix), quote(folder)))
-  equal(status, 0, "the host runs: " .. complaint)
+  local printed = ended(0, "", run(("%s %s/host %s %s/recorded"):format(clean, host, quote(prefix), quote(folder))))
   local summary = support.read(folder .. "/recorded/summary.json") or ""
   expect(summary:find '"verdict": "stopped"' and summary:find '"fracture": 304'
     and support.read(folder .. "/recorded/history.csv"),
     "the host's record: %s", summary)
   local first, second = printed:match "^C%+%+: (1 of 1 members broken [^\n]*)\nLua: ([^\n]*)\n$"
   expect(first and first == second, "C++ and Lua break the same at the same time: %s", printed)
-  status, _, complaint = run(("env -u LUA_PATH LUA_CPATH=nowhere %s/host %s/nowhere"):format(host, folder))
-  expect(status == 1 and complaint:find "host: .*module 'hinge' not found", "a host without the module: %s", complaint)
+  ended(1, { "host: ", "module 'hinge' not found" },
+    run(("env -u LUA_PATH LUA_CPATH=nowhere %s/host %s/nowhere"):format(host, folder)))
 
   -- Types are laid out as in the engine, or the compiler says so.
   support.write(folder .. "/other.cpp", '#include "run/dynamics.h"\n')
   local eigen = cache:match "Eigen3_DIR:PATH=([^\n]*)/share/eigen3/cmake" or "/usr"
   local compile = "c++ -std=c++20 -fsyntax-only -D HINGE_ALIGNMENT=8 -I %s/include/hinge -I %s/include/eigen3 "
     .. "%s/other.cpp"
-  status, _, complaint = run(compile:format(quote(prefix), eigen, folder))
-  expect(status ~= 0 and complaint:find("hinge was built for another processor", 1, true),
-    "another layout: %s", complaint)
+  ended(1, "hinge was built for another processor", run(compile:format(quote(prefix), eigen, folder)))
 end)
 
 -- The module and the program ------------------------------------------------------------------------------------------
@@ -60,7 +54,6 @@ model:member { model:node { 0, 0, 0 }, model:node { 1, 0, 0 }, section = hinge.s
 print(model:counts().elements, package.searchpath("hinge", package.path))
 ]]
 case("the module and the program say where their library lies", function()
-  local status, printed, complaint
   support.write(folder .. "/asks.lua", asks)
   local wanted = "2\t" .. prefix .. "/share/hinge/lua/hinge/init.lua\n"
   for what, command in pairs {
@@ -75,20 +68,16 @@ case("the module and the program say where their library lies", function()
     ["program from elsewhere"] = ("here=$PWD && cd %s/share && ../bin/hinge run $here/asks.lua --out $here/elsewhere "
       .. "| grep -v '^written'"):format(quote(prefix)),
   } do
-    status, printed, complaint = run(("cd %s && %s"):format(folder, command))
-    equal(status, 0, what .. ": " .. complaint)
-    equal(printed, wanted, "library of the installed " .. what)
+    equal(ended(0, "", run(("cd %s && %s"):format(folder, command))), wanted, "library of the installed " .. what)
   end
 end)
 
 -- What the program reads of the library: the reference, and the project that hinge new writes.
 local installed = quote(prefix .. "/bin/hinge")
 case("the program reads the library of its own prefix", function()
-  local status, printed, complaint = run(("cd %s && %s reference model:node && %s new made"):format(folder, installed,
-    installed))
-  equal(status, 0, "reference and new: " .. complaint)
-  expect(printed:find("Adds a joint", 1, true) and support.is_there(folder .. "/made/main.lua"), "it prints %s",
-    printed)
+  ended(0, "Adds a joint",
+    run(("cd %s && %s reference model:node && %s new made"):format(folder, installed, installed)))
+  expect(support.is_there(folder .. "/made/main.lua"), "no project was made")
   local told = support.read(folder .. "/made/.luarc.json") or ""
   expect(told:find(prefix .. "/share/hinge/lua/hinge/hinge.d.lua", 1, true), "editors are told of another place: %s",
     told)
@@ -138,11 +127,9 @@ case("a library laid out by LuaRocks takes the engine alone from the build", fun
   run(("mkdir -p %s/rock/lib/lua/5.4 %s/rock/share/lua && cp %s/lib/lua/5.4/hinge.so %s/rock/lib/lua/5.4 && "
     .. "cp -r %s/share/hinge/lua %s/rock/share/lua/5.4")
     :format(folder, folder, quote(prefix), folder, quote(prefix), folder))
-  local status, printed, complaint = run(("cd %s && "
+  local printed = ended(0, "", run(("cd %s && "
     .. "env LUA_PATH=%s/rock/share/lua/5.4/?.lua';'%s/rock/share/lua/5.4/?/init.lua "
-    .. "LUA_CPATH=%s/rock/lib/lua/5.4/?.so lua5.4 asks.lua")
-    :format(folder, folder, folder, folder))
-  equal(status, 0, "as a rock: " .. complaint)
+    .. "LUA_CPATH=%s/rock/lib/lua/5.4/?.so lua5.4 asks.lua"):format(folder, folder, folder, folder)))
   equal(printed, "2\t" .. folder .. "/rock/share/lua/5.4/hinge/init.lua\n", "library of the rock")
   local spec = setmetatable({}, { __index = _G })
   assert(loadfile(support.root .. "lua/hinge-scm-1.rockspec", "t", spec))()

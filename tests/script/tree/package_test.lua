@@ -9,12 +9,8 @@ local checks = support.checks "package"
 local case = checks.case
 local quote, run, expect, equal = support.quote, support.run, checks.expect, checks.equal
 
-local function skip(why)
-  checks.skip(why)
-end
-
 for _, tool in ipairs { "dpkg", "dpkg-deb", "dpkg-shlibdeps", "dpkg-architecture", "file" } do
-  if run("command -v " .. tool) ~= 0 then skip("there is no " .. tool) end
+  if run("command -v " .. tool) ~= 0 then checks.skip("there is no " .. tool) end
 end
 local version = (support.read(support.root .. "CMakeLists.txt") or ""):match "project%(hinge VERSION ([%d.]+)"
 local pictures = support.is_there(arg[1] .. "/libhinge_output.so")
@@ -71,16 +67,16 @@ local asks = "local hinge = require 'hinge' local section = require 'hinge.secti
   .. "print(hinge.version, section ~= nil, package.searchpath('hinge', package.path))"
 local function works(usr, environment, lua_environment, what)
   local clean = ("cd %s && env -i HOME=%s %s "):format(home, home, environment)
+  local wanted = ("%s\ttrue\t%s/share/hinge/lua/hinge/init.lua\n"):format(version, usr)
   status, printed, complaint = run(clean .. "hinge -e " .. quote(asks .. " return 1"))
-  equal(printed, ("%s\ttrue\t%s/share/hinge/lua/hinge/init.lua\n1\n"):format(version, usr), what .. complaint)
+  equal(printed, wanted .. "1\n", what .. complaint)
   local example = support.is_there(usr .. "/share/doc/hinge/examples") and usr .. "/share/doc/hinge/examples/"
     or support.root .. "scripts/" -- dpkg may be told to leave pages out
   status, printed, complaint = run(clean .. "hinge run " .. quote(example .. "01_first_cantilever.lua"))
   checks.prints(printed, "tip goes down by 3.112854 mm\nwritten to out/01_first_cantilever\n",
     what .. ", an example: " .. complaint)
   status, printed, complaint = run(("cd %s && env -i %s lua5.4 -e %s"):format(home, lua_environment, quote(asks)))
-  equal(printed, ("%s\ttrue\t%s/share/hinge/lua/hinge/init.lua\n"):format(version, usr),
-    what .. ", plain Lua: " .. complaint)
+  equal(printed, wanted, what .. ", plain Lua: " .. complaint)
   equal(run(("cd %s && env -i %s lua5.4 %s >plain"):format(home, lua_environment,
     quote(example .. "01_first_cantilever.lua"))), 0, what .. ", an example under plain Lua")
   checks.prints(support.read(home .. "/plain") or "", "tip goes down by 3.112854 mm\n",

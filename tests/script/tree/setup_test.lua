@@ -6,7 +6,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local checks = support.checks "setup"
-local case = checks.case
+local case, ended = checks.case, checks.ended
 local quote, expect, equal = support.quote, checks.expect, checks.equal
 
 local folder = support.temporary_folder()
@@ -22,8 +22,16 @@ local configures = (": >%s/build/build.ninja; "
   .. "printf '%%s\\n' %s CMAKE_BUILD_TYPE:STRING=Release >%s/build/CMakeCache.txt")
   :format(quote(root), quote("CMAKE_HOME_DIRECTORY:INTERNAL=" .. root), quote(root))
 
--- The machine: its system, who calls, which packages it has, whether there is sudo, and what the tools return.
-local function machine(m)
+-- The same, with a program that ends with this status.
+local function builds(status)
+  local program = ("#!/usr/bin/env bash\necho \"hinge $*\" >>%s\nexit %d\n"):format(log, status)
+  return ("%s; printf %%s %s >%s/build/hinge; chmod +x %s/build/hinge"):format(configures, quote(program), quote(root),
+    quote(root))
+end
+
+-- The machine: its system, who calls, which packages it has, whether there is sudo, and what the tools return. The
+-- script ends with this status and words. Returns what it printed and how the tools were called.
+local function machine(wanted, words, m)
   support.run(("rm -rf %s %s/build*; cd %s && rm -f sudo dpkg-query apt-get rpm dnf"):format(log, quote(root), bin))
   support.write(folder .. "/os-release", ("ID=%s\n"):format(m.system or "debian"))
   local function tool(name, body)
@@ -46,9 +54,9 @@ local function machine(m)
   noted("ctest", m.ctest)
   noted("cpack", m.cpack)
   local command = m.ci and "/.ci/run" or "/scripts/" .. (m.command or "test") .. ".sh"
-  local status, printed, complaint = support.run(("cd / && os_release=%s/os-release PATH=%s %s %s")
-    :format(folder, bin, quote(root .. command), m.arguments or ""))
-  return status, printed, complaint, support.read(log) or ""
+  local printed = ended(wanted, words, support.run(("cd / && os_release=%s/os-release PATH=%s %s %s")
+    :format(folder, bin, quote(root .. command), m.arguments or "")))
+  return printed, support.read(log) or ""
 end
 
 local setup = support.read(support.root .. "scripts/setup.sh") or ""
@@ -61,102 +69,80 @@ case("setup installs what is missing, by root or sudo, and names what fails", fu
     expect(page:find("`" .. name .. "`", 1, true), "lua/guide/install.md does not say why %s is needed", name)
   end
 
-  local printed
-  local status, _, complaint, calls = machine { packages = all }
-  equal(status, 0, "everything installed: " .. complaint)
+  local _, calls = machine(0, "", { packages = all })
   expect(not calls:find "apt%-get"
     and calls:find "cmake %-%-fresh.*cmake %-%-build.*ctest %-%-test%-dir .*/a house/build ", "calls: %s", calls)
   expect(calls:find "%-DCMAKE_BUILD_TYPE=Release", "a release build: %s", calls)
 
-  status, printed, _, calls = machine { packages = all:gsub("catch2", ""):gsub("xvfb", "") }
-  equal(status, 0, "two packages missing, as root")
-  expect(printed:find "hinge: installing xvfb catch2\n", "it says so: %s", printed)
+  _, calls = machine(0, "hinge: installing xvfb catch2\n", { packages = all:gsub("catch2", ""):gsub("xvfb", "") })
   expect(select(2, calls:gsub("apt%-get [^\n]*update", "")) == 1
     and calls:find "apt%-get [^\n]*install %-y %-%-no%-install%-recommends xvfb catch2\n", "calls: %s", calls)
 
-  status, printed, _, calls = machine { packages = "", user = 1000, sudo = true }
-  equal(status, 0, "all missing, with sudo")
-  expect(printed:find "hinge: installing g%+%+ cmake .* with sudo\n"
-    and calls:find "sudo env DEBIAN_FRONTEND=noninteractive apt%-get", "%s%s", printed, calls)
+  _, calls = machine(0, { "hinge: installing g++ cmake ", " with sudo\n" }, { packages = "", user = 1000, sudo = true })
+  expect(calls:find "sudo env DEBIAN_FRONTEND=noninteractive apt%-get", "calls: %s", calls)
 
-  status, _, complaint, calls = machine { packages = all:gsub("xvfb", ""), user = 1000 }
-  equal(status, 1, "missing, neither root nor sudo")
-  equal(complaint, "hinge: missing: xvfb; to install them, run this as root or install sudo\n", "one line")
+  _, calls = machine(1, "hinge: missing: xvfb; to install them, run this as root or install sudo\n",
+    { packages = all:gsub("xvfb", ""), user = 1000 })
   equal(calls, "", "nothing was tried")
 
-  status, _, complaint = machine { packages = false }
-  expect(status == 1 and complaint:find "^hinge: this is neither Debian, Ubuntu nor Fedora[^\n]*\n$",
-    "no dpkg, no rpm: %s", complaint)
-  status, _, complaint, calls = machine { packages = "", apt = "exit 100" }
-  expect(status == 1 and complaint:find "hinge: apt%-get update failed" and not calls:find "cmake",
-    "no network: %s", complaint)
-  status, _, complaint, calls = machine { packages = all, cmake = "exit 1" }
-  expect(status == 1 and complaint:find "hinge: cmake failed" and not calls:find "ctest", "cmake fails: %s", complaint)
+  machine(1, "hinge: this is neither Debian, Ubuntu nor Fedora", { packages = false })
+  _, calls = machine(1, "hinge: apt-get update failed", { packages = "", apt = "exit 100" }) -- no network
+  expect(not calls:find "cmake", "calls: %s", calls)
+  _, calls = machine(1, "hinge: cmake failed", { packages = all, cmake = "exit 1" })
+  expect(not calls:find "ctest", "calls: %s", calls)
 end)
 
 case("Ubuntu and Fedora get their own packages", function()
-  local status
-  local _, printed, complaint, calls = machine { system = "ubuntu", packages = of_program:gsub("file", ""), command =
-    "demo" }
-  expect(printed:find "hinge: installing file\n" and not calls:find "catch2", "Ubuntu: %s%s", printed, complaint)
-  expect(calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Ubuntu: %s", calls)
-  status, _, complaint, calls = machine { system = "ubuntu", packages = of_program }
-  expect(status == 1 and complaint:find "^hinge: the tests are held to the tools of Debian 12[^\n]*\n$" and calls == "",
-    "tests on Ubuntu: %s%s", complaint, calls)
-  _, printed, complaint, calls = machine { system = "fedora", packages = of_fedora:gsub("vtk%-devel", ""),
-    command = "demo", user = 1000, sudo = true }
-  expect(printed:find "hinge: installing vtk%-devel with sudo\n"
-    and calls:find "dnf install %-y %-%-setopt=install_weak_deps=False vtk%-devel\n"
-    and calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Fedora: %s%s%s", printed, complaint, calls)
-  status, _, complaint = machine { system = "fedora", packages = "", command = "demo", dnf = "exit 1" }
-  expect(status == 1 and complaint:find "^hinge: dnf could not install gcc%-c%+%+ [^\n]*\n$", "no network: %s",
-    complaint)
+  local _, calls = machine(0, "hinge: installing file\n",
+    { system = "ubuntu", packages = of_program:gsub("file", ""), command = "demo", cmake = builds(0) })
+  expect(not calls:find "catch2" and calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Ubuntu: %s", calls)
+  _, calls = machine(1, "hinge: the tests are held to the tools of Debian 12",
+    { system = "ubuntu", packages = of_program })
+  equal(calls, "", "tests on Ubuntu")
+  _, calls = machine(0, "hinge: installing vtk-devel with sudo\n", { system = "fedora",
+    packages = of_fedora:gsub("vtk%-devel", ""), command = "demo", user = 1000, sudo = true, cmake = builds(0) })
+  expect(calls:find "dnf install %-y %-%-setopt=install_weak_deps=False vtk%-devel\n"
+    and calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF", "Fedora: %s", calls)
+  machine(1, "hinge: dnf could not install gcc-c++ ",
+    { system = "fedora", packages = "", command = "demo", dnf = "exit 1" })
 end)
 
 case("setup.sh alone installs, and prints what it would for a system", function()
-  local printed, complaint
-  local status, _, _, calls = machine { packages = all:gsub("file", ""), command = "setup" }
-  expect(status == 0 and calls:find "install %-y %-%-no%-install%-recommends file\n" and not calls:find "cmake",
-    "setup.sh: %s", calls)
-  for system, m in pairs {
-    debian = { packages = all, lines = "apt%-get [^\n]*update\n[^\n]*apt%-get [^\n]*install %-y [^\n]*" },
-    ubuntu = { packages = of_program, lines = "apt%-get [^\n]*update\n[^\n]*apt%-get [^\n]*install %-y [^\n]*" },
-    fedora = { packages = of_fedora, lines = "^dnf install %-y [^\n]*" },
-  } do
+  local _, calls = machine(0, "", { packages = all:gsub("file", ""), command = "setup" })
+  expect(calls:find "install %-y %-%-no%-install%-recommends file\n" and not calls:find "cmake", "calls: %s", calls)
+  local by_apt = "apt%-get [^\n]*update\n[^\n]*apt%-get [^\n]*install %-y [^\n]*"
+  for system, m in pairs { debian = { all, by_apt }, ubuntu = { of_program, by_apt },
+    fedora = { of_fedora, "^dnf install %-y [^\n]*" } } do
     for _, arguments in ipairs { "--print", "--print " .. system } do
-      status, printed, complaint, calls = machine { system = arguments == "--print" and system or "debian", packages =
-        "",
-        command = "setup", arguments = arguments }
-      equal(status, 0, arguments .. ": " .. complaint)
-      equal(calls, "", arguments .. " does nothing")
-      local packages = m.packages:gsub("%s+", " "):gsub("%p", "%%%0")
-      expect(printed:find(m.lines .. packages .. "\ncmake %-S %. %-B build [^\n]*\ncmake %-%-build build\n$"),
+      local printed, called = machine(0, "", { system = arguments == "--print" and system or "debian", packages = "",
+        command = "setup", arguments = arguments })
+      equal(called, "", arguments .. " does nothing")
+      local packages = m[1]:gsub("%s+", " "):gsub("%p", "%%%0")
+      expect(printed:find(m[2] .. packages .. "\ncmake %-S %. %-B build [^\n]*\ncmake %-%-build build\n$"),
         "%s on %s: %s", arguments, system, printed)
       equal(printed:find("-DHINGE_TESTS=OFF", 1, true) ~= nil, system ~= "debian", system .. ": without the tests")
     end
   end
-  _, printed = machine { packages = "", command = "setup", arguments = "--print fedora", user = 1000 }
+  local printed = machine(0, "", { packages = "", command = "setup", arguments = "--print fedora", user = 1000 })
   expect(printed:find "^sudo dnf ", "as a user: %s", printed)
-  status, _, complaint = machine { packages = "", command = "setup", arguments = "--print plan9" }
-  expect(status == 1 and complaint == "hinge: no system 'plan9': debian, ubuntu or fedora\n", "plan9: %s", complaint)
-  status, _, complaint = machine { packages = "", command = "setup", arguments = "--install" }
-  expect(status == 1 and complaint:find "^hinge: setup.sh takes nothing, or %-%-print [^\n]*\n$", "%s", complaint)
+  machine(1, "hinge: no system 'plan9': debian, ubuntu or fedora\n",
+    { packages = "", command = "setup", arguments = "--print plan9" })
+  machine(1, "hinge: setup.sh takes nothing, or --print ",
+    { packages = "", command = "setup", arguments = "--install" })
 end)
 
 case("package.sh builds for any processor in a folder of its own", function()
-  local _
   local in_package = configures:gsub("/build/", "/build-package/")
-  local status, printed, complaint, calls = machine { packages = of_program, command = "package", cmake = in_package,
-    cpack = (": >%s/build-package/hinge_1_any.deb"):format(quote(root)) }
-  equal(status, 0, "package.sh: " .. complaint)
+  local printed, calls = machine(0, "", { packages = of_program, command = "package", cmake = in_package,
+    cpack = (": >%s/build-package/hinge_1_any.deb"):format(quote(root)) })
   expect(not calls:find "apt%-get", "package.sh needs no tools of the tests: %s", calls)
   expect(calls:find "cmake %-%-fresh [^\n]*/build%-package [^\n]*%-DHINGE_NATIVE=OFF %-DHINGE_TESTS=OFF\n"
     and calls:find "cpack %-%-config [^\n]*/build%-package/CPackConfig.cmake ", "package.sh: %s", calls)
   equal(printed, ("sudo apt-get install '%s/build-package/hinge_1_any.deb'\n"):format(root), "what to type next")
 
-  status, _, complaint, calls = machine { system = "fedora", packages = of_fedora, command = "package" }
-  expect(status == 1 and complaint:find "^hinge: a Debian package is made on Debian or Ubuntu[^\n]*\n$" and calls == "",
-    "package.sh on Fedora: %s%s", complaint, calls)
+  calls = select(2, machine(1, "hinge: a Debian package is made on Debian or Ubuntu",
+    { system = "fedora", packages = of_fedora, command = "package" }))
+  equal(calls, "", "package.sh on Fedora")
 end)
 
 case("the container is built by package.sh from files that are there", function()
@@ -171,21 +157,16 @@ case("the container is built by package.sh from files that are there", function(
 end)
 
 case("a folder that cannot be written to is named, and ctest's status and arguments go through", function()
-  local calls
   support.run(("rm -rf %s/build; : > %s/build"):format(quote(root), quote(root)))
-  local status, _, complaint = support.run(("PATH=%s %s"):format(bin, quote(root .. "/scripts/demo.sh")))
-  expect(status == 1 and complaint:find "^hinge: cannot write to .*/a house/build; copy the repository [^\n]*\n$",
-    "no room to build: %s", complaint)
-
-  status, _, _, calls = machine { packages = all, ctest = "exit 8", arguments = "-R 'a b'" }
-  equal(status, 8, "ctest's status")
+  ended(1, { "hinge: cannot write to ", "/a house/build; copy the repository " },
+    support.run(("PATH=%s %s"):format(bin, quote(root .. "/scripts/demo.sh"))))
+  local _, calls = machine(8, "", { packages = all, ctest = "exit 8", arguments = "-R 'a b'" })
   expect(calls:find "ctest [^\n]* %-R a b\n", "arguments go to ctest: %s", calls)
 end)
 
 case(".ci/run builds for this processor and for plain x86-64 and tests both", function()
-  local status, _, complaint, calls = machine { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide",
-    cmake = configures .. ("; echo \"ccache in $CCACHE_BASEDIR\" >>%s"):format(log) }
-  equal(status, 8, ".ci/run: " .. complaint)
+  local _, calls = machine(8, "", { packages = all, ci = true, ctest = "exit 8", arguments = "-R guide",
+    cmake = configures .. ("; echo \"ccache in $CCACHE_BASEDIR\" >>%s"):format(log) })
   local first, second = calls:match "(cmake %-%-fresh [^\n]*)\n.*(cmake %-%-fresh [^\n]*)\n"
   expect(first and first:find("/a house/build -G", 1, true) and not first:find "HINGE_", "for this processor: %s",
     calls)
@@ -200,12 +181,7 @@ case(".ci/run builds for this processor and for plain x86-64 and tests both", fu
 end)
 
 case("demo.sh builds no tests and hands its arguments to the program", function()
-  local program = ("#!/usr/bin/env bash\necho \"hinge $*\" >>%s\nexit 3\n"):format(log)
-  local builds = ("%s; printf %%s %s >%s/build/hinge; chmod +x %s/build/hinge")
-    :format(configures, quote(program), quote(root), quote(root))
-  local status, _, complaint, calls = machine { packages = all, command = "demo", arguments = "--case II", cmake =
-    builds }
-  equal(status, 3, "the program's status: " .. complaint)
+  local _, calls = machine(3, "", { packages = all, command = "demo", arguments = "--case II", cmake = builds(3) })
   expect(calls:find "cmake %-%-build [^\n]* %-%-target hinge_program hinge_output hinge_module\n"
     and calls:find "hinge run [^\n]*/ten_storey_impact%.lua %-%-case II\n", "calls: %s", calls)
   os.remove(log)
@@ -214,8 +190,8 @@ case("demo.sh builds no tests and hands its arguments to the program", function(
 end)
 
 case("demo.sh leaves the tests out, and test.sh adds them to the same build", function()
-  local _, printed, complaint, calls = machine { packages = of_program:gsub("xvfb", ""), command = "demo" }
-  expect(printed:find "hinge: installing xvfb\n", "packages of the tests are installed: %s%s", printed, complaint)
+  local _, calls = machine(0, "hinge: installing xvfb\n",
+    { packages = of_program:gsub("xvfb", ""), command = "demo", cmake = builds(0) })
   expect(calls:find "cmake %-%-fresh [^\n]*%-DHINGE_TESTS=OFF\n", "the first build: %s", calls)
 
   -- test.sh where demo.sh built: cmake is told once more, and nothing is built from the start
