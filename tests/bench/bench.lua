@@ -15,6 +15,8 @@ local hinge  = require "hinge"
 local core   = require "hinge.core"
 local impact = require "hinge.models.ten_storey_impact"
 local paper  = require "hinge.paper"
+local scenes = require "scenes"
+local with   = scenes.with
 
 -- Prints a table under its title and keeps it as name.csv.
 local function show(job, name, title, head, rows)
@@ -101,12 +103,6 @@ local function savings(job, quick)
       text("%.1e", energy_error(run[1])), text("%.1e", energy_error(run[2])) }
   end
   local short = { duration = 0.002 }
-  local function with(base, extra)
-    local t = {}
-    for k, v in pairs(base) do t[k] = v end
-    for k, v in pairs(extra) do t[k] = v end
-    return t
-  end
   compare("bodies at rest, 2 ms of flight", "rest = false",
     function() return case_one(short) end,
     function() return case_one(with(short, { rest = false })) end)
@@ -127,15 +123,10 @@ local function savings(job, quick)
   end
   -- a bar thrown at a portal from 3 m away
   local function thrown(dt)
-    local model = hinge.model {}
     local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 250e6 }
     local bar = hinge.section.solid { width = 0.1, depth = 0.1 }
-    local a, b, c, d = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }, model:node { 3, 0, 3 }, model:node { 3, 0, 0 }
-    model:fix(a)
-    model:fix(d)
-    for _, ends in ipairs { { a, b }, { b, c }, { c, d } } do
-      model:member { ends[1], ends[2], section = bar, material = steel }
-    end
+    local sizes = { section = bar, material = steel }
+    local model = scenes.portal { width = 3, column = sizes, beam = sizes }
     model:member { model:node { 1.5, -3, 2 }, model:node { 1.5, -3, 4 },
       section = bar, material = steel, group = "missile" }
     model:velocity("missile", { 0, 60, 0 })

@@ -2,17 +2,12 @@
 --
 -- Run     build/hinge run tests/bench/section_laws.lua            (a minute; turns=5: more of them)
 -- Shows   seconds of each law, the median of runs by turns, over those of eq 14; the energy error beside them
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
 local hinge = require "hinge"
+local with = require "scenes".with
 
 local bays, storeys, bay, height = 4, 8, 6, 3.5 -- m
 local floor_density = 60000 -- kg/m^3: the beams carry floors
-
-local function with(fields, more)
-  local all = {}
-  for name, value in pairs(fields) do all[name] = value end
-  for name, value in pairs(more or {}) do all[name] = value end
-  return all
-end
 
 local laws = {
   { "eq 14", interaction = "paper" },

@@ -5,21 +5,15 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local scenes = require "scenes"
 local checks = support.checks "picture"
 local case, expect, equal = checks.case, checks.expect, checks.equal
 
 -- A portal under its loads, with a plastic hinge, on a plane.
 local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
 local section = hinge.section.box { depth = 0.15, width = 0.15, thickness = 0.006 }
-local model = hinge.model()
-local node = {}
-for i, p in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } } do node[i] = model:node(p) end
-model:fix(node[1])
-model:fix(node[4])
-for i = 1, 3 do
-  model:member { node[i], node[i + 1], section = section, material = steel, group = i ~= 2 and "columns" or "beams",
-    up = { i == 2 and 0 or 1, 0, i == 2 and 1 or 0 } }
-end
+local sizes = { section = section, material = steel, up = { 1, 0, 0 } }
+local model, node = scenes.portal { column = sizes, beam = scenes.with(sizes, { up = { 0, 0, 1 } }) }
 model:ground { point = { 0, 0, -0.2 }, normal = { 0, 0, 1 } }
 model:load { node = node[2], force = { 50e3, 0, 0 } }
 model:load { group = "beams", q = { 0, 0, -8e3 } }
@@ -40,13 +34,8 @@ local function draw(view)
 end
 case("the legend has the groups that are drawn, and no others", function()
   local function picture(posts, view)
-    local own = hinge.model()
-    local at = {}
-    for i, p in ipairs { { 0, 0, 0 }, { 0, 0, 3 }, { 4, 0, 3 }, { 4, 0, 0 } } do at[i] = own:node(p) end
-    own:fix { at[1], at[4] }
-    for i = 1, 3 do
-      own:member { at[i], at[i + 1], section = section, material = steel, group = i == 2 and "beams" or posts }
-    end
+    local own, at = scenes.portal { column = { section = section, material = steel, group = posts },
+      beam = { section = section, material = steel } }
     own:load { node = at[2], force = { 1e3, 0, 0 } }
     view.show, view.width, view.height = "group", 480, 360
     job:picture(own:static { steps = 1 }:finish(), view, "b.png")

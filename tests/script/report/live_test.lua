@@ -136,11 +136,9 @@ case("the page has each new state of the run, other requests are refused, and no
   equal(ask(at_one, "POST / HTTP/1.1\\r\\nHost: localhost\\r\\n\\r\\n"):match "^(.-)\r\n",
     "HTTP/1.1 405 Method Not Allowed", "another method")
   local port = at_one:match ":(%d+)/"
-  local refused, _, complaint = run(("cd %s && %s run --live=%s scene.lua duration=0.001 --out live_three"):format(
-    quote(folder), hinge, port))
-  expect(refused == 2 and complaint == ("hinge: --live: cannot listen on 127.0.0.1 at port %s: Address already in use; "
-    .. "another program has that port: give another one, or --live alone\n"):format(port), "a port in use: %s %s",
-    refused, complaint)
+  checks.ended(2, { "hinge: --live: cannot listen on 127.0.0.1 at port " .. port .. ": Address already in use",
+    "give another one, or --live alone" },
+    run(("cd %s && %s run --live=%s scene.lua duration=0.001 --out live_three"):format(quote(folder), hinge, port)))
   local interfaces = support.output "cat /proc/net/tcp"
   expect(interfaces:find((" 0100007F:%04X 00000000:0000 0A"):format(port)), "it does not listen on 127.0.0.1")
   expect(not interfaces:find((" 00000000:%04X "):format(port)), "it listens on all interfaces")
@@ -205,9 +203,8 @@ case("no bit of a run changes where somebody looks at it", function()
     if body ~= "" then states = states + 1 end
   end
   expect(states > 2, "it was looked at %d times", states)
-  local unseen, _, told = plain("unseen", "run -q --live")
-  expect(unseen == 0 and support.says(told, "live until the program ends: http://127.0.0.1:.../\n"), "nobody looks: %s",
-    told)
+  local _, told = checks.ended(0, "", plain("unseen", "run -q --live"))
+  expect(support.says(told, "live until the program ends: http://127.0.0.1:.../\n"), "nobody looks: %s", told)
   local alone = support.json(text_of "live_alone/summary.json")
   for _, name in ipairs { "looked", "unseen" } do
     local summary = support.json(text_of("live_" .. name .. "/summary.json"))
@@ -224,17 +221,11 @@ case("--live is an event with --json, goes in the sandbox, and is refused by oth
   local event = support.json(events:match "^[^\n]*")
   expect(event.event == "live" and event.address:find "^http://127%.0%.0%.1:%d+/$", "--json: %s", events:sub(1, 200))
   if not os.getenv "HINGE_SANITIZED" then -- ASan needs more address space than the sandbox gives
-    local boxed, _, told_there = plain("boxed", "--live --sandbox")
-    expect(boxed == 0 and told_there:find("live until the program ends: http", 1, true), "--sandbox: %s %s", boxed,
-      told_there)
+    local _, told_there = checks.ended(0, "", plain("boxed", "--live --sandbox"))
+    expect(told_there:find("live until the program ends: http", 1, true), "--sandbox: %s", told_there)
   end
-  for _, verb in ipairs { "study", "cost", "plan", "check" } do
-    local other = plain("other", verb .. " --live")
-    equal(other, 2, "hinge " .. verb .. " --live")
-  end
-  for _, wrong in ipairs { "abc", "65536", "-1" } do
-    equal(plain("other", "run --live=" .. wrong), 2, "--live=" .. wrong)
-  end
+  for _, words in ipairs { "study --live", "cost --live", "plan --live", "check --live", "run --live=abc",
+    "run --live=65536", "run --live=-1" } do equal(plain("other", words), 2, words) end
 end)
 
 local look = support.browser "live"
@@ -242,8 +233,7 @@ if look then
   case("in a browser the page shows the run", function()
     os.remove(path "stop_one")
     local shown, at_shown = start("one", "duration=10 wait=0.02 stop=stop_one record=10")
-    local seen, said, wrong = look("live_test.js", at_shown, path "stop_one", arg[2])
-    equal(seen, 0, "in a browser: " .. said .. wrong)
+    local said = checks.ended(0, "", look("live_test.js", at_shown, path "stop_one", arg[2]))
     expect((tonumber(said:match "(%d+) checked") or 0) > 25, "in a browser: %s", said)
     ends(shown, "the program that was looked at")
   end)
