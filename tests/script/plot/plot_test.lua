@@ -111,8 +111,7 @@ for i = 1, #sag.value, 50 do print(sag.time[i], sag.value[i]) end
   equal(i, 251, "rows that were compared, and 50 more")
 end)
 
-case("plotted energies are those of history.csv", function()
-  -- Energies are those of history.csv, in plain Lua too, which writes none; the last row is the present state.
+case("rows of a run end with its present state, and those of a long run are a part, evenly", function()
   local energies = lua [[
 for step in run:steps() do if step.index == 77 then break end end
 local core = require "hinge.core"
@@ -120,20 +119,14 @@ local rows = core.run_history(run)
 local n = #rows.time
 print(n, rows.time[n] == run.time, rows.kinetic[n] == run.energy.kinetic,
   rows.energy_error[n] == run.energy.energy_error)
-]]
-  equal(energies, "78\ttrue\ttrue\ttrue\n", "rows in the middle of a run")
-end)
-
-case("long runs keep a part of their rows, evenly, and the last one", function()
-  local long = lua [[
 local many = model:dynamic { dt = 1e-6, duration = 0.02, record = 1 }:finish()
-local rows = require "hinge.core".run_history(many)
-local n, step = #rows.time, rows.time[2] - rows.time[1]
-local even = true
+rows = core.run_history(many)
+n = #rows.time
+local step, even = rows.time[2] - rows.time[1], true
 for i = 2, n - 1 do even = even and math.abs(rows.time[i] - rows.time[i - 1] - step) < 1e-9 end
 print(n > 4000 and n <= 8193, even, rows.time[n] == many.time)
 ]]
-  equal(long, "true\ttrue\ttrue\n", "rows of a long run")
+  equal(energies, "78\ttrue\ttrue\ttrue\ntrue\ttrue\ttrue\n", "rows in the middle of a run, and of a long one")
 end)
 
 case("a plot of a static run is drawn over the load factor", function()
