@@ -33,6 +33,19 @@ void add_sandbox(CLI::App& verb, Request& request) {
         ->type_name("NUMBER");
 }
 
+/// --within, --answers and --budget, for the verbs that choose settings by their accuracy.
+void add_within(CLI::App& verb, Request& request, const std::string& help) {
+    auto* within = verb.add_option("--within", request.within, help);
+    verb.add_option_function<std::string>(
+            "--answers", [&request](const std::string& names) { request.texts["answers"] = names; },
+            "With --within: the answers that count, such as peak_mm,broken_columns (default: the scenario's answers, "
+            "or all numbers that it returns)")
+        ->needs(within);
+    verb.add_option("--budget", request.budget,
+                    "With --within: most time that the search may take, such as 60 (seconds), 60s, 5min or 1h")
+        ->needs(within);
+}
+
 void add_run(CLI::App& app, Request& request) {
     auto* verb = app.add_subcommand("run", "Run a script; 'hinge SCRIPT' is the same");
     verb->add_option("script", request.script, "Lua script")->required();
@@ -45,6 +58,9 @@ void add_run(CLI::App& app, Request& request) {
         "from the script's defaults, such as out/frame-II-speed=100; -2, -3 ... where that holds a run of "
         "another script of that name)");
     verb->add_flag("--resume", request.resume, "Resume each run that names a checkpoint, where its file exists");
+    add_within(*verb, request,
+               "Choose dt, elements a member and integrator so that the answers have this error at most, such as 2%; "
+               "tell the error, what it rests on and what it cost");
     auto* quiet = verb->add_flag("-q,--quiet", request.quiet,
                                  "Print what the script prints and why a run failed: no progress, changes of "
                                  "state, warnings (summary.json has them)");
@@ -235,6 +251,9 @@ void add_study(CLI::App& app, Request& request) {
     study_option("--seed", "seed", "A whole number; the same one gives the same draws (default 1)");
     study_option("--propose", "propose", "One of the scenario's proposals, a function that gives the next case");
     study_option("--timeout", "timeout", "Most time a case may take, such as 60s, 5min or 1h");
+    add_within(*verb, request,
+               "Choose dt, elements a member and integrator once, for answers with this error at most, such as 2%, and "
+               "check the choice in some of the cases");
     study_option("--memory", "memory", "Most memory a case may take, such as 500M or 2G");
     verb->add_option("--out", request.out,
                      "Folder for results.csv, summary.json, pictures and the cases' own folders (default "

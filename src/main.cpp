@@ -129,7 +129,8 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     const auto context = hinge::script::prepare(L);
     luaL_requiref(L, "hinge", luaopen_hinge, 0);
     lua_pop(L, 1);
-    const bool one_run = request.verb != "cost" && request.verb != "study" && request.verb != "report";
+    const bool one_run = request.verb != "cost" && request.verb != "study" && request.verb != "report" &&
+                         (request.verb != "run" || request.within.empty());
     if (one_run) context->output.folder = request.out;  // runs that are only compared leave nothing
     context->messages.progress = progress && !request.quiet && !request.json;
     context->messages.warns = context->messages.progress;
@@ -147,7 +148,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     if (request.sandbox) hinge::script::confine(L, request.limits);
     const int status = call_library(L, module, function, request);
     if (live) end_live(*live, *context, status);
-    if (request.verb == "run") request.out = context->output.folder;  // its name may tell the parameters
+    if (request.verb == "run" && one_run) request.out = context->output.folder;  // its name may tell the parameters
     if (ends_on_signals) hinge::script::forget_signals();
     return status;
 }
@@ -179,6 +180,8 @@ int run(Request request, bool named, const std::vector<std::string>& verbs) {
                                                 : "-cost");
     if (request.verb == "cost") return with_lua(request, "hinge.cost.program", "main", false);
     if (request.verb == "study") return with_lua(request, "hinge.study.program", "main", false);
+    if (request.verb == "run" && !request.within.empty())
+        return with_lua(request, "hinge.accuracy.program", "main", false);
     const int status = with_lua(request, "hinge.program.runner", "main", true);
     if (status <= 1 && !request.quiet && !request.json && fs::exists(fs::path(request.out) / "summary.json"))
         std::cout << "written to " << request.out << "\n";

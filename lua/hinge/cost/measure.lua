@@ -64,20 +64,26 @@ local function harvest(result, histories, run)
   if run.kind == "dynamic" and run.planned_steps > (result.longest and result.longest.steps or 0) then
     result.longest = { steps = run.planned_steps, time = run.time }
   end
+  local facts = core.facts(run)
+  result.runs[#result.runs + 1] = { kind = run.kind, ended = run.kind == "dynamic" and run.time or run.factor,
+    dt = run.dt, steps = run.index, elements = facts.elements, members = facts.members, broken = facts.broken,
+    groups = facts.groups }
+  result.strain_limits = result.strain_limits or facts.strain_limits
   if run.verdict == "failed" then result.failed = run.reason end
 end
 
---- Runs the scenario, without the effect or the law of sections `without` where one is named. Returns
--- { answers = { name = number or { x =, y = } }, seconds = in the steps of all its runs, outside = of the rest,
--- stages = { name = seconds }, memory = bytes, energy_error = the largest as a part of the energy brought in,
--- effects = { name = true } that were in a step, laws = { name = true } of sections that can be left out, hashes = of
--- the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = } of the dynamic run
--- with the most steps, failed = why it has no answer }; nil when `deadline` (of core.clock) came first. Each call makes
--- its own models.
-function measure.once(scenario, parameters, case, deadline, without)
+--- Calls f, which runs a scenario or a script, with what core.change_runs takes in `changes`, or without the effect or
+-- the law of sections `without`. Returns { answers = { name = number or { x =, y = } }, seconds = in the steps of all
+-- its runs, outside = of the rest, stages = { name = seconds }, memory = bytes, energy_error = the largest as a part of
+-- the energy brought in, effects = { name = true } that were in a step, laws = { name = true } of sections that can be
+-- left out, hashes = of the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = }
+-- of the dynamic run with the most steps, runs = { { kind =, ended = time or load factor, dt =, steps =, elements =,
+-- members =, broken = numbers of members, groups = { number = group } }, ... }, strain_limits = true if fracture has
+-- limits of strain, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
+function measure.watch(f, deadline, without, changes)
   local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, laws = {}, hashes = {},
-    warnings = {} }
-  local runs, histories, expired, say = {}, {}, false, print
+    warnings = {}, runs = {}, strain_limits = false }
+  local runs, histories, expired = {}, {}, false
   collectgarbage()
   collectgarbage()
   local held = core.forget_peak()
@@ -93,17 +99,14 @@ function measure.once(scenario, parameters, case, deadline, without)
       error(late)
     end)
   end)
-  print = function() end
   core.leave_out(without)
+  core.change_runs(changes)
   local start = core.clock()
-  local quiet = jobs.quiet(case)
-  local before = jobs.use(quiet)
-  local ok, returned = pcall(scenario.run, parameters, quiet)
-  jobs.use(before)
+  local ok, returned = pcall(f)
   local all = core.clock() - start
   core.on_run(nil)
   core.leave_out(nil)
-  print = say
+  core.change_runs(nil)
   if expired then return nil end
   if not ok then
     if core.error_kind(returned) == "interrupted" or type(returned) ~= "string" or returned == "not enough memory" then
@@ -119,6 +122,19 @@ function measure.once(scenario, parameters, case, deadline, without)
   flatten(result.answers, returned, "", 0)
   add_histories(result.answers, histories)
   return result
+end
+
+--- Runs the scenario and writes nothing: see measure.watch. Each call makes its own models.
+function measure.once(scenario, parameters, case, deadline, without, changes)
+  local say, quiet = print, jobs.quiet(case)
+  local before = jobs.use(quiet)
+  print = function() end
+  local results = table.pack(pcall(measure.watch, function() return scenario.run(parameters, quiet) end, deadline,
+    without, changes))
+  print = say
+  jobs.use(before)
+  if not results[1] then error(results[2], 0) end
+  return results[2]
 end
 
 -- A small relative change of all numbers, up and down alternately, shows whether an answer is chaotic.

@@ -36,6 +36,9 @@ function scatter.mean(answers)
   return mean, math.sqrt(sum / (n - 1)), n
 end
 
+--- Half of the 95 % band of a mean: Student's t times the standard deviation of the mean.
+function scatter.band(deviation, runs) return student(runs - 1) * deviation / math.sqrt(runs) end
+
 --- Whether two means differ by more than their scatter explains. a, b: { mean =, deviation =, runs = }.
 function scatter.apart(a, b)
   local va, vb = a.deviation ^ 2 / a.runs, b.deviation ^ 2 / b.runs

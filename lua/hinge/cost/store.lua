@@ -37,8 +37,9 @@ local function say_changed(changed)
   end
 end
 
---- folder: nil keeps nothing. `run`: the scenario's function. If its file can be read, the content of the file is part
--- of every key. A measurement counts as long as all files are as they were that the script had read up to then.
+--- folder: nil keeps nothing. `run`: the scenario's function, or the path of a script. If its file can be read, the
+-- content of the file is part of every key. A measurement counts as long as all files are as they were that the script
+-- had read up to then.
 function store.open(folder, run)
   local self = setmetatable({ lines = {}, path = folder and folder .. "/finished.lua" }, Store)
   if not self.path then return self end -- as in the sandbox, which has no place for these files
@@ -46,7 +47,7 @@ function store.open(folder, run)
   core.lock(folder)
   self.folder = core.whole_path(folder)
   local same, changed = files.comparison(), {}
-  local source = debug.getinfo(run, "S").source
+  local source = type(run) == "string" and "@" .. run or debug.getinfo(run, "S").source
   local content = source:sub(1, 1) == "@" and files.text(source:sub(2)) or source
   self.mark = core.version .. " " .. core.fingerprint(content)
   for line in (files.text(self.path) or ""):gmatch "[^\n]+" do

@@ -8,6 +8,7 @@
 #include "core/files.h"
 #include "effects/all_effects.h"
 #include "model/section_laws.h"
+#include "script/bind/changed_runs.h"
 #include "script/bind/modules.h"
 #include "script/bind/run_box.h"
 
@@ -107,6 +108,7 @@ void open_measure(lua_State* L, int module) {
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
+    add_changed_runs(L);
     lua_pop(L, 1);
 }
 

@@ -5,6 +5,7 @@
 
 #include "model/member_ends.h"
 #include "model/section_laws.h"
+#include "script/bind/changed_runs.h"
 #include "script/bind/dynamic_settings.h"
 #include "script/bind/static_settings.h"
 #include "advice/load_warnings.h"
@@ -53,9 +54,9 @@ const ScriptRun* run_before(Options& o, const std::shared_ptr<ScriptModel>& mode
 }
 
 /// The run's own copy of a model, with the loads that it takes, without the effect that is left out just now
-/// (core.leave_out). Numbers of elements are decided with all loads; the model takes them from the run, once there is
-/// one.
-std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadChoice& choice) {
+/// (core.leave_out), and with what core.change_runs changes. Numbers of elements are decided with all loads; the model
+/// takes them from the run, once there is one, or before they are changed.
+std::shared_ptr<const Model> copy_of(lua_State* L, Model& m, const LoadChoice& choice) {
     auto copy = std::make_shared<Model>(m);
     copy->lock(false);  // a run may be made inside a step of another
     context(L)->running = L;
@@ -66,6 +67,7 @@ std::shared_ptr<const Model> copy_of(lua_State* L, const Model& m, const LoadCho
         hinge::leave_out(effect, *copy);
         leave_out_law(effect, *copy);
     }
+    if (models_change(L)) m.take_elements(*copy), change_model(L, *copy);
     look_over(*context(L), *copy);
     return copy;
 }
@@ -136,6 +138,7 @@ void refuse_static_start(const Model& declared, const Structure& structure, cons
 
 int static_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:static").value;
+    change_options(L, "static");
     Options o(L, 2, "model:static", true);
     o.expect({"steps", "iterations", "tolerance", "control", "unstable", "to_limit", "fixed_group", "record", "from",
               "allow_failed", "loads", "branch"});
@@ -252,6 +255,7 @@ std::vector<Warning> mistakes_in_dynamics(lua_State* L, const Structure& structu
 
 int dynamic_run(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:dynamic").value;
+    change_options(L, "dynamic");
     Options o(L, 2, "model:dynamic");
     expect_dynamic_fields(o);
     const IntegratorKind integrator = read_integrator(o);
@@ -265,7 +269,8 @@ int dynamic_run(lua_State* L) {
             "'newmark'");
     require_density(*structure);
     refuse_massless(*structure, integrator);
-    const DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
+    DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
+    change_automatic_step(L, s);
     State start = start_state(o, *structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     try {

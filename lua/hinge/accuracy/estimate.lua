@@ -1,0 +1,62 @@
+-- How far an answer may still be from the exact one, from its values at settings that get finer.
+--
+-- Where three values show an order of convergence, the error is the rest of the series (Richardson). Where they do not,
+-- or where there are two values, the largest change counts, with a factor of safety of 3: the grid convergence index of
+-- Roache (P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, Journal of Fluids
+-- Engineering 116, 1994, pp. 405-413). Three values with an order have the factor 1.25 of the same index.
+local compare = require "hinge.cost.compare"
+
+local estimate = {}
+local least_order = 0.5  -- below it the rest of the series would be longer than what was seen
+local beyond_theory = 0.5 -- an order that is higher than the theory by more is chance
+local careful = 3        -- Roache's factor of safety without an observed order
+local usual = 1.25       -- and with one
+local aligned = 0.5      -- cosine of the angle between two changes of a history that are of one kind
+local rounding = 1e-9    -- of an answer: changes that are smaller say nothing
+
+local function rest(change, ratio, order) return change / (ratio ^ order - 1) end
+
+-- The largest change between neighbours, each reduced to the last refinement by the order in theory: two values that
+-- agree by chance do not hide a change before them.
+local function largest_change(h, answers, order)
+  local n, most = #answers, 0
+  for i = 2, n do
+    local change = compare.distance(answers[i], answers[i - 1])
+    most = compare.larger(most, change * (h[n] / h[i]) ^ order)
+  end
+  return most
+end
+
+--- Along one refinement: answers at step sizes h that fall, the finest last; `theory`: the order in theory.
+-- Returns { by =, error =, order =, answer = }. error: of the finest answer, in its unit. by: "exact" (no change),
+-- "order" (three values show one), "change" (they do not, or there are two: the largest change with a factor of
+-- safety), "open" (one value, or one that is not a number: the error is infinite). answer: the best known one, which
+-- is extrapolated where an order is seen, else the finest.
+function estimate.along(h, answers, theory)
+  local n = #answers
+  local finest = answers[n]
+  for _, a in ipairs(answers) do
+    if not (compare.size(a) < math.huge) then n = 0 end
+  end
+  if n < 2 then return { by = "open", error = math.huge, answer = finest } end
+  local ratio = h[n - 1] / h[n]
+  local largest = largest_change(h, answers, theory)
+  local most = 0
+  for i = 1, n - 1 do most = compare.larger(most, compare.distance(answers[i], finest)) end
+  if not (most > rounding * compare.size(finest)) then return { by = "exact", error = most, answer = finest } end
+  if n >= 3 then
+    local last = { answers[n - 2], answers[n - 1], finest }
+    local order = compare.order({ h[n - 2], h[n - 1], h[n] }, last)
+    if compare.going_on(table.unpack(last)) > aligned and order and order >= least_order
+      and order <= theory + beyond_theory then
+      local change = compare.distance(answers[n - 1], finest)
+      local used = math.min(order, theory)
+      local part = 1 / (ratio ^ order - 1)
+      local better = compare.combined(function(b, c) return c + part * (c - b) end, last[2], finest)
+      return { by = "order", order = order, error = usual * rest(change, ratio, used), answer = better or finest }
+    end
+  end
+  return { by = "change", error = careful * rest(largest, ratio, theory), answer = finest }
+end
+
+return estimate

@@ -1,0 +1,46 @@
+-- hinge run SCRIPT --within 2%: reads the command line, searches, makes the chosen run, prints and writes.
+local accuracy = require "hinge.accuracy"
+local files = require "hinge.study.files"
+local report = require "hinge.accuracy.report"
+local runner = require "hinge.program.runner"
+local values = require "hinge.library.values"
+
+local program = {}
+
+-- What the user gives as values of parameters, as the scenario has them; those of plain statements as they are.
+local function parameters_of(options, scenario)
+  local given = {}
+  local all = scenario and scenario:values(options.case, options.overrides)
+  for _, override in ipairs(options.overrides) do given[override[1]] = all and all[override[1]] or override[2] end
+  return given
+end
+
+local function names_of(text)
+  if not text then return nil end
+  local list = {}
+  for name in values.items(text, "--answers " .. text) do list[#list + 1] = name end
+  return list
+end
+
+--- options: script, case, overrides, out, out_given, within, budget, answers, quiet, all as text. Returns the program's
+-- exit status: 0 where the answers are within what was asked, 1 where they are not, or the run failed.
+function program.main(options)
+  return runner.guard(function()
+    local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
+      "a part above 0, such as 2% or 0.02")
+    local budget = values.time("--budget", options.budget)
+    files.watch()
+    local scenario, probe = accuracy.load(options)
+    local parameters = parameters_of(options, scenario)
+    local told = accuracy.run { script = options.script, scenario = scenario, case = options.case, probe = probe,
+      overrides = options.overrides, parameters = parameters, out = runner.folder(options, parameters),
+      out_given = options.out_given ~= nil, within = within, budget = budget, answers = names_of(options.answers),
+      progress = options.quiet == nil }
+    if options.quiet == nil then io.stdout:write(told.printed) end
+    for _, line in ipairs(report.lines(told)) do print(line) end
+    print("written to " .. told.folder)
+    return told.reached and 0 or 1
+  end)
+end
+
+return program

@@ -1,0 +1,103 @@
+-- The result of hinge run --within in words, and in summary.json.
+local broken = require "hinge.accuracy.broken"
+local check = require "hinge.library.check"
+local text = require "hinge.cost.text"
+local words = require "hinge.cost.words"
+
+local report = {}
+
+-- A part as a percentage of two digits, rounded up so that it stays a bound; more than the answer itself is not known.
+local function percent(part)
+  if not (part <= 1) then return "unknown" end
+  if part < 1e-10 then return "0 %" end
+  local unit = 10.0 ^ (math.floor(math.log(100 * part, 10)) - 1)
+  return ("%.3g %%"):format(math.ceil(100 * part / unit - 1e-9) * unit)
+end
+local function time(seconds) return words.seconds(seconds, 2) end
+local function number(value) return ("%.4g"):format(value) end
+
+-- "order 1.98 in dt", "change of 0.4 % in elements".
+local function basis_of_knob(knob, found, part)
+  if found.by == "order" then return ("order %.2g in %s"):format(found.order, knob.name) end
+  if found.by == "exact" then return "no change in " .. knob.name end
+  if found.by == "change" then return ("%s by changes in %s"):format(percent(part), knob.name) end
+  return knob.name .. " has one value"
+end
+
+--- What the error of an answer rests on.
+local function basis(all, e, state)
+  local parts = {}
+  if e.mean ~= nil then
+    parts[1] = ("%d runs, mean %s, scatter %s"):format(e.runs,
+      type(e.mean) == "number" and number(e.mean) or "of a history", number(e.deviation))
+  end
+  for _, knob in ipairs(all) do
+    local found = e.found[knob.name]
+    if state and not (e.parts[knob.name] > 0) then
+      parts[#parts + 1] = ("%s: no change beyond the scatter"):format(knob.name)
+    elseif found then parts[#parts + 1] = basis_of_knob(knob, found, e.parts[knob.name]) end
+  end
+  if e.shown then parts[#parts + 1] = ("check %s"):format(percent(e.shown)) end
+  return table.concat(parts, "; ")
+end
+
+--- Answers as they are told: { { name =, value =, error =, basis =, chaotic = }, ... } by name.
+function report.answers(all, found, search)
+  local list = {}
+  for _, name in ipairs(check.keys(found.errors)) do
+    local e = found.errors[name]
+    local value = search.ladders:answer(found.chosen, name)
+    list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
+      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, search.ladders.chaotic[name]),
+      mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
+      parts = e.parts }
+  end
+  return list
+end
+
+--- "asked 2 %, estimated 1.3 %, cost 4.1 s; 0.65 % would cost about 12 s".
+function report.line(told)
+  local line = ("asked %s, estimated %s, cost %s"):format(text.percent(told.asked), percent(told.estimated),
+    time(told.elapsed))
+  if told.half then
+    line = line .. ("; %s would cost about %s"):format(percent(told.half.error), time(told.half.seconds))
+  end
+  return line
+end
+
+--- All lines that are printed.
+function report.lines(told)
+  local lines = { told.reached and ("within %s: %s (%s)"):format(text.percent(told.asked), told.setting, time(told.own))
+    or ("%s is not reached: the error of %s is estimated at %s (%s)"):format(text.percent(told.asked), told.setting,
+      percent(told.estimated), told.why) }
+  local widest, rows = 0, {}
+  for i, a in ipairs(told.answers) do
+    rows[i] = { a.name .. (a.chaotic and " (chaotic)" or ""), a.chaotic and a.mean and number(a.mean)
+      or a.value and number(a.value) or "history", "+- " .. percent(a.error), a.basis }
+    widest = math.max(widest, #rows[i][1])
+  end
+  for _, row in ipairs(rows) do
+    lines[#lines + 1] = ("  %-" .. widest .. "s  %10s  %-10s  %s"):format(table.unpack(row))
+  end
+  for _, line in ipairs(broken.lines(told.broken)) do lines[#lines + 1] = line end
+  for _, note in ipairs(told.notes) do lines[#lines + 1] = "note: " .. note end
+  lines[#lines + 1] = ("%s; %d runs, %.2g times the chosen one%s"):format(report.line(told), told.runs,
+    told.seconds / told.own, told.checked and "; checked with " .. told.checked or "")
+  return lines
+end
+
+--- For summary.json.
+function report.summary(told)
+  local answers = {}
+  for _, a in ipairs(told.answers) do
+    answers[a.name] = { value = a.value, error = a.error < math.huge and a.error or nil, basis = a.basis,
+      chaotic = a.chaotic, mean = a.mean, scatter = a.scatter, runs = a.runs, band = a.band }
+  end
+  return { asked = told.asked, estimated = told.estimated < math.huge and told.estimated or nil, reached = told.reached,
+    setting = told.setting, values = told.values, checked = told.checked, answers = answers, seconds = told.seconds,
+    runs = told.runs, own_seconds = told.own, half = told.half, line = report.line(told), notes = told.notes,
+    broken = told.broken and { runs = told.broken.runs, in_all = told.broken.in_all, in_some = told.broken.in_some },
+    key = told.key }
+end
+
+return report

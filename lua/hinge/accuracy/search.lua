@@ -1,0 +1,329 @@
+-- The search for a setting whose answers have a given error: cheap runs first, the number with the largest error is
+-- refined, then the chosen run is made, then one that checks it. Runs come from a function, so that a test can search
+-- in a table.
+local check = require "hinge.library.check"
+local compare = require "hinge.cost.compare"
+local scatter = require "hinge.cost.scatter"
+local Ladders = require "hinge.accuracy.ladders"
+local with = Ladders.with
+
+local Search = {}
+Search.__index = Search
+
+local room = 0.9     -- part of the accepted error that the ladders may take before the chosen run is made
+local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
+local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
+local dearest = 4    -- times the chosen run: a check that would make the search cost more is left out
+local restless = 4   -- values of a ladder after which an answer should come to rest
+local rounding = 1e-12
+
+--- An answer is chaotic if it changes by more than this part of it where stiffness and strength change by 1e-9: the
+-- change has grown a thousandfold. Answers of structures near their limits grow a hundredfold, and Newton's method ends
+-- where the last correction is 1e-9 to 1e-7 of a step.
+Search.least_scatter = 1e-6
+
+--- problem: knobs and corner (see Ladders.new), within, names(record) of the answers that count, run(levels, vary,
+-- chosen), which returns { answers =, seconds =, failed = } or nil where the budget ends; foretell(levels) and
+-- fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
+function Search.new(problem)
+  return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
+    ladders = Ladders.new(problem.knobs, problem.corner), seconds = 0, runs = 0, stuck = {}, sensitive = {},
+    names = {} }, Search)
+end
+
+--- The run of these levels; `chosen`: made in full, whatever is known of it. nil and why it is not there: "budget", or
+-- what failed.
+function Search:run(levels, vary, chosen)
+  vary = vary or 0
+  local key = self.ladders:key(levels)
+  local record = not chosen and (self.ladders.records[key] or {})[vary]
+  if not record then
+    if chosen ~= "whatever it takes" and not self.problem.fits(self.problem.foretell(levels)) then
+      return nil, "budget"
+    end
+    record = self.problem.run(levels, vary, chosen)
+    if not record then return nil, "budget" end
+    record.levels = levels
+    self.ladders:keep(levels, vary, record)
+    self.runs, self.seconds = self.runs + 1, self.seconds + record.seconds
+  end
+  if record.failed then return nil, record.failed end
+  if vary == 0 and next(self.ladders.chaotic) then
+    for k = 1, family - 1 do self:run(levels, k) end
+  end
+  return record
+end
+
+--- Takes a run of the coarsest setting that has been made already.
+function Search:begin_with(record)
+  record.levels = self.ladders.corner
+  self.ladders:keep(self.ladders.corner, 0, record)
+  self.runs, self.seconds = 1, record.seconds
+end
+
+-- The coarsest setting that has an answer: the first knob is refined until there is one.
+function Search:begin()
+  local first = self.knobs[1]
+  while true do
+    local record, why = self:run(self.ladders.corner)
+    if record then return record end
+    if why == "budget" or not first or self.ladders.corner[first.name] >= first.most then return nil, why end
+    self.ladders.corner = with(self.ladders.corner, first.name, self.ladders.corner[first.name] + 1)
+    self.ladders.coarse = self.ladders.corner
+  end
+end
+
+-- Whether refinements of a knob change an answer by no less each time: four values, of which the last change is as
+-- large as the first, in an answer whose error is not accepted.
+function Search:is_restless(knob)
+  for _, name in ipairs(self.names) do
+    local found = self.ladders:along(knob, name)
+    local n = #found.levels
+    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2) then
+      local first = compare.distance(found.answers[n - 3], found.answers[n - 2])
+      local last = compare.larger(compare.distance(found.answers[n - 2], found.answers[n - 1]),
+        compare.distance(found.answers[n - 1], found.answers[n]))
+      if not (last < first) then return true end
+    end
+  end
+  return false
+end
+
+-- Adds the next level to a knob's ladder. False where there is none: the knob is stuck, with the reason.
+function Search:refine(knob)
+  local levels = self.ladders:levels(knob)
+  local level = #levels > 0 and levels[#levels] + 1 or self.ladders:place(knob)[knob.name]
+  if level > knob.most then
+    self.stuck[knob.name] = "finest"
+    return false
+  end
+  local record, why = self:run(with(self.ladders:place(knob), knob.name, level))
+  if not record then self.stuck[knob.name] = why
+  elseif self:is_restless(knob) then self.stuck[knob.name] = "restless" end
+  return record ~= nil
+end
+
+local function finest_of(self)
+  local levels = {}
+  for _, knob in ipairs(self.knobs) do
+    local all = self.ladders:levels(knob)
+    levels[knob.name] = all[#all] or self.ladders.corner[knob.name]
+  end
+  return levels
+end
+
+-- The knob that is refined next: that with the largest part in an answer whose error is not accepted. nil where the
+-- errors of a knob that cannot be refined are too large by themselves: all else would be in vain.
+function Search:next_knob(errors)
+  local best, most = nil, 0
+  for _, name in ipairs(check.keys(errors)) do
+    local e = errors[name]
+    if not (e.total <= room * self.problem.within) then
+      for _, knob in ipairs(self.knobs) do
+        local part = e.parts[knob.name]
+        if self.stuck[knob.name] and not (part <= room * self.problem.within) then return nil, knob end
+        if not self.stuck[knob.name] and not (part <= most) then best, most = knob, part end
+      end
+    end
+  end
+  return best
+end
+
+-- Refines ladders until their errors together are accepted. Returns whether they are.
+function Search:climb()
+  while true do
+    local errors = self.ladders:errors(finest_of(self), self.names)
+    local _, most = Ladders.worst(errors)
+    if most <= room * self.problem.within then return true end
+    local knob = self:next_knob(errors)
+    if not knob then return false end
+    self:refine(knob)
+  end
+end
+
+-- The first ladder alone, until its own error is a small part of the accepted one: a quarter where two values must do,
+-- half where there are more. Then the ladders of the others stand before its end.
+function Search:first_ladder()
+  local first = self.knobs[1]
+  while first do
+    local levels = self.ladders:levels(first)
+    local most = 0
+    for _, name in ipairs(self.names) do
+      most = compare.larger(most, self.ladders:part(first, name))
+    end
+    if most <= self.problem.within / (#levels >= 3 and 2 or 4) or not self:refine(first) then break end
+  end
+  local levels = first and self.ladders:levels(first) or {}
+  if #levels > 0 then
+    self.ladders.coarse = with(self.ladders.corner, first.name, math.max(levels[1], levels[#levels] - reserve))
+  end
+end
+
+-- Which answers of the coarsest setting change with the physical numbers: by more than `least_scatter` they are
+-- chaotic.
+function Search:look_for_chaos()
+  local place, chaotic = self.ladders.corner, {}
+  local base = self.ladders:at(place)
+  for vary = 1, family - 1 do
+    if vary > 1 and not next(chaotic) then break end
+    local record, why = self:run(place, vary)
+    if not record and why == "budget" then break end
+    for _, name in ipairs(self.names) do
+      local a, b = base.answers[name], record and record.answers[name]
+      local apart = b == nil and math.huge or compare.error(b, a)
+      if b and compare.size(a) <= rounding and compare.size(b) <= rounding then apart = 0 end
+      self.sensitive[name] = compare.larger(self.sensitive[name] or 0, apart)
+      if not (apart <= Search.least_scatter) then chaotic[name] = true end
+    end
+  end
+  self.ladders.chaotic = chaotic
+end
+
+-- The finest levels of the ladders. Where many runs follow (economic), the coarsest whose errors together are accepted:
+-- the dearest knob is coarsened first, which is the last.
+function Search:choose(floor)
+  local chosen = finest_of(self)
+  if not self.economic then return chosen end
+  for i = #self.knobs, 1, -1 do
+    local knob = self.knobs[i]
+    local levels = self.ladders:levels(knob)
+    for k = #levels - 1, 1, -1 do
+      local trial = with(chosen, knob.name, levels[k])
+      local _, most = Ladders.worst(self.ladders:errors(trial, self.names))
+      if levels[k] < (floor[knob.name] or levels[k]) or not (most <= room * self.problem.within) then break end
+      chosen = trial
+    end
+  end
+  return chosen
+end
+
+-- The setting with the least error of those that have been run.
+function Search:best_known()
+  local best, least = self.ladders.corner, math.huge
+  for _, runs in pairs(self.ladders.records) do
+    local record = runs[0]
+    if record and not record.failed then
+      local _, most = Ladders.worst(self.ladders:errors(record.levels, self.names))
+      if most < least then best, least = record.levels, most end
+    end
+  end
+  return best
+end
+
+-- Mean and band of a chaotic answer at the chosen setting, into its errors.
+function Search:add_scatter(chosen, name, e)
+  local mean, deviation, runs = scatter.mean(self.ladders:values(chosen, name))
+  if not mean then
+    e.total = math.huge
+    return
+  end
+  local size = compare.size(mean)
+  e.mean, e.deviation, e.runs = mean, deviation, runs
+  e.band = scatter.band(deviation, runs)
+  e.total = e.total + (size > 0 and e.band / size or e.band > 0 and math.huge or 0)
+end
+
+-- Errors at the chosen setting, with what its own run and the check show.
+function Search:judge(chosen, checked)
+  local errors = self.ladders:errors(chosen, self.names)
+  local first = self.knobs[1]
+  for name, e in pairs(errors) do
+    e.interplay = self.ladders.chaotic[name] and 0 or self.ladders:interplay(chosen, name)
+    e.total = e.total + e.interplay
+    if self.ladders.chaotic[name] then self:add_scatter(chosen, name, e) end
+    local shown = checked and not self.ladders.chaotic[name] and self:shown_by(checked, chosen, name)
+    if shown then
+      e.shown = shown
+      local other = first and checked[first.name] ~= chosen[first.name] and e.parts[first.name] or 0
+      if other + shown > e.total then e.total, e.by_check = other + shown, true end
+    end
+  end
+  return errors
+end
+
+-- What the check shows of an answer's error: its change where all knobs but the first are finer, without what the first
+-- knob explains, with the rest of the series in theory.
+function Search:shown_by(checked, chosen, name)
+  local first = self.knobs[1]
+  local own, other = self.ladders:answer(chosen, name), self.ladders:answer(checked, name)
+  if own == nil or other == nil then return math.huge end
+  local expected = own
+  if first and checked[first.name] ~= chosen[first.name] then
+    local place = self.ladders:place(first)
+    local there = self.ladders:answer(with(place, first.name, checked[first.name]), name)
+    local here = self.ladders:answer(with(place, first.name, chosen[first.name]), name)
+    if there ~= nil and here ~= nil then
+      expected = compare.combined(function(a, b, c) return c + a - b end, there, here, own) or own
+    end
+  end
+  local change, size = compare.distance(other, expected), compare.size(own)
+  local rest = 4 / 3 -- of a series of the second order with halved steps
+  return size > rounding and rest * change / size or change > rounding and math.huge or 0
+end
+
+-- The check of a setting: the first knob a level coarser, so that it costs no more than the setting, all others a level
+-- finer. With one knob alone it is a level finer.
+function Search:check_of(chosen)
+  local checked, first = {}, self.knobs[1]
+  for i, knob in ipairs(self.knobs) do
+    local level = chosen[knob.name]
+    if i == 1 and #self.knobs > 1 then checked[knob.name] = math.max(self.ladders.corner[knob.name], level - 1)
+    else checked[knob.name] = math.min(knob.most, level + 1) end
+  end
+  return checked, first
+end
+
+-- More runs with changed physical numbers at the chosen setting, until the bands of the means are accepted.
+function Search:repeat_chaotic(chosen)
+  if not next(self.ladders.chaotic) then return end
+  for vary = 1, self.problem.most_runs - 1 do
+    local errors = self:judge(chosen)
+    local _, most = Ladders.worst(errors)
+    if vary >= 5 and most <= self.problem.within then break end
+    if not self.ladders:at(chosen, vary) and not self:run(chosen, vary) then break end
+  end
+end
+
+--- Searches. Returns { chosen = levels, errors = by answer, checked = levels or nil, reached = whether all errors are
+-- accepted, stuck = { knob = reason }, seconds =, runs =, own = seconds of the chosen run }; or nil and why there is no
+-- answer at all.
+function Search:find()
+  local record, why = self:begin()
+  if not record then return nil, why end
+  self.names = self.problem.names(record)
+  self:look_for_chaos()
+  self:first_ladder()
+  for i = 2, #self.knobs do
+    local knob = self.knobs[i]
+    while #self.ladders:levels(knob) < 2 and self:refine(knob) do end
+  end
+  local floor, result = {}, nil
+  while true do
+    self:climb()
+    local chosen = self:choose(floor)
+    local own = self:run(chosen, 0, "chosen")
+    if not own then
+      if result then return result end
+      chosen = self:best_known()
+      own = self:run(chosen, 0, "whatever it takes")
+      if not own then return nil, "the chosen run failed" end
+    end
+    self:repeat_chaotic(chosen)
+    local checked = self:check_of(chosen)
+    local known = self.ladders:at(checked)
+    if not known and self.seconds + self.problem.foretell(checked) > dearest * own.seconds then checked = nil end
+    if checked and not self:run(checked) then checked = nil end
+    local errors = self:judge(chosen, checked)
+    local _, most = Ladders.worst(errors)
+    result = { chosen = chosen, errors = errors, checked = checked, reached = most <= self.problem.within,
+      stuck = self.stuck, seconds = self.seconds, runs = self.runs, own = own.seconds, most = most }
+    if result.reached then return result end
+    local knob = self:next_knob(errors)
+    if not knob then return result end
+    floor[knob.name] = chosen[knob.name] + 1
+    local levels = self.ladders:levels(knob)
+    if levels[#levels] < floor[knob.name] and not self:refine(knob) then return result end
+  end
+end
+
+return Search
