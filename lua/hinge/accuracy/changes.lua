@@ -4,8 +4,7 @@
 local changes = {}
 
 -- Options that explicit steps do not take.
-local of_newmark = { "beta", "rho_infinity", "iterations", "tolerance", "solver", "precision", "internals",
-  "step_control" }
+local of_newmark = { "beta", "rho_infinity", "iterations", "tolerance", "solver", "precision", "internals" }
 local usual_steps = 10 -- of model:static
 
 -- Part by which stiffness and strength of all members change from one run of a family to the next. It is a thousand
@@ -30,13 +29,14 @@ end
 -- length.
 local function of_dynamics(o, dt, elements, integrator)
   o = copy(o)
-  if integrator == "explicit" and o.integrator == nil or o.integrator == "newmark" and integrator == "explicit" then
+  if integrator == "explicit" and (o.integrator or "newmark") == "newmark" then
     o.integrator = "explicit"
     for _, name in ipairs(of_newmark) do o[name] = nil end
-    o.dt = "auto"
+    o.dt, o.step_control = "auto", nil
   end
   if type(o.dt) ~= "number" or type(o.duration) ~= "number" then return o end
-  fitted(o, o.integrator == "explicit" and dt / math.max(1, elements) or dt)
+  local factor = o.integrator == "explicit" and dt / math.max(1, elements) or dt
+  if factor ~= 1 then fitted(o, factor) end
   return o
 end
 
@@ -51,7 +51,7 @@ end
 --- For core.change_runs: dt and elements are factors, steps one on the steps of load, integrator "explicit" or nil, all
 -- of them nil where nothing changes. `vary` > 0: stiffness and strength change by so many parts of 1e-9. `shorten` > 0:
 -- the time step is shorter by so many thousandths. asked: a table that gets `explicit` = true where a run has explicit
--- steps of its own; such steps are not made longer.
+-- steps of its own, and `damps` where it asks for numerical damping. Explicit steps are not made longer.
 function changes.of(o, asked)
   local dt = (o.dt or 1) / (1 + 1e-3 * (o.shorten or 0))
   return { elements = o.elements, step = dt, strength = o.vary and o.vary ~= 0 and changes.part * o.vary or nil,
@@ -61,6 +61,7 @@ function changes.of(o, asked)
       if not options then return nil end
       local explicit = options.integrator == "explicit"
       if explicit and asked then asked.explicit = true end
+      if asked and (options.rho_infinity or options.beta) then asked.damps = true end
       return of_dynamics(options, explicit and math.min(1, dt) or dt, o.elements or 1, o.integrator)
     end }
 end

@@ -27,12 +27,14 @@ local function largest_change(h, answers, order)
   return most
 end
 
---- Along one refinement: answers at step sizes h that fall, the finest last; `theory`: the order in theory.
+--- Along one refinement: answers at step sizes h that fall, the finest last; `theory`: the order in theory; `accepted`:
+-- how far an answer may change and still pass for settled, as a part of it (default: 0).
 -- Returns { by =, error =, order =, answer = }. error: of the finest answer, in its unit. by: "exact" (no change),
 -- "order" (three values show one), "change" (they do not, or there are two: the largest change with a factor of
--- safety), "open" (one value, or one that is not a number: the error is infinite). answer: the best known one, which
+-- safety), "grows" (three values change in one direction, by no less each time: the error is infinite), "open" (one
+-- value, or one that is not a number: infinite). answer: the best known one, which
 -- is extrapolated where an order is seen, else the finest.
-function estimate.along(h, answers, theory)
+function estimate.along(h, answers, theory, accepted)
   local n = #answers
   local finest = answers[n]
   for _, a in ipairs(answers) do
@@ -47,13 +49,16 @@ function estimate.along(h, answers, theory)
   if n >= 3 then
     local last = { answers[n - 2], answers[n - 1], finest }
     local order = compare.order({ h[n - 2], h[n - 1], h[n] }, last)
-    if compare.going_on(table.unpack(last)) > aligned and order and order >= least_order
-      and order <= theory + beyond_theory then
-      local change = compare.distance(answers[n - 1], finest)
-      local used = math.min(order, theory)
+    local one_way = compare.going_on(table.unpack(last)) > aligned
+    local change = compare.distance(last[2], finest)
+    if one_way and order and order >= least_order and order <= theory + beyond_theory then
       local part = 1 / (ratio ^ order - 1)
       local better = compare.combined(function(b, c) return c + part * (c - b) end, last[2], finest)
-      return { by = "order", order = order, error = usual * rest(change, ratio, used), answer = better or finest }
+      return { by = "order", order = order, answer = better or finest,
+        error = usual * rest(change, ratio, math.min(order, theory)) }
+    end
+    if one_way and not order and not (change <= (accepted or 0) * compare.size(finest)) then
+      return { by = "grows", error = math.huge, answer = finest }
     end
   end
   return { by = "change", error = careful * rest(largest, ratio, theory), answer = finest }

@@ -161,7 +161,8 @@ local function told_of(o, runs, search, found)
   local all, ladders = search.knobs, search.ladders
   local chosen = ladders:at(found.chosen)
   local told = { asked = o.within, estimated = found.most, reached = found.reached, why = why_not(found),
-    setting = knobs.words(all, found.chosen, chosen), values = {}, levels = found.chosen,
+    setting = (runs.integrator and "explicit steps, " or "") .. knobs.words(all, found.chosen, chosen),
+    values = {}, levels = found.chosen,
     checked = found.checked and knobs.words(all, found.checked, ladders:at(found.checked)),
     answers = report.answers(all, found, search), notes = notes_of(search, chosen), elapsed = runs:elapsed(),
     seconds = found.seconds, runs = found.runs, own = found.own, half = forecast.half(search, found),

@@ -15,8 +15,10 @@ local rounding = 1e-12 -- of the unit: an answer below it is 0
 local longest = 4      -- values of a ladder that count, the finest ones
 
 --- knobs: { { name =, theory = order, ratio =, least = level, most = level }, ... }; corner: their coarsest levels.
-function Ladders.new(knobs, corner)
-  return setmetatable({ knobs = knobs, corner = corner, coarse = corner, records = {}, chaotic = {} }, Ladders)
+-- accepted: the part by which answers may change and pass for settled.
+function Ladders.new(knobs, corner, accepted)
+  return setmetatable({ accepted = accepted, knobs = knobs, corner = corner, coarse = corner, records = {},
+    chaotic = {} }, Ladders)
 end
 
 --- These levels with another one of a knob.
@@ -103,7 +105,7 @@ function Ladders:along(knob, name)
     answers[#answers + 1] = self:answer(Ladders.with(self:place(knob), knob.name, all[i]), name)
   end
   if #answers == 0 or #answers < #levels then return { by = "open", error = math.huge, size = 0, levels = levels } end
-  local found = estimate.along(h, answers, knob.theory)
+  local found = estimate.along(h, answers, knob.theory, self.accepted)
   found.levels, found.answers, found.size = levels, answers, size_of(answers)
   if found.size == 0 then found.by, found.error = "exact", 0 end
   if is_whole(answers) and found.by ~= "exact" then found.error = math.max(1, math.ceil(found.error)) end

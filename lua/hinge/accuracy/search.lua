@@ -27,8 +27,8 @@ Search.least_scatter = 1e-6
 -- fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
 function Search.new(problem)
   return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
-    ladders = Ladders.new(problem.knobs, problem.corner), seconds = 0, runs = 0, stuck = {}, sensitive = {},
-    names = {} }, Search)
+    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2), seconds = 0, runs = 0, stuck = {},
+    sensitive = {}, names = {} }, Search)
 end
 
 --- The run of these levels; `chosen`: made in full, whatever is known of it. nil and why it is not there: "budget", or
@@ -264,13 +264,22 @@ end
 -- The check of a setting: the first knob a level coarser, so that it costs no more than the setting, all others a level
 -- finer. With one knob alone it is a level finer.
 function Search:check_of(chosen)
-  local checked, first = {}, self.knobs[1]
+  local checked, finer = {}, false
   for i, knob in ipairs(self.knobs) do
     local level = chosen[knob.name]
     if i == 1 and #self.knobs > 1 then checked[knob.name] = math.max(self.ladders.corner[knob.name], level - 1)
-    else checked[knob.name] = math.min(knob.most, level + 1) end
+    else checked[knob.name], finer = math.min(knob.most, level + 1), finer or level < knob.most end
   end
-  return checked, first
+  return finer and checked or nil
+end
+
+-- Makes the check of a setting where it is cheap enough. Returns its levels, nil where there is none.
+function Search:run_check(chosen, own)
+  local checked = self:check_of(chosen)
+  if not checked then return nil end
+  local dear = self.seconds + self.problem.foretell(checked) > dearest * own.seconds
+  if dear and not self.ladders:at(checked) then return nil end
+  return self:run(checked) and checked or nil
 end
 
 -- More runs with changed physical numbers at the chosen setting, until the bands of the means are accepted.
@@ -309,10 +318,7 @@ function Search:find()
       if not own then return nil, "the chosen run failed" end
     end
     self:repeat_chaotic(chosen)
-    local checked = self:check_of(chosen)
-    local known = self.ladders:at(checked)
-    if not known and self.seconds + self.problem.foretell(checked) > dearest * own.seconds then checked = nil end
-    if checked and not self:run(checked) then checked = nil end
+    local checked = self:run_check(chosen, own)
     local errors = self:judge(chosen, checked)
     local _, most = Ladders.worst(errors)
     result = { chosen = chosen, errors = errors, checked = checked, reached = most <= self.problem.within,
