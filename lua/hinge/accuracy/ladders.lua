@@ -6,7 +6,7 @@
 local check = require "hinge.library.check"
 local compare = require "hinge.cost.compare"
 local estimate = require "hinge.accuracy.estimate"
-local scatter = require "hinge.cost.scatter"
+local statistics = require "hinge.accuracy.statistics"
 
 local Ladders = {}
 Ladders.__index = Ladders
@@ -62,7 +62,7 @@ end
 --- The answer at these levels: of a chaotic one the mean of its runs. nil where there is none.
 function Ladders:answer(levels, name)
   if self.chaotic[name] then
-    local mean = scatter.mean(self:values(levels, name))
+    local mean = statistics.mean(self:values(levels, name))
     if mean then return mean end
   end
   local record = self:at(levels)
@@ -154,11 +154,11 @@ function Ladders:apart(knob, name)
   local levels, sides = self:levels(knob), {}
   for i = math.max(1, #levels - 1), #levels do
     local values = self:values(Ladders.with(self:place(knob), knob.name, levels[i]), name)
-    local mean, deviation, runs = scatter.mean(values)
+    local mean, deviation, runs = statistics.mean(values)
     if not mean then return true end
     sides[#sides + 1] = { mean = mean, deviation = deviation, runs = runs }
   end
-  return #sides < 2 or scatter.apart(sides[1], sides[2])
+  return #sides < 2 or statistics.apart(sides[1], sides[2])
 end
 
 --- The answer with the largest error, and that error; nil and 0 where no answer counts.

@@ -3,7 +3,7 @@
 -- in a table.
 local check = require "hinge.library.check"
 local compare = require "hinge.cost.compare"
-local scatter = require "hinge.cost.scatter"
+local statistics = require "hinge.accuracy.statistics"
 local Ladders = require "hinge.accuracy.ladders"
 local with = Ladders.with
 
@@ -16,11 +16,6 @@ local family = 3     -- runs with changed physical numbers at each setting, wher
 local dearest = 4    -- times the chosen run: a check that would make the search cost more is left out
 local restless = 4   -- values of a ladder after which an answer should come to rest
 local rounding = 1e-12
-
---- An answer is chaotic if it changes by more than this part of it where stiffness and strength change by 1e-9: the
--- change has grown a thousandfold. Answers of structures near their limits grow a hundredfold, and Newton's method ends
--- where the last correction is 1e-9 to 1e-7 of a step.
-Search.least_scatter = 1e-6
 
 --- problem: knobs and corner (see Ladders.new), within, names(record) of the answers that count, run(levels, vary,
 -- chosen), which returns { answers =, seconds =, failed = } or nil where the budget ends; foretell(levels) and
@@ -173,7 +168,7 @@ function Search:look_for_chaos()
       local apart = b == nil and math.huge or compare.error(b, a)
       if b and compare.size(a) <= rounding and compare.size(b) <= rounding then apart = 0 end
       self.sensitive[name] = compare.larger(self.sensitive[name] or 0, apart)
-      if not (apart <= Search.least_scatter) then chaotic[name] = true end
+      if statistics.is_chaotic(apart, self.problem.within) then chaotic[name] = true end
     end
   end
   self.ladders.chaotic = chaotic
@@ -212,14 +207,14 @@ end
 
 -- Mean and band of a chaotic answer at the chosen setting, into its errors.
 function Search:add_scatter(chosen, name, e)
-  local mean, deviation, runs = scatter.mean(self.ladders:values(chosen, name))
+  local mean, deviation, runs = statistics.mean(self.ladders:values(chosen, name))
   if not mean then
     e.total = math.huge
     return
   end
   local size = compare.size(mean)
   e.mean, e.deviation, e.runs = mean, deviation, runs
-  e.band = scatter.band(deviation, runs)
+  e.band = statistics.band(deviation, runs)
   e.total = e.total + (size > 0 and e.band / size or e.band > 0 and math.huge or 0)
 end
 

@@ -1,6 +1,7 @@
 -- The bench: runs settings of a scenario within a budget, keeps finished measurements, times settings alternately, and
 -- estimates the time of others.
 local core = require "hinge.core"
+local changes = require "hinge.accuracy.changes"
 local ladder = require "hinge.cost.ladder"
 local measure = require "hinge.cost.measure"
 local compare = require "hinge.cost.compare"
@@ -10,7 +11,6 @@ local Bench = {}
 Bench.__index = Bench
 local perturbations = 3
 local few = 4         -- runs of a setting that are changed to see its scatter, beside the unchanged one
-local shortened = 100 -- variations above it have a shorter time step
 local enough = 0.1 -- s; what takes less is timed more often, until all its times together are that long
 local most_repeats = 21
 
@@ -28,24 +28,17 @@ function Bench:elapsed() return core.clock() - self.start end
 --- Whether so many seconds more are within the budget.
 function Bench:fits(seconds) return not self.budget or self:elapsed() + seconds <= self.budget end
 
--- The parameters of a setting; `variation` > 0: every number that is not whole changed by a part of 1e-9 or so, and how
--- many were. Above `shortened` a time step among the settings is shorter by 1, 2, ... thousandths.
+-- The parameters of a setting. `variation` > 0: physical numbers change by a part of 1e-9 or so: here the parameters
+-- that are no settings and not whole; stiffness and strength of the models as well (Bench:measure).
 function Bench:parameters(setting, variation)
-  local p = {}
+  local p, names = {}, {}
   for name, value in pairs(self.base) do p[name] = value end
   for name, value in pairs(setting.values) do p[name] = value end
   if variation == 0 then return p end
-  local names = {}
-  for name in pairs(p) do names[#names + 1] = name end
+  for name in pairs(p) do names[#names + 1] = setting.values[name] == nil and name or nil end
   table.sort(names)
-  if variation <= shortened then return measure.perturbed(p, names, self.part, variation) end
-  local changed, count = measure.perturbed(p, names, self.part, variation - shortened)
-  local plain = self:record(setting)
-  if type(setting.values.dt) == "number" then
-    changed.dt = measure.shortened(setting.values.dt, variation - shortened, plain and plain.longest)
-    count = count + 1
-  end
-  return changed, count
+  for name, value in pairs(measure.perturbed(p, names, self.part, variation)) do p[name] = value end
+  return p
 end
 
 function Bench:key(setting, variation)
@@ -97,8 +90,9 @@ end
 local function took(record) return record.seconds[1] + record.outside end
 
 function Bench:measure(setting, variation)
+  local change = variation > 0 and changes.of { vary = variation * self.part / changes.part } or nil
   return measure.once(self.scenario, self:parameters(setting, variation), self.case,
-    self.budget and self.start + self.budget, setting.without)
+    self.budget and self.start + self.budget, setting.without, change)
 end
 
 --- The measurement of a setting: the kept one, or a new one. nil if the budget ended it.
@@ -169,14 +163,9 @@ function Bench:changed_runs(setting, like)
   return seconds
 end
 
---- By name, the scatter of a setting's answers when every number that is not whole changes by a part of 1e-9. If there
---- is
--- no such number: nil and the reason.
+--- By name, the scatter of a setting's answers when physical numbers change by a part of 1e-9. nil and the reason where
+-- the budget left no time.
 function Bench:scatter(setting)
-  local _, changed = self:parameters(setting, 1)
-  if changed == 0 then
-    return nil, "the scenario has no number to change slightly, so there was no check for chaos"
-  end
   local scatter = {}
   for variation = 1, perturbations do
     self:progress("changed slightly, " .. setting.label, variation - 1, perturbations,
@@ -192,23 +181,18 @@ function Bench:scatter(setting)
   return scatter
 end
 
---- Runs each setting a few times more, changed slightly, and keeps the records in `varied` of it: the time step, if it
--- is among the settings, is shorter by one to four thousandths, other numbers change by 1e-9. Returns what failed, or
--- what the budget left out.
+--- Runs each setting a few times more, with physical numbers changed slightly, and keeps the records in `varied` of it.
+-- Returns what failed, or what the budget left out.
 function Bench:vary(compared)
-  local _, changed = self:parameters(compared[1], shortened + 1)
-  if changed == 0 then return nil end -- the check for chaos has said so
   local left_out, failed = {}, 0
   for i, s in ipairs(compared) do
     s.varied = {}
     for k = 1, few do
       local own = s.record.seconds[1] + s.record.outside
       self:progress("changed slightly, " .. s.label, i - 1, #compared, (few - k + 1) * own)
-      local record = (self:record(s, shortened + k) or self:fits(own)) and self:run(s, shortened + k)
+      local record = (self:record(s, k) or self:fits(own)) and self:run(s, k)
       if not record then
         left_out[#left_out + 1] = s
-        -- those of the check for chaos, where this setting was checked
-        for v = 1, k == 1 and perturbations or 0 do s.varied[#s.varied + 1] = self:record(s, v) end
         break
       end
       if record.failed then failed = failed + 1 else s.varied[#s.varied + 1] = record end

@@ -92,7 +92,7 @@ local function chaotic_line(result, name)
     end
   end
   if not least then
-    return ("%s is chaotic: runs that are changed slightly scatter by %s"):format(name, percent(q.scatter))
+    return ("%s is chaotic: runs whose physical numbers change by 1e-9 scatter by %s"):format(name, percent(q.scatter))
   end
   local m = least.means[name]
   local value = m.mean and ("%.4g with a scatter of %.2g"):format(m.mean, m.scatter * math.abs(m.mean))
@@ -138,10 +138,10 @@ function headline.lines(result)
   elseif #result.compared_by > 0 then
     local most, several = 0, #result.compared_by > 1
     for _, s in ipairs(result.settings) do most = compare.larger(most, s.error or 0) end
-    lines[1] = ("no setting has a known error: %s %s; errors are up to %s at least"):format(
-      words.list(result.compared_by, 3), result.finer[1]
+    lines[1] = ("no setting has a known error: %s %s%s"):format(words.list(result.compared_by, 3), result.finer[1]
         and (several and "do" or "does") .. " not get nearer to a value with finer settings"
-        or (several and "have" or "has") .. " no finer run to compare with", percent(most))
+        or (several and "have" or "has") .. " no finer run to compare with",
+      most > 1e-10 and ("; errors are up to %s at least"):format(percent(most)) or "")
   else
     lines[1] = "no setting can be compared: " .. (next(result.quantities)
       and "every answer differs from run to run of the same setting"

@@ -15,6 +15,8 @@ local scatter = require "hinge.cost.scatter"
 local verdict = require "hinge.cost.verdict"
 
 local cost = {}
+local notes_of_elements = "fracture has limits of curvature or strain, which go with the length of the elements: more "
+  .. "elements are another problem, not a finer one; hinge_rotation_x, hinge_rotation_y and elongation do not"
 local where = "hinge.cost"
 
 local rules = {
@@ -131,6 +133,13 @@ local function with_those_beside(inputs, base, beside, refs, left_out)
   return all
 end
 
+-- A note where more elements are another problem: limits of fracture that are strains go with the elements' length.
+local function elements_matter(inputs, compared)
+  for _, input in ipairs(inputs) do
+    if input.name:find "^elements" and compared[1].record.strain_limits then return notes_of_elements end
+  end
+end
+
 local function parameters_of(scenario, o)
   local base = scenario:values(o.case)
   for name, value in pairs(o.parameters) do
@@ -178,6 +187,7 @@ function cost.compare(scenario, options)
   end
   local spread, silent = bench:scatter(default_of(inputs, base))
   notes[#notes + 1] = silent
+  notes[#notes + 1] = elements_matter(inputs, compared)
   local both = refs[2] and refs
   local function weigh(moving)
     local quantities = verdict.answers(both, spread, moving, compared, o.within)
@@ -185,22 +195,16 @@ function cost.compare(scenario, options)
   end
   -- an answer that differs from run to run is no chaos: one more run of the cheapest setting tells, before runs are
   -- changed for their scatter
-  local called = scatter.called(weigh {}, o.quantity)
+  local called = scatter.chaotic(weigh {}, o.quantity)
   local moving = bench:time_alternately(called and { compared[1] } or compared, called and math.min(o.repeats, 2)
     or o.repeats)
   local quantities, finest = weigh(moving)
   if o.quantity and not quantities[o.quantity] then
     check.unknown(where .. ": quantity", "quantity", o.quantity, check.keys(quantities))
   end
-  if scatter.called(quantities, o.quantity) then
-    -- first one setting alone: it shows whether the scatter explains what the references differ by
-    local note = bench:vary { (verdict.finest(inputs, base)) }
-    scatter.settle(compared, refs, quantities)
-    if scatter.chaotic(quantities, o.quantity) then
-      note = bench:vary(compared)
-      scatter.settle(compared, refs, quantities)
-    end
-    notes[#notes + 1] = note
+  if scatter.chaotic(quantities, o.quantity) then
+    notes[#notes + 1] = bench:vary(compared)
+    scatter.settle(compared, quantities)
   end
   for name in pairs(bench:time_alternately(compared, o.repeats)) do
     if quantities[name] then quantities[name] = { state = "moving", kind = quantities[name].kind } end

@@ -17,14 +17,13 @@ local most_chaotic = 4 -- answers with a table of means
 local most_settings = 12 -- settings in a table; cost.csv has them all
 
 local states = {
-  chaotic = "is chaotic: it scatters by %s in runs that are changed slightly, so it has no error",
-  unsettled = "is not converged to what --within asks: two references, each finer than all settings, differ by %s; ",
+  chaotic = "is chaotic: it scatters by %s in runs whose physical numbers change by 1e-9, so it has no error",
+  unsettled = "is not converged to what --within asks: the two finest runs differ by %s; ",
   moving = "differs from run to run of the same setting (%s): a measured time, or a random number; left out",
 }
 local bases = {
   order = "the order of convergence is clear, so the error is estimated from it (Richardson)",
-  theory = "the error is estimated with the theoretical order and a safety factor of 3",
-  scatter = "no order of convergence is clear, so its band is the scatter of the finest answers",
+  change = "no order of convergence is clear, so its error is the largest change, with a safety factor of 3",
   grows = "refinements change it in one direction by no less each time, so only a lower bound of its error is known",
   open = "only a lower bound of its error is known",
   exact = "",
@@ -142,7 +141,7 @@ local function values_table(result, names)
   fitting_table(("Value of each answer by setting; finest run: %s"):format(result.finest), head, rows, "answers")
 end
 
-local bases_short = { order = "order %.2g", theory = "two values", scatter = "scatter", grows = "grows",
+local bases_short = { order = "order %.2g", change = "changes", grows = "grows",
   open = "unknown", exact = "exact" }
 
 local function answers_table(result)
@@ -199,7 +198,7 @@ local function chaos_tables(result)
             if not m.apart and not standard then alike[#alike + 1] = tostring(i) end
           end
         end
-        print_table(("%s is chaotic: mean and scatter (standard deviation) over runs that are changed slightly")
+        print_table(("%s is chaotic: mean and scatter (standard deviation) over runs whose physical numbers change by 1e-9")
           :format(name), { "setting", "mean", "scatter", "runs", "from the finest's mean", "told apart (95 %)" }, rows)
         print(#alike > 0 and ("  the mean of %s %s cannot be told apart from that of %s"):format(
           #alike == 1 and "setting" or "settings", words.list(alike), q.standard)
@@ -268,16 +267,8 @@ local function equal_tables(result)
   end
 end
 
---- Prints it all.
-function report.show(result)
-  for _, line in ipairs(headline.lines(result)) do print(line) end
-  settings_table(result)
-  answers_table(result)
-  chaos_tables(result)
-  stages_table(result)
-  equal_tables(result)
-  orders_table(result)
-  print ""
+-- What the conclusion rests on, and for which answers it does not hold.
+local function show_grounds(result)
   if result.references then
     local worst
     for _, q in pairs(result.quantities) do
@@ -288,19 +279,22 @@ function report.show(result)
   end
   for _, line in ipairs(doubts(result)) do print(line) end
   for _, note in ipairs(result.notes) do print("note: " .. note) end
-  for _, line in ipairs(headline.failures(result)) do print(line) end
-  for _, line in ipairs(headline.warnings(result)) do print(line) end
-  for _, line in ipairs(headline.left_out(result)) do print(line) end
-  local all = 0
-  for _ in pairs(result.quantities) do all = all + 1 end
-  local by = result.quantity or ("%d of %d answers"):format(#result.compared_by, all)
-  if result.cheapest then
-    print(("cheapest within %s (compared by %s): %s, %s, %.3g s")
-      :format(percent(result.within), by, result.cheapest.label, percent(result.cheapest.error),
-        result.cheapest.seconds))
-  else
-    print(("no setting is known to be within %s"):format(percent(result.within)))
+  for _, lines in ipairs { headline.failures(result), headline.warnings(result), headline.left_out(result) } do
+    for _, line in ipairs(lines) do print(line) end
   end
+end
+
+--- Prints it all: one conclusion, what it rests on, and the tables.
+function report.show(result)
+  for _, line in ipairs(headline.lines(result)) do print(line) end
+  show_grounds(result)
+  settings_table(result)
+  answers_table(result)
+  chaos_tables(result)
+  stages_table(result)
+  equal_tables(result)
+  orders_table(result)
+  print ""
 end
 
 -- The columns of each answer: { title, function of the setting }. difference: from the finest run.

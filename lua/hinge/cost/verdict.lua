@@ -1,13 +1,14 @@
 -- Results when all settings have been run: which answers can be trusted, the errors, the orders of convergence, and the
 -- Pareto front.
 local compare = require "hinge.cost.compare"
+local refinement = require "hinge.accuracy.estimate"
 local estimate = require "hinge.cost.estimate"
 local ladder = require "hinge.cost.ladder"
+local statistics = require "hinge.accuracy.statistics"
 
 local verdict = {}
 local farthest = 6         -- refinements that are foretold
 local rounding = 1e-10     -- errors below it are the same to the front
-local least_scatter = 1e-6 -- of an answer: what stays below is rounding, however strict `within` is
 
 --- For every answer: whether it can be trusted to `within`, and if not, why.
 function verdict.answers(refs, scatter, moving, compared, within)
@@ -16,7 +17,7 @@ function verdict.answers(refs, scatter, moving, compared, within)
   for name, answer in pairs(sample) do
     local agreement = refs and compare.error(refs[1].record.answers[name], answer) or nil
     local spread = scatter and scatter[name] or nil
-    local chaotic = spread and not (spread <= math.max(within / 2, least_scatter))
+    local chaotic = spread and statistics.is_chaotic(spread, within)
     local state = moving[name] and "moving" or chaotic and "chaotic"
       or not refs and "unknown" or not (agreement <= within / 2) and "unsettled" or "sound"
     quantities[name] = { state = state, agreement = agreement, scatter = spread,
@@ -100,8 +101,8 @@ function verdict.estimates(inputs, compared, refs, quantities, within)
     for i, s in ipairs(levels) do answers[i] = s.record.answers[name] end
     if q.state == "moving" or last == nil then q.found = nil
     elseif #refs > 0 then
-      q.found = #answers == #levels and estimate.along(h, answers, order, within)
-        or { by = "open", answer = last, half = math.huge }
+      q.found = #answers == #levels and refinement.along(h, answers, order, within)
+        or { by = "open", answer = last, error = math.huge }
     else
       for _, input in ipairs(inputs) do
         if input.side then
@@ -110,11 +111,11 @@ function verdict.estimates(inputs, compared, refs, quantities, within)
             sizes[#sizes + 1] = 1 / ladder.finer(input, line[i].values[input.name], finest.values[input.name])
             values[#values + 1] = line[i].record.answers[name]
           end
-          parts[#parts + 1] = #values == #sizes and estimate.along(sizes, values, input.side.order or 1, within)
-            or { by = "open", answer = last, half = math.huge }
+          parts[#parts + 1] = #values == #sizes and refinement.along(sizes, values, input.side.order or 1, within)
+            or { by = "open", answer = last, error = math.huge }
         end
       end
-      q.found = #parts > 0 and estimate.together(last, parts) or { by = "open", answer = last, half = math.huge }
+      q.found = #parts > 0 and estimate.together(last, parts) or { by = "open", answer = last, error = math.huge }
     end
     q.finest = last
   end
@@ -176,8 +177,8 @@ function verdict.needed(inputs, names, refs, within)
   for _, q in pairs(names) do
     local found, size = q.found, compare.size(q.found.answer)
     if found.by == "order" and size > 0 then
-      -- at the finest run the error is `half` of the band, and the end of the band twice that
-      local further = math.log(2 * found.half / size / within, 2) / math.min(found.order, theory)
+      -- the error of the finest run, and the end of its band, which is twice that
+      local further = math.log(2 * found.error / size / within, 2) / math.min(found.order, theory)
       most = math.max(most, refs + math.ceil(further - 1e-9))
     elseif found.by ~= "exact" then
       return nil
@@ -192,7 +193,7 @@ function verdict.describe(quantities)
     local found, size = q.found, q.found and compare.size(q.found.answer)
     if found then
       q.by, q.order = found.by, found.order
-      q.half = size > 0 and found.half / size or found.half > 0 and math.huge or 0
+      q.half = size > 0 and found.error / size or found.error > 0 and math.huge or 0
       q.extrapolated = q.kind == "number" and found.by == "order" and found.answer or nil
     end
     q.value, q.found, q.finest = q.kind == "number" and q.finest or nil, nil, nil
