@@ -11,6 +11,7 @@
 #include <random>
 #include <vector>
 
+#include "beam/corotation.h"
 #include "effects/contact.h"
 #include "effects/fracture.h"
 #include "effects/gravity.h"
@@ -29,6 +30,9 @@
         INFO(what);                                        \
         CHECK(figure_ <= limit_);                          \
     } while (false)
+
+// A test names the fields that matter to it; the others have their defaults.
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
 namespace hinge::test {
 
@@ -79,6 +83,20 @@ struct Dice {
 inline Quat exponential(const Vec3& v) {
     return v.norm() > 0 ? Quat(Eigen::AngleAxisd(v.norm(), v.normalized())) : Quat::Identity();
 }
+/// The engine's own of Eigen's, and Eigen's of its.
+inline beam::Quadruple<double> quad(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+inline Vec3 eigen(const beam::Triple<double>& t) { return {t.x, t.y, t.z}; }
+
+/// The derivative of f at x by central differences, a column for each of the numbers of x, whose steps are these.
+template <class F, int N>
+auto differences(const F& f, const Eigen::Matrix<double, N, 1>& x, const Eigen::Matrix<double, N, 1>& steps) {
+    Eigen::Matrix<double, decltype(f(x))::RowsAtCompileTime, N> D;
+    for (int i = 0; i < N; ++i) {
+        const Eigen::Matrix<double, N, 1> by = steps[i] * Eigen::Matrix<double, N, 1>::Unit(i);
+        D.col(i) = (f(x + by) - f(x - by)) / (2 * steps[i]);
+    }
+    return D;
+}
 
 // ---- materials and sections ---------------------------------------------------------------------------------------
 
@@ -124,13 +142,16 @@ inline std::shared_ptr<Section> rigidities(double EA, double EIx, double EIy, do
     return s;
 }
 
+/// Each of these rigidities times 0.5 to 2.
+inline beam::Rigidity random_rigidity(Dice& dice, beam::Rigidity c) {
+    for (double* x : {&c.EIx, &c.EIy, &c.EA, &c.GJ, &c.GAx, &c.GAy}) *x *= dice(0.5, 2);
+    return c;
+}
+
 // ---- models ---------------------------------------------------------------------------------------------------------
 
 inline ModelOptions small_displacement(Formulation f = Formulation::asi_gauss) {
-    ModelOptions o;
-    o.formulation = f;
-    o.displacement = Displacement::small;
-    return o;
+    return {.formulation = f, .displacement = Displacement::small};
 }
 
 /// A model under construction; members take `elements`, `section` and `material` as they stand when the member is
@@ -202,6 +223,25 @@ struct SpaceFrame : Frame {
     }
 };
 
+/// Bars of 1 m: one along x, clamped or free, and one that falls on it from `above`, crossing it at `angle` degrees,
+/// `along` m from its middle and `along_b` m from its own.
+inline void falling_on(Frame& frame, bool clamped, double above, double angle, double along, double along_b,
+                       double speed) {
+    const Vec3 d(std::cos(angle * pi / 180), std::sin(angle * pi / 180), 0),
+        middle = Vec3(along, 0, above) - along_b * d;
+    const std::uint8_t fixed = clamped ? 63 : 0;
+    frame.member(frame.foot(-0.5, 0, 0, fixed), frame.foot(0.5, 0, 0, fixed));
+    const int b1 = frame.node(middle - 0.5 * d), b2 = frame.node(middle + 0.5 * d);
+    frame.member(b1, b2);
+    for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -speed}, Vec3::Zero());
+}
+
+inline ContactRule surface(double friction = 0) {
+    return {.settings = {.rule = contact::ContactRuleKind::surface, .friction = friction}};
+}
+/// Breaks where an element is bent by that much, 1/m, about either axis.
+inline FractureRule bent_by(double curvature) { return {{.curvature_x = curvature, .curvature_y = curvature}}; }
+
 // ---- runs -----------------------------------------------------------------------------------------------------------
 
 inline std::unique_ptr<Statics> statics(const std::shared_ptr<const Structure>& structure,
@@ -210,16 +250,19 @@ inline std::unique_ptr<Statics> statics(const std::shared_ptr<const Structure>& 
     while (run->advance()) {}
     return run;
 }
+inline Dynamics dynamics(const std::shared_ptr<const Structure>& structure, const DynamicSettings& settings) {
+    return Dynamics(structure, initial_state(*structure), settings);
+}
+/// Runs to the end of the duration; a run that does not come there fails the test.
+inline void complete(Run& run) {
+    while (run.advance()) {}
+    INFO(run.reason());
+    REQUIRE(run.verdict() == Verdict::completed);
+}
 
 /// Displacement control: the load factor where `component` of `node` has reached `value`, in that many steps.
 inline StaticSettings driven(int node, int component, double value, int steps) {
-    StaticSettings s;
-    s.control = Control::displacement;
-    s.node = node;
-    s.component = component;
-    s.target = value;
-    s.steps = steps;
-    return s;
+    return {.steps = steps, .control = Control::displacement, .node = node, .component = component, .target = value};
 }
 
 /// Stiffness or mass of the free degrees of freedom as a dense matrix, put together from the engine's element matrices.
@@ -253,6 +296,17 @@ inline BreakReport break_element(const Structure& structure, State& state, int e
     return report;
 }
 
+/// How far momenta have changed, as parts of what they were.
+inline double linear_change(const Momentum& from, const Momentum& to) {
+    return (to.linear - from.linear).norm() / from.linear.norm();
+}
+inline double angular_change(const Momentum& from, const Momentum& to) {
+    return (to.angular - from.angular).norm() / from.angular.norm();
+}
+inline double momentum_change(const Momentum& from, const Momentum& to) {
+    return largest_of(off(to.mass, from.mass), linear_change(from, to), angular_change(from, to));
+}
+
 /// Runs a body's free flight to its end: the largest deviations, as parts of what there was at the start.
 struct Flight {
     double energy = 0, linear = 0, angular = 0;
@@ -265,10 +319,10 @@ inline Flight worst_of_flight(Dynamics& run) {
         const Energy e = run.energy();
         const Momentum now = momentum(run.structure(), run.state());
         worst.energy = largest_of(worst.energy, std::abs(e.error) / e.initial);
-        worst.linear = largest_of(worst.linear, (now.linear - before.linear).norm() / before.linear.norm());
-        worst.angular = largest_of(worst.angular, (now.angular - before.angular).norm() / before.angular.norm());
+        worst.linear = largest_of(worst.linear, linear_change(before, now));
+        worst.angular = largest_of(worst.angular, angular_change(before, now));
     }
-    REQUIRE(run.verdict() == Verdict::completed);
+    complete(run);
     return worst;
 }
 

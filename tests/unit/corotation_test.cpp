@@ -2,6 +2,7 @@
 // the same bits.
 #include "beam/corotation.h"
 
+#include <array>
 #include <cstring>
 
 #include "beam/timoshenko.h"
@@ -14,8 +15,17 @@ using namespace hinge::test;
 
 namespace {
 
-Quadruple<double> quad(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
-Vec3 eigen(const Triple<double>& t) { return {t.x, t.y, t.z}; }
+/// Deformation, forces and moments of one element, or of one lane of eight: eighteen numbers.
+template <class Real, class Pick>
+std::array<double, 18> numbers(const Real* d, const NodalForces<Real>& f, Pick pick) {
+    std::array<double, 18> all;
+    int n = 0;
+    for (int i = 0; i < 6; ++i) all[n++] = pick(d[i]);
+    for (const auto* of : {f.force, f.moment})
+        for (int node : {0, 1})
+            for (const Real& x : {of[node].x, of[node].y, of[node].z}) all[n++] = pick(x);
+    return all;
+}
 
 /// One element somewhere in space, deformed: chord, nodal rotations, axes at the start.
 struct Bar {
@@ -62,11 +72,8 @@ TEST_CASE("1000 random finite rotations and shifts, one after the other, leave n
             const Mat3 R = exponential(turn).toRotationMatrix();  // the positions by Eigen, the rotations by the engine
             for (Vec3& x : b.x) x = (R * (x - about) + about + shift).eval();
             for (Quat& q : b.q) q = rotated(turn, q);
-            if (step % 7 ==
-                0) {  // back to where numbers are small: what is tested is rotation, not the size of coordinates
-                b.x[1] -= b.x[0];
-                b.x[0].setZero();
-            }
+            // back to where numbers are small: what is tested is rotation, not the size of coordinates
+            if (step % 7 == 0) b.x[1] -= b.x[0], b.x[0].setZero();
             const Vec6 d = b.deformation();
             worst = largest_of(worst, largest_entry(d.head<4>()), std::abs(d[4]) / b.L, std::abs(d[5]));
         }
@@ -146,16 +153,9 @@ TEST_CASE("one element or eight at once: the same bits, also where one lane leav
             double d1[6];
             deformation(place1, bar[i].L, d1);
             const NodalForces<double> f1 = nodal_forces(place1, p[i]);
-            const double one[18] = {d1[0],          d1[1],          d1[2],          d1[3],          d1[4],
-                                    d1[5],          f1.force[0].x,  f1.force[0].y,  f1.force[0].z,  f1.force[1].x,
-                                    f1.force[1].y,  f1.force[1].z,  f1.moment[0].x, f1.moment[0].y, f1.moment[0].z,
-                                    f1.moment[1].x, f1.moment[1].y, f1.moment[1].z};
-            const double eight[18] = {d[0][i],           d[1][i],           d[2][i],           d[3][i],
-                                      d[4][i],           d[5][i],           f8.force[0].x[i],  f8.force[0].y[i],
-                                      f8.force[0].z[i],  f8.force[1].x[i],  f8.force[1].y[i],  f8.force[1].z[i],
-                                      f8.moment[0].x[i], f8.moment[0].y[i], f8.moment[0].z[i], f8.moment[1].x[i],
-                                      f8.moment[1].y[i], f8.moment[1].z[i]};
-            REQUIRE(std::memcmp(one, eight, sizeof one) == 0);
+            const auto one = numbers(d1, f1, [](double x) { return x; }),
+                       eight = numbers(d, f8, [i](const Lanes&x) { return double(x[i]); });
+            REQUIRE(std::memcmp(one.data(), eight.data(), sizeof one) == 0);
         }
     }
 }

@@ -90,11 +90,7 @@ struct Oscillator : Bench {
     }
 };
 
-DynamicSettings newmark(double beta, double rho = 1) {
-    DynamicSettings s;
-    s.beta = beta, s.rho_infinity = rho;
-    return s;
-}
+DynamicSettings newmark(double beta, double rho = 1) { return {.beta = beta, .rho_infinity = rho}; }
 
 /// The largest distance of the displacement from start cos(n phi) in so many steps, over `start`.
 double off_cosine(Oscillator& of, double phi, int steps) {
@@ -120,7 +116,7 @@ double spectral_radius(const Eigen::Matrix3d& A) { return largest_entry(A.eigenv
 
 }  // namespace
 
-TEST_CASE("Newmark's method keeps the amplitude, and its period is longer as the closed form says", "[integrators]") {
+TEST_CASE("Newmark's method keeps the amplitude, and its period is longer as the closed form says") {
     for (const double beta : {0.25, 0.4})
         for (const double z : {0.1, 1.0, 10.0}) {
             const double phi = std::acos(1 - 0.5 * z * z / (1 + beta * z * z));
@@ -132,7 +128,7 @@ TEST_CASE("Newmark's method keeps the amplitude, and its period is longer as the
         }
 }
 
-TEST_CASE("Newmark's method converges to the exact solution with the square of the step", "[integrators]") {
+TEST_CASE("Newmark's method converges to the exact solution with the square of the step") {
     const auto error = [](int steps) {
         const double time = 2.6 * pi;  // omega t
         Oscillator of(time / steps, newmark(0.25));
@@ -142,7 +138,7 @@ TEST_CASE("Newmark's method converges to the exact solution with the square of t
     CHECK_FIGURE("order 2", std::abs(std::log2(error(100) / error(200)) - 2), 0.01);
 }
 
-TEST_CASE("Bossak's weighting dissipates as its amplification matrix says, and counts it", "[integrators]") {
+TEST_CASE("Bossak's weighting dissipates as its amplification matrix says, and counts it") {
     for (const double rho : {0.9, 0.5, 0.0})
         for (const double z : {0.3, 3.0}) {
             DynamicSettings s = newmark(DynamicSettings::beta_of(rho), rho);
@@ -160,15 +156,15 @@ TEST_CASE("Bossak's weighting dissipates as its amplification matrix says, and c
             CHECK_FIGURE("energy balance", std::abs(before - of.energy() - of.dissipated), 1e-10 * before);
             CHECK(of.dissipated > 0);
         }
-    for (const double rho :
-         {1.0, 0.9, 0.5, 0.0}) {  // what it is named by: of the highest frequencies a step leaves rho
+    // what it is named by: of the highest frequencies a step leaves rho
+    for (const double rho : {1.0, 0.9, 0.5, 0.0}) {
         const DynamicSettings s = newmark(DynamicSettings::beta_of(rho), rho);
         // the next term is 1 / z^2, and its root where an eigenvalue is a multiple one
         CHECK_FIGURE("rho", std::abs(spectral_radius(amplification(1e6, s.beta, s.gamma(), s.alpha())) - rho), 1e-3);
     }
 }
 
-TEST_CASE("central differences keep the amplitude up to omega dt = 2, and their period is shorter", "[integrators]") {
+TEST_CASE("central differences keep the amplitude up to omega dt = 2, and their period is shorter") {
     for (const double z : {0.1, 1.0, 1.9, 1.999}) {
         Oscillator of(z, newmark(0));
         const double phi = 2 * std::asin(0.5 * z);

@@ -5,8 +5,7 @@
 using namespace hinge;
 using namespace hinge::test;
 
-TEST_CASE("model: nodes inside a member whose both ends were given a velocity start in proportion to these",
-          "[model]") {
+TEST_CASE("model: nodes inside a member whose both ends were given a velocity start in proportion to these") {
     Frame frame;
     frame.elements = 4;
     const Vec3 from(1, 2, 3), to(3, 1, 2);
@@ -29,8 +28,7 @@ TEST_CASE("model: nodes inside a member whose both ends were given a velocity st
     }
 }
 
-TEST_CASE("model: a bar that starts to rotate about one of its ends has the momenta and the energy of a rigid one",
-          "[model]") {
+TEST_CASE("model: a bar that starts to rotate about one of its ends has the momenta and the energy of a rigid one") {
     Frame frame;
     const double length = 2, w = 5;
     const int a = frame.node(0, 0, 0), b = frame.node(length, 0, 0);
@@ -52,13 +50,6 @@ TEST_CASE("model: a bar that starts to rotate about one of its ends has the mome
 
 namespace {
 
-contact::ContactSettings surface(double friction) {
-    contact::ContactSettings s;
-    s.rule = contact::ContactRuleKind::surface;
-    s.friction = friction;
-    return s;
-}
-
 /// A bar that comes down on another, aslant, by rules over both (groups 0: the lower, 1: the upper).
 std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* bound = nullptr) {
     Frame frame;
@@ -70,21 +61,15 @@ std::uint64_t after_impact(const std::vector<ContactRule>& rules, long* bound = 
     frame.member(c, d);
     for (const int n : {c, d}) frame.model->set_velocity(n, {5, 3, -20}, Vec3::Zero());
     for (const ContactRule& rule : rules) add_contact(*frame.model, rule);
-    const auto structure = frame.build();
-    DynamicSettings s;
-    s.dt = 1e-5;
-    s.duration = 2e-3;
-    Dynamics run(structure, initial_state(*structure), s);
-    while (run.advance()) {}
-    REQUIRE(run.verdict() == Verdict::completed);
+    Dynamics run = dynamics(frame.build(), {.dt = 1e-5, .duration = 2e-3});
+    complete(run);
     if (bound) *bound = contact_of(run.state())->counts().bound;
     return hash(run.state());
 }
 
 }  // namespace
 
-TEST_CASE("model: of contact rules that overlap the last one of the members' groups counts, else the last of all",
-          "[model]") {
+TEST_CASE("model: of contact rules that overlap the last one of the members' groups counts, else the last of all") {
     Frame frame;
     for (const char* name : {"a", "b", "c"}) frame.model->group(name);
     const auto member_in = [&](std::vector<int> groups) {
@@ -94,10 +79,7 @@ TEST_CASE("model: of contact rules that overlap the last one of the members' gro
     const int in_a = member_in({0}), in_b = member_in({1}), in_ab = member_in({0, 1}), in_c = member_in({2}),
               in_none = member_in({});
     const auto add = [&](std::vector<int> groups, bool between) {
-        ContactRule rule;
-        rule.groups = std::move(groups);
-        rule.between = between;
-        add_contact(*frame.model, rule);
+        add_contact(*frame.model, {.groups = std::move(groups), .between = between});
     };
     const auto both_ways = [&](int m, int n) {
         const auto& rules = contact_rules(*frame.model);
@@ -136,12 +118,10 @@ TEST_CASE("model: of contact rules that overlap the last one of the members' gro
     }
 }
 
-TEST_CASE("model: of two contact rules the one that counts gives the bits that it gives alone", "[model]") {
-    ContactRule smooth, rough, between;
-    smooth.settings = surface(0);
-    rough.settings = between.settings = surface(0.5);
-    between.groups = {0, 1};
-    between.between = true;
+TEST_CASE("model: of two contact rules the one that counts gives the bits that it gives alone") {
+    const ContactRule smooth = surface(0), rough = surface(0.5);
+    ContactRule between = rough;
+    between.groups = {0, 1}, between.between = true;
     long bound = 0;
     const std::uint64_t by_smooth = after_impact({smooth}, &bound), by_rough = after_impact({rough});
     REQUIRE(bound > 0);

@@ -1,7 +1,6 @@
 // A run that is recorded from C++, without Lua: its folder, its checkpoint, and a run that goes on from another.
 #include <unistd.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "core/files.h"
@@ -27,35 +26,28 @@ fs::path new_folder() {
 struct Cantilever {
     int tip = 0;
     std::shared_ptr<const Structure> structure;
-    DynamicSettings settings;
+
     fs::path folder = new_folder();
     std::shared_ptr<Context> context = std::make_shared<Context>();
 
     Cantilever() {
         Frame frame;
-        const int foot = frame.node(0, 0, 0);
         tip = frame.node(1, 0, 0);
-        frame.model->fix(foot, 63);
-        frame.member(foot, tip);
-        NodalLoad load{tip};
-        load.force = {0, 0, -1e5};
-        add_load(*frame.model, load);
-        FractureRule rule;
-        rule.curvature_x = rule.curvature_y = 0.12;
-        add_fracture(*frame.model, rule);
-        structure = std::make_shared<const Structure>(frame.model);
-        settings.dt = 1e-5, settings.duration = 2e-3;
+        frame.member(frame.foot(0, 0, 0), tip);
+        frame.load(tip, {0, 0, -1e5});
+        add_fracture(*frame.model, bent_by(0.12));
+        structure = frame.build();
+
         context->output.folder = folder.string();
     }
     ~Cantilever() { fs::remove_all(folder); }
     Cantilever(const Cantilever&) = delete;
     Cantilever& operator=(const Cantilever&) = delete;
 
-    std::shared_ptr<RunRecord> start(double duration) {
+    std::shared_ptr<RunRecord> start(double duration = 2e-3) {
         auto record = std::make_shared<RunRecord>();
-        DynamicSettings own = settings;
-        own.duration = duration;
-        record->run = std::make_shared<Dynamics>(structure, initial_state(*structure), own);
+        record->run = std::make_shared<Dynamics>(structure, initial_state(*structure),
+                                                 DynamicSettings{.dt = 1e-5, .duration = duration});
         record->every = 10;
         record->probes.push_back(std::make_shared<Probe>(Probe{tip, Probe::Quantity::displacement, 2, "tip", {}, {}}));
         record_run(*context, record);
@@ -67,9 +59,9 @@ struct Cantilever {
 
 }  // namespace
 
-TEST_CASE("recording: a run without Lua leaves history, events and summary", "[recording]") {
+TEST_CASE("recording: a run without Lua leaves history, events and summary") {
     Cantilever scene;
-    const auto record = scene.start(2e-3);
+    const auto record = scene.start();
     while (record_step(scene.context, record)) {}
     write_summary(*scene.context);
     const std::string history = scene.file("history.csv");
@@ -87,17 +79,17 @@ TEST_CASE("recording: a run without Lua leaves history, events and summary", "[r
     CHECK((broken == 0 || scene.file("events.csv").find(",fracture,") != std::string::npos));
 }
 
-TEST_CASE("recording: goes on from its checkpoint with the same bits", "[recording]") {
+TEST_CASE("recording: goes on from its checkpoint with the same bits") {
     Cantilever scene;
-    const auto whole = scene.start(2e-3);
+    const auto whole = scene.start();
     while (record_step(scene.context, whole)) {}
-    const auto first = scene.start(2e-3);
+    const auto first = scene.start();
     CheckpointPlan plan;
     plan.file = (scene.folder / "run.checkpoint").string(), plan.every = 0;
     first->checkpoint = plan;
     for (int i = 0; i < 77; ++i) REQUIRE(record_step(scene.context, first));
     scene.context->mode.resume = true;
-    const auto second = scene.start(2e-3);
+    const auto second = scene.start();
     second->checkpoint = plan;
     while (record_step(scene.context, second)) {}
     CHECK(second->resumed_at == 76);
@@ -105,7 +97,7 @@ TEST_CASE("recording: goes on from its checkpoint with the same bits", "[recordi
     CHECK(second->probes[0]->value == whole->probes[0]->value);
 }
 
-TEST_CASE("recording: what a program does between steps", "[recording]") {
+TEST_CASE("recording: what a program does between steps") {
     struct Hooks : StepHooks {
         void before_step(RunRecord&) override { ++before; }
         void after_step(RunRecord& r) override {
@@ -114,7 +106,7 @@ TEST_CASE("recording: what a program does between steps", "[recording]") {
         int before = 0, after = 0;
     } hooks;
     Cantilever scene;
-    const auto record = scene.start(2e-3);
+    const auto record = scene.start();
     while (record_step(scene.context, record, hooks)) {}
     CHECK(hooks.after == 5);
     CHECK(hooks.before >= 5);
@@ -123,7 +115,7 @@ TEST_CASE("recording: what a program does between steps", "[recording]") {
     CHECK(scene.file("summary.json").find("\"verdict\": \"stopped\"") != std::string::npos);
 }
 
-TEST_CASE("recording: a run goes on from the state of another", "[recording]") {
+TEST_CASE("recording: a run goes on from the state of another") {
     Cantilever scene;
     const auto record = scene.start(1e-3);
     while (record_step(scene.context, record)) {}

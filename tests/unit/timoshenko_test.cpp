@@ -10,16 +10,7 @@ using namespace hinge::test;
 
 namespace {
 
-beam::Rigidity random_rigidity(Dice& dice) {
-    beam::Rigidity c;
-    c.EIx = dice(0.5, 2) * 1e5;
-    c.EIy = dice(0.5, 2) * 1e5;
-    c.EA = dice(0.5, 2) * 5e8;
-    c.GJ = dice(0.5, 2) * 7e4;
-    c.GAx = dice(0.5, 2) * 1.6e8;
-    c.GAy = dice(0.5, 2) * 1.6e8;
-    return c;
-}
+beam::Rigidity some_rigidity(Dice& dice) { return random_rigidity(dice, {1e5, 1e5, 5e8, 7e4, 1.6e8, 1.6e8}); }
 
 /// A member skew in space with a section that bends differently about x and y, as a cantilever held at one of its ends.
 struct Skew : Frame {
@@ -73,9 +64,8 @@ struct Skew : Frame {
             auto loaded = std::make_shared<Model>(*model);
             const Vec6 force = 1000 * turn.col(c);
             add_load(*loaded, {end[1 - held], force.head<3>(), force.tail<3>(), {}});
-            StaticSettings one;
-            one.steps = 1;
-            const auto run = statics(std::make_shared<Structure>(loaded), one);
+
+            const auto run = statics(std::make_shared<Structure>(loaded), {.steps = 1});
             REQUIRE(run->verdict() == Verdict::completed);
             f.col(c) = turn.transpose() * run->displacement(end[1 - held]) / 1000;
         }
@@ -89,11 +79,8 @@ double difference(Mat6 a, Mat6 b, double length) {
         m->bottomRows<3>() *= length;
         m->rightCols<3>() *= length;
     }
-    double worst = 0;
-    for (int i = 0; i < 6; ++i)
-        for (int j = 0; j < 6; ++j)
-            worst = largest_of(worst, std::abs(a(i, j) - b(i, j)) / std::sqrt(b(i, i) * b(j, j)));
-    return worst;
+    const Vec6 scale = b.diagonal().cwiseSqrt().cwiseInverse();
+    return largest_entry(scale.asDiagonal() * (a - b) * scale.asDiagonal());
 }
 
 /// B(s) of eq 2, 6 x 12: generalised strains [kx ky ez kz gx gy] (1/m, 1/m, -, 1/m, -, -) from the nodal displacements
@@ -101,22 +88,10 @@ double difference(Mat6 a, Mat6 b, double length) {
 Eigen::Matrix<double, 6, 12> strain_displacement(double L, double s) {
     Eigen::Matrix<double, 6, 12> B = Eigen::Matrix<double, 6, 12>::Zero();
     const double n1 = (1 - s) / 2, n2 = (1 + s) / 2;
-    B(0, 3) = -1 / L;
-    B(0, 9) = 1 / L;
-    B(1, 4) = -1 / L;
-    B(1, 10) = 1 / L;
-    B(2, 2) = -1 / L;
-    B(2, 8) = 1 / L;
-    B(3, 5) = -1 / L;
-    B(3, 11) = 1 / L;
-    B(4, 0) = -1 / L;
-    B(4, 6) = 1 / L;
-    B(4, 4) = -n1;
-    B(4, 10) = -n2;
-    B(5, 1) = -1 / L;
-    B(5, 7) = 1 / L;
-    B(5, 3) = n1;
-    B(5, 9) = n2;
+    const int differs[] = {3, 4, 2, 5, 0, 1};  // what each strain is the derivative of
+    for (int row = 0; row < 6; ++row) B(row, differs[row]) = -1 / L, B(row, 6 + differs[row]) = 1 / L;
+    B(4, 4) = -n1, B(4, 10) = -n2;
+    B(5, 3) = n1, B(5, 9) = n2;
     return B;
 }
 
@@ -129,7 +104,7 @@ TEST_CASE("K = L B(s)^T D B(s) is the stiffness seen from the chord, for any s (
     Dice dice(1);
     double worst = 0;
     for (int trial = 0; trial < 1000; ++trial) {
-        const beam::Rigidity c = random_rigidity(dice);
+        const beam::Rigidity c = some_rigidity(dice);
         const double L = dice(0.2, 3), s = dice(-1, 1);
         const auto B = strain_displacement(L, s);
         const auto T = beam::linear_deformation(L);
@@ -140,21 +115,11 @@ TEST_CASE("K = L B(s)^T D B(s) is the stiffness seen from the chord, for any s (
     CHECK_FIGURE("K = L B^T D B against the stiffness seen from the chord", worst, 1e-13);
 }
 
-TEST_CASE("only the shear rows of B depend on s, and k(s) differs from k(0)") {
-    const auto a = strain_displacement(1.3, 0), b = strain_displacement(1.3, 0.7);
-    CHECK((a.topRows<4>() - b.topRows<4>()).norm() == 0);
-    CHECK((a.bottomRows<2>() - b.bottomRows<2>()).norm() > 0.1);
-    Dice dice(2);
-    const beam::Rigidity c = random_rigidity(dice);
-    const Mat6 k = beam::stiffness(c, 1.3, 0.7).matrix();
-    CHECK((k - beam::stiffness(c, 1.3, 0).matrix()).norm() > 0.1 * k.norm());
-}
-
 TEST_CASE("the solution of k(s) d = p is its inverse (1e-9: k is badly conditioned by shear)") {
     Dice dice(3);
     double worst = 0;
     for (int trial = 0; trial < 1000; ++trial) {
-        const beam::Stiffness k = beam::stiffness(random_rigidity(dice), dice(0.2, 3), dice(-1, 1));
+        const beam::Stiffness k = beam::stiffness(some_rigidity(dice), dice(0.2, 3), dice(-1, 1));
         Vec6 d;
         for (double& x : d) x = dice(-1e-3, 1e-3);
         worst = largest_of(worst, (k.solve(k.times(d)) - d).norm() / d.norm());
@@ -162,9 +127,7 @@ TEST_CASE("the solution of k(s) d = p is its inverse (1e-9: k is badly condition
     CHECK_FIGURE("k.solve(k d) = d", worst, 1e-9);
 }
 
-TEST_CASE(
-    "two asi-gauss elements are the closed-form Timoshenko member: all six degrees of freedom at both ends, skew in "
-    "space (1e-9)") {
+TEST_CASE("two asi-gauss elements are the closed-form Timoshenko member, at both ends, skew in space (1e-9)") {
     for (int held : {0, 1})
         for (int count : {2, 4, 6}) {
             const Skew member(Formulation::asi_gauss, count, held);
@@ -177,7 +140,7 @@ TEST_CASE("two asi-gauss elements condensed to their ends are the closed-form 12
     Dice dice(4);
     double worst = 0, without = 0;
     for (int trial = 0; trial < 100; ++trial) {
-        const beam::Rigidity c = random_rigidity(dice);
+        const beam::Rigidity c = some_rigidity(dice);
         const double L = dice(0.5, 3);
         // exact: the six deformation modes of a Timoshenko member, k = inverse of their flexibility
         const auto bending = [&](double EI, double GA) {
@@ -209,9 +172,7 @@ TEST_CASE("two asi-gauss elements condensed to their ends are the closed-form 12
     CHECK(without > 1e-3);  // midpoint integration is not exact
 }
 
-TEST_CASE(
-    "midpoint integration, cantilever: the bending part of the tip deflection is short by 1/(4 n^2) (1e-9, closed "
-    "form)") {
+TEST_CASE("midpoint integration, cantilever: the bending part of the deflection is short by 1/(4 n^2) (1e-9)") {
     for (Formulation f : {Formulation::conventional, Formulation::asi})
         for (int count : {1, 2, 3, 4, 8}) {
             const Skew member(f, count, 0);
@@ -221,27 +182,7 @@ TEST_CASE(
         }
 }
 
-TEST_CASE("midpoint integration, sway member: the bending part is short by 1/n^2 (1e-9, closed form)") {
-    for (Formulation f : {Formulation::conventional, Formulation::asi})
-        for (int count : {1, 2, 3, 4, 8}) {
-            Frame frame(small_displacement(f));
-            frame.elements = count;
-            const int a = frame.foot(0, 0, 0), b = frame.foot(0, 0, 1.2, 62);  // b moves along x alone
-            frame.member(a, b);
-            frame.load(b, {1000, 0, 0});
-            const auto run = statics(frame.build());
-            const double L = 1.2, EI = frame.material->E * frame.section->Ix,
-                         GA = frame.material->G * frame.section->shear_area_x;
-            const double u = 1000 * (L * L * L / (12 * EI) * (1 - 1.0 / (count * count)) + L / GA);
-            CHECK_FIGURE(std::string(f == Formulation::asi ? "asi" : "conventional") + ", sway member of " +
-                             std::to_string(count) + " elements",
-                         off(run->displacement(b)[0], u), 1e-9);
-        }
-}
-
-TEST_CASE(
-    "midpoint integration, end moments Ma and Mb: the flexibility is short by L (Mb - Ma)^2 / (12 n^2 EI) (1e-9, "
-    "closed form)") {
+TEST_CASE("midpoint integration, end moments: the flexibility is short by L (Mb - Ma)^2 / (12 n^2 EI) (1e-9)") {
     Dice dice(5);
     for (int count : {1, 2, 4, 8})
         for (int trial = 0; trial < 3; ++trial) {

@@ -11,19 +11,27 @@ using namespace hinge::test;
 
 namespace {
 
-Quadruple<double> quad(const Quat& q) { return {q.w(), q.x(), q.y(), q.z()}; }
+Quat about_z(double angle) { return Quat(Eigen::AngleAxisd(angle, Vec3::UnitZ())); }
 
 struct Ends {
     Vec3 chord;
     Quat q[2];
-    Ends moved(int component, double by) const {
+    Ends moved(const Vec12& by) const {
         Ends n = *this;
-        const int i = component / 6, c = component % 6;
-        if (c < 3) n.chord[c] += i == 0 ? -by : by;
-        else n.q[i] = exponential(by * Vec3::Unit(c - 3)) * n.q[i];
+        n.chord += by.segment<3>(6) - by.head<3>();
+        for (int i : {0, 1}) n.q[i] = exponential(by.segment<3>(6 * i + 3)) * q[i];
         return n;
     }
 };
+
+Winding winding(const Vec3& chord, const Quat (&q)[2], const Quat& axes, double L, double last) {
+    Winding w;
+    w.chord = {chord.x(), chord.y(), chord.z()};
+    for (int i : {0, 1}) w.node[i] = quad(q[i]);
+    w.axes = quad(axes);
+    w.L = L, w.last = last;
+    return w;
+}
 
 /// An element whose ends are twisted against each other by `twist` and then rotated at random by up to `bend` each.
 struct Sample {
@@ -34,31 +42,20 @@ struct Sample {
     Vec6 plastic = Vec6::Zero();
 
     Sample(Dice& dice, double twist, double bend) : last(twist) {
-        Rigidity c;
-        c.EIx = dice(50, 200);
-        c.EIy = dice(50, 200);
-        c.EA = dice(5e2, 2e3);
-        c.GJ = dice(50, 200);
-        c.GAx = dice(2e2, 5e2);
-        c.GAy = dice(2e2, 5e2);
+        const Rigidity c = random_rigidity(dice, {100, 100, 1e3, 100, 300, 300});
         k = stiffness(c, L, dice(-1, 1));
         axes = dice.rotation();
         const Quat turn = dice.rotation();
         const double first = dice(-1, 1) * std::abs(twist);
         now.chord = turn * (axes * Vec3(0, 0, L)) + dice.vector(0.1);
-        const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
+
         for (int i : {0, 1})
             now.q[i] = turn * exponential(dice.vector(bend)) * axes * about_z(first + i * twist) * axes.conjugate();
-        for (int part : {0, 1, 2, 3, 4, 5}) plastic[part] = dice(-0.1, 0.1);
+        for (double& part : plastic) part = dice(-0.1, 0.1);
         plastic[5] = twist + dice(-0.3, 0.3);
     }
     Winding at(const Ends& n) const {
-        Winding w;
-        w.chord = {n.chord.x(), n.chord.y(), n.chord.z()};
-        for (int i : {0, 1}) w.node[i] = quad(n.q[i]);
-        w.axes = quad(axes);
-        w.L = L;
-        w.last = last;
+        Winding w = winding(n.chord, n.q, axes, L, last);
         wind(w);
         return w;
     }
@@ -80,14 +77,10 @@ void against_differences(const std::string& name, double twist, double bend, dou
         const double share = s.at(s.now).share;
         if (!(share >= least_share && share <= most_share)) continue;
         ++used;
-        const double h = 3e-6;
-        Vec12 f;
-        Mat12 K;
-        for (int j = 0; j < 12; ++j) {
-            const Ends ahead = s.now.moved(j, h), behind = s.now.moved(j, -h);
-            f[j] = (s.energy(ahead) - s.energy(behind)) / (2 * h);
-            K.col(j) = (s.at_nodes(ahead) - s.at_nodes(behind)) / (2 * h);
-        }
+        const Vec12 here = Vec12::Zero(), h = Vec12::Constant(3e-6);
+        const auto energy = [&](const Vec12& by) { return Eigen::Matrix<double, 1, 1>(s.energy(s.now.moved(by))); };
+        const Vec12 f = differences(energy, here, h).transpose();
+        const Mat12 K = differences([&](const Vec12& by) { return s.at_nodes(s.now.moved(by)); }, here, h);
         const Mat6 k = s.k.matrix();
         force = largest_of(force, (s.at_nodes(s.now) - f).norm() / f.norm());
         stiffness = largest_of(stiffness, (tangent(s.at(s.now), s.p(s.now), k, true) - K).norm() / K.norm());
@@ -152,8 +145,7 @@ TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12)") {
         if (!(s.at(s.now).share > 0)) continue;
         worst = largest_of(worst, largest_entry(s.deformation_at(rotated) - s.deformation_at(s.now)));
         const Winding a = s.at(s.now), b = s.at(rotated);
-        const Vec3 before = turn * Vec3(a.frame.y.x, a.frame.y.y, a.frame.y.z);
-        worst = largest_of(worst, (before - Vec3(b.frame.y.x, b.frame.y.y, b.frame.y.z)).norm());
+        worst = largest_of(worst, (turn * eigen(a.frame.y) - eigen(b.frame.y)).norm());
     }
     CHECK_FIGURE("deformation by a rigid rotation", worst, 1e-12);
 }
@@ -161,7 +153,7 @@ TEST_CASE("a rigid rotation of a wound element strains nothing (1e-12)") {
 TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and the twist is counted") {
     Dice dice(33);
     const Quat bend[2] = {exponential(dice.vector(0.1)), exponential(dice.vector(0.1))};
-    const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
+
     const Vec3 chord(0.02, -0.03, 1.1);
     Vec6 before = Vec6::Zero();
     double last = 0, jump = 0, count = 0, first_difference = 0;
@@ -169,12 +161,7 @@ TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and 
     for (int i = 0; i <= steps; ++i) {
         const double angle = 10 * 2 * pi * i / steps;
         const Quat q[2] = {bend[0], bend[1] * about_z(angle)};
-        Winding w;
-        w.chord = {chord.x(), chord.y(), chord.z()};
-        for (int e : {0, 1}) w.node[e] = quad(q[e]);
-        w.axes = quad(Quat::Identity());
-        w.L = 1;
-        w.last = last;
+        Winding w = winding(chord, q, Quat::Identity(), 1, last);
         const bool wound = wind(w);
         Vec6 d;
         beam::ElementFrame<double> near = place<double>(w.chord, w.node[0], w.node[1], w.axes);
@@ -196,16 +183,11 @@ TEST_CASE("wound up from rest to ten turns, a little bent: no number jumps, and 
 }
 
 TEST_CASE("a wound bar bends as one whose sections lie as its middle one does (1e-12)") {
-    const auto about_z = [](double a) { return Quat(Eigen::AngleAxisd(a, Vec3::UnitZ())); };
     for (const double turns : {0.5, 1.0, 2.25}) {
         const double twist = turns * 2 * pi;
         const Vec3 slope[2] = {{0.1, 0.2, 0}, {-0.15, 0.05, 0}};  // swings from the chord, in space
-        Winding w;
-        w.chord = {0, 0, 1};
-        for (int e : {0, 1}) w.node[e] = quad(exponential(slope[e]) * about_z(e * twist));
-        w.axes = quad(Quat::Identity());
-        w.L = 1;
-        w.last = twist;
+        const Quat q[2] = {exponential(slope[0]), exponential(slope[1]) * about_z(twist)};
+        Winding w = winding(Vec3::UnitZ(), q, Quat::Identity(), 1, twist);
         REQUIRE(wind(w));
         const Mat3 to_middle = about_z(0.5 * twist).toRotationMatrix().transpose();
         for (int e : {0, 1}) {
