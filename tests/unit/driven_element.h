@@ -1,12 +1,9 @@
 // An element of a rectangular section whose deformation a test prescribes, step by step.
 #pragma once
 
-#include <cmath>
-#include <memory>
-#include <vector>
-
 #include "beam/timoshenko.h"
 #include "helpers.h"
+#include "outlines.h"
 #include "section/laws/laws.h"
 
 namespace hinge::test::element {
@@ -19,7 +16,7 @@ inline constexpr double fy = 250e6, E = 200e9, b = 0.1, h = 0.2, A = b * h, Ix =
 
 inline const std::shared_ptr<const PlasticDomain> rectangle = [] {
     Outline o;
-    o.polygons = {{{{-b / 2, -h / 2}, {b / 2, -h / 2}, {b / 2, h / 2}, {-b / 2, h / 2}}}};
+    o.polygons = {test::rectangle(b, h)};
     return std::make_shared<PlasticDomain>(o);
 }();
 
@@ -40,9 +37,8 @@ inline std::unique_ptr<const SectionLaw> law_with(const MaterialLaws& laws, bool
 }
 
 inline Stiffness elastic(double s = 0) {
-    Rigidity c;
-    c.EIx = E * Ix, c.EIy = E * Iy, c.EA = E * A, c.GJ = E / 2.6 * J, c.GAx = c.GAy = E / 2.6 * A * 5 / 6;
-    return stiffness(c, length, s);
+    const double GA = E / 2.6 * A * 5 / 6;
+    return stiffness({E * Ix, E * Iy, E * A, E / 2.6 * J, GA, GA}, length, s);
 }
 
 /// An element whose deformation a test prescribes, step by step.
@@ -65,8 +61,15 @@ struct Driven {
         at.temperature = temperature;
         return at;
     }
+    /// What the deformation d would lead to.
+    ReturnMapResult returned(const Vec6& d, double dt = 0) const {
+        return law.return_to_surface(k.times(d - plastic), k, ends, 2, conditions(dt));
+    }
+    Mat6 tangent(const ReturnMapResult& flow, double dt = 0) const {
+        return law.tangent(flow, k, ends, 2, conditions(dt));
+    }
     ReturnMapResult to(const Vec6& d, double dt = 0) {
-        const ReturnMapResult flow = law.return_to_surface(k.times(d - plastic), k, ends, 2, conditions(dt));
+        const ReturnMapResult flow = returned(d, dt);
         for (int s : {0, 1})
             if (law.history_size() > 0) law.commit(flow, s, dt, history.data() + s * law.history_size());
         plastic += flow.plastic, p = flow.p;
@@ -75,7 +78,7 @@ struct Driven {
     }
 };
 
-inline Vec6 stretched(double by) { return (Vec6() << 0, 0, 0, 0, by, 0).finished(); }
+inline Vec6 stretched(double by) { return by * Vec6::Unit(4); }
 /// Constant curvature about x.
 inline Vec6 bent(double by) { return (Vec6() << -by / 2, by / 2, 0, 0, 0, 0).finished(); }
 
@@ -88,5 +91,40 @@ inline Vec6 random_deformation(Dice& dice, double size) {
     for (int i = 0; i < 6; ++i) d[i] = dice.pick(4) ? size * scale[i] * dice(-1, 1) : 0;
     return d;
 }
+
+/// What steps of any size show: how far forces are from the surface as the committed history has it, where a section
+/// flows, or beyond it; and the least dissipation, plastic work less what is stored, as a part.
+struct RandomPaths {
+    double off = 0, least = 0;
+    long flows = 0, lost = 0;
+
+    void walk(Driven& element, Dice& dice, bool heats = false) {
+        Vec6 d = Vec6::Zero();
+        double step = 0.1;
+        for (int i = 0; i < 200; ++i) {
+            if (dice.pick(10) == 0) step = std::exp(dice(-6, 3));
+            if (heats && dice.pick(5) == 0) element.temperature = dice(20, 500);
+            d += random_deformation(dice, step);
+            const double stored = element.stored();
+            const ReturnMapResult flow = element.to(d);
+            lost += !flow.converged, flows += flow.flows();
+            least = smallest_of(
+                least, (flow.dissipation - (element.stored() - stored)) / (1 + std::abs(flow.dissipation) + stored));
+            for (int s : {0, 1}) {
+                const double* history = element.history.data() + s * element.law.history_size();
+                const double f =
+                    element.law.yield_function(resultants(flow.p, ends[s]), history, element.temperature) - 1;
+                off = largest_of(off, flow.lambda[s] > 0 ? std::abs(f) : f);
+            }
+        }
+    }
+    /// 1e-8, as without a law of the material.
+    void check(long least_flows) const {
+        CHECK(flows > least_flows);
+        CHECK(lost == 0);
+        CHECK_FIGURE("beyond the surface", off, 1e-8);
+        CHECK_FIGURE("negative dissipation", -least, 1e-10);
+    }
+};
 
 }  // namespace hinge::test::element

@@ -1,8 +1,5 @@
 // Members that carry tension alone or compression alone: the return, its energy and its tangent.
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <vector>
 
 #include "beam/timoshenko.h"
 #include "helpers.h"
@@ -15,13 +12,8 @@ using namespace hinge::test;
 namespace {
 
 constexpr double ends[2] = {-1, 1}, middle[1] = {0};
-constexpr double never = std::numeric_limits<double>::infinity();
 
-Stiffness element() {
-    Rigidity c;
-    c.EIx = 3e4, c.EIy = 2e4, c.EA = 8e7, c.GJ = 1e4, c.GAx = c.GAy = 1e7;
-    return stiffness(c, 1.5, 0.3);
-}
+Stiffness element() { return stiffness({3e4, 2e4, 8e7, 1e4, 1e7, 1e7}, 1.5, 0.3); }
 
 /// An element whose deformation a test prescribes, step by step.
 struct Driven {
@@ -32,8 +24,7 @@ struct Driven {
     double history[2] = {0, 0};
 
     ReturnMapResult look(const Vec6& d) const {
-        SectionConditions at;
-        at.history = history;
+        const SectionConditions at{no_fixed_end, history, 0};
         const Vec6 trial = k.times(d - plastic);
         const double* r = sections == 2 ? ends : middle;
         if (law.surely_elastic(trial, r, sections, at)) {
@@ -49,20 +40,16 @@ struct Driven {
         for (int i = 0; i < sections; ++i) law.commit(flow, i, 0, history + i);
         return flow;
     }
-    double N(double elongation) {
-        Vec6 d = Vec6::Zero();
-        d[4] = elongation;
-        return to(d).p[4];
-    }
+    double N(double elongation) { return to(elongation * Vec6::Unit(4)).p[4]; }
     double slack() const { return law.slack(history); }
 };
 
 }  // namespace
 
 // 1e-12: a few roundings of forces of k |d|. The increments of the slack add up 5000 times: 1e-11.
-TEST_CASE("one way: on a random path N follows the elongation alone, and slack takes no work", "[one_way]") {
+TEST_CASE("one way: on a random path N follows the elongation alone, and slack takes no work") {
     for (int sign : {1, -1}) {
-        const auto law = one_way_law(sign, never);
+        const auto law = one_way_law(sign, infinite);
         Driven bar{*law};
         Dice dice(7);
         const double size = 0.01, k = bar.k.axial;
@@ -96,7 +83,7 @@ TEST_CASE("one way: on a random path N follows the elongation alone, and slack t
 
 // Yield moves the length at which the member carries again: N = k (d - y), at least 0, where y is the most by which d
 // has ever been beyond N0 / k.
-TEST_CASE("one way: a member that yields keeps its elongation apart from its slack", "[one_way]") {
+TEST_CASE("one way: a member that yields keeps its elongation apart from its slack") {
     for (int sign : {1, -1})
         for (int sections : {1, 2}) {
             const double N0 = 2e5;
@@ -109,9 +96,7 @@ TEST_CASE("one way: a member that yields keeps its elongation apart from its sla
             int flowed = 0;
             for (int i = 0; i < 3000; ++i) {
                 const double most = 4e-3 + 1e-5 * i, d = dice(-most, most);
-                Vec6 whole = Vec6::Zero();
-                whole[4] = sign * d;
-                const ReturnMapResult flow = bar.to(whole);
+                const ReturnMapResult flow = bar.to(sign * d * Vec6::Unit(4));
                 const double before = y;
                 y = largest_of(y, d - N0 / k);
                 const double N = largest_of(0.0, k * (d - y));
@@ -127,7 +112,7 @@ TEST_CASE("one way: a member that yields keeps its elongation apart from its sla
         }
 }
 
-TEST_CASE("one way: the tangent is that of differences, on either side of each kink", "[one_way]") {
+TEST_CASE("one way: the tangent is that of differences, on either side of each kink") {
     const double N0 = 2e5;
     int kinds[3] = {0, 0, 0};  // slack, elastic after slack, yields
     for (int sign : {1, -1}) {
@@ -149,14 +134,9 @@ TEST_CASE("one way: the tangent is that of differences, on either side of each k
                                  : n > 0       ? n < way || n > N0 - way
                                                : sign * bar.k.axial * to_carry > -way;
             if (!at_kink && flow.flows()) {
-                SectionConditions at;
-                at.history = bar.history;
-                const Mat6 K = law->tangent(flow, bar.k, ends, 2, at);
-                Mat6 by_differences;
-                for (int c = 0; c < 6; ++c) {
-                    const Vec6 by = h * Vec6::Unit(c);
-                    by_differences.col(c) = (bar.look(d + by).p - bar.look(d - by).p) / (2 * h);
-                }
+                const Mat6 K = law->tangent(flow, bar.k, ends, 2, {no_fixed_end, bar.history}),
+                           by_differences =
+                               differences([&](const Vec6&to) { return bar.look(to).p; }, d, Vec6(Vec6::Constant(h)));
                 off = largest_of(off, (K - by_differences).norm() / bar.k.matrix().norm());
                 ++kinds[flow.yields() ? 2 : n > 0 ? 1 : 0];
             }
@@ -167,8 +147,8 @@ TEST_CASE("one way: the tangent is that of differences, on either side of each k
     for (int count : kinds) CHECK(count > 20);
 }
 
-TEST_CASE("one way: its screen passes no force but zero, and its utilisation counts the sign", "[one_way]") {
-    const auto cable = one_way_law(1, 2e5), strut = one_way_law(-1, 2e5), bare = one_way_law(1, never);
+TEST_CASE("one way: its screen passes no force but zero, and its utilisation counts the sign") {
+    const auto cable = one_way_law(1, 2e5), strut = one_way_law(-1, 2e5), bare = one_way_law(1, infinite);
     for (const double N : {1e-30, -1e-30, 1.0, -1e9})
         CHECK(beam::yield_function(Vec6(N * Vec6::Unit(4)), 0.0, cable->screen()) > 1);
     CHECK(beam::yield_function(Vec6(Vec6::Zero()), 0.0, cable->screen()) <= 1);
@@ -179,10 +159,9 @@ TEST_CASE("one way: its screen passes no force but zero, and its utilisation cou
     CHECK(!cable->forms_pairs());
 }
 
-TEST_CASE("one way: a force that is not a number is not found", "[one_way]") {
-    const auto law = one_way_law(1, never);
+TEST_CASE("one way: a force that is not a number is not found") {
+    const auto law = one_way_law(1, infinite);
     Vec6 trial = Vec6::Zero();
     trial[4] = std::nan("");
-    SectionConditions at;
-    CHECK(!law->return_to_surface(trial, element(), ends, 2, at).converged);
+    CHECK(!law->return_to_surface(trial, element(), ends, 2, no_fixed_end).converged);
 }

@@ -24,9 +24,8 @@ Case random_case(Dice& dice) {
     Case c;
     const double Mx = dice(1e4, 1e6), My = dice(1e4, 1e6), N = dice(1e5, 1e7), Mz = dice(1e4, 1e6);
     c.surface = {1 / (Mx * Mx), 1 / (My * My), 1 / (N * N), 1 / (Mz * Mz)};
-    Rigidity r;
-    r.EIx = dice(1e6, 1e8), r.EIy = dice(1e6, 1e8), r.EA = dice(1e8, 1e10), r.GJ = dice(1e5, 1e7);
-    r.GAx = r.GAy = 0.2 * r.EA;
+    const double EIx = dice(1e6, 1e8), EIy = dice(1e6, 1e8), EA = dice(1e8, 1e10), GJ = dice(1e5, 1e7);
+    const Rigidity r{EIx, EIy, EA, GJ, 0.2 * EA, 0.2 * EA};
     c.k = stiffness(r, dice(0.5, 5), dice(-1, 1));
     const double size = dice(0.1, 5);
     c.p << size * dice(-1, 1) * Mx, size * dice(-1, 1) * Mx, size * dice(-1, 1) * My, size * dice(-1, 1) * My,
