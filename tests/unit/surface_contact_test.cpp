@@ -1,13 +1,11 @@
 // Touches (rule `surface`): forces against the derivative of their energy, balance, tangent, friction, what a step
 // misses.
-#include <algorithm>
 
 #include "contact/shared_spring.h"
-#include "helpers.h"
+#include "contact_parts.h"
 
 using namespace hinge;
 using namespace hinge::contact;
-using namespace hinge::test;
 
 namespace {
 
@@ -49,8 +47,7 @@ struct Pressed {
     }
     Pressed nudged(int n, int c, double h) const {
         Pressed out = *this;
-        if (c < 3) out.x[n][c] += h;
-        else out.q[n] = exponential(h * Vec3::Unit(c - 3)) * out.q[n];
+        nudge(out.x, out.q, n, c, h);
         out.update();
         return out;
     }
@@ -60,7 +57,7 @@ constexpr Nearness kinds[] = {Nearness::crossing, Nearness::end_on_side};
 
 }  // namespace
 
-TEST_CASE("surface contact: forces are the derivative of the energy", "[surface_contact]") {
+TEST_CASE("surface contact: forces are the derivative of the energy") {
     Dice dice(1);
     for (int i = 0; i < 12; ++i) {
         Pressed p(dice, kinds[i % 2], i % 3 == 0);
@@ -77,7 +74,7 @@ TEST_CASE("surface contact: forces are the derivative of the energy", "[surface_
     }
 }
 
-TEST_CASE("surface contact: forces and moments balance, with and without friction", "[surface_contact]") {
+TEST_CASE("surface contact: forces and moments balance, with and without friction") {
     Dice dice(2);
     for (int i = 0; i < 24; ++i) {
         Pressed p(dice, kinds[i % 2], i % 3 == 0, i % 4 < 2 ? 0.0 : i % 4 == 2 ? 0.01 : 10.0);
@@ -86,19 +83,14 @@ TEST_CASE("surface contact: forces and moments balance, with and without frictio
         const std::vector<Vec6> f = p.forces();
         if (p.contact.friction > 0) REQUIRE(p.contact.slip.norm() > 0);
         if (p.contact.friction > 0) CHECK(p.contact.slides == (p.contact.friction < 1));
-        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-        for (int n = 0; n < 4; ++n) {
-            force += f[n].head<3>();
-            moment += f[n].tail<3>() + p.x[n].cross(f[n].head<3>());
-        }
+        const auto [force, moment] = sums_of(p.x, f);
         const double scale = p.contact.stiffness * p.contact.penetration;
         CHECK_FIGURE("sum of forces", force.norm() / scale, 1e-13);
         CHECK_FIGURE("sum of moments", moment.norm() / scale, 1e-13);
     }
 }
 
-TEST_CASE("surface contact: the tangent is what the force's derivative is without the turning of n",
-          "[surface_contact]") {
+TEST_CASE("surface contact: the tangent is what the force's derivative is without the turning of n") {
     Dice dice(3);
     for (int i = 0; i < 12; ++i) {
         const bool sticks = i % 2;
@@ -108,26 +100,13 @@ TEST_CASE("surface contact: the tangent is what the force's derivative is withou
         for (int n : {2, 3}) p.x[n] += lift;
         p.update();
         end_step(p.contact, p.x, p.q);
-        Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
-        add_contact_stiffness(p.contact, p.q, [&](int a, int b, const Mat12& m) {
-            CHECK(a != b);
-            CHECK(largest_entry(m - m.transpose()) == 0);
-            const int node[2] = {a, b};
-            for (int r = 0; r < 2; ++r)
-                for (int c = 0; c < 2; ++c) k.block<6, 6>(6 * node[r], 6 * node[c]) += m.block<6, 6>(6 * r, 6 * c);
-        });
-        const double h = 1e-9;
-        for (int n = 0; n < 4; ++n)
-            for (int c = 0; c < 6; ++c) {
-                const std::vector<Vec6> up = p.nudged(n, c, h).forces(), down = p.nudged(n, c, -h).forces();
-                for (int r = 0; r < 4; ++r) d.block<6, 1>(6 * r, 6 * n + c) = (up[r] - down[r]) / (2 * h);
-            }
+        const Eigen::MatrixXd k = gathered([&](auto add) { add_contact_stiffness(p.contact, p.q, add); }),
+                              d = slope_of([&](int n, int c, double h) { return p.nudged(n, c, h).forces(); }, 1e-9);
         CHECK_FIGURE("tangent", largest_entry(k - d) / largest_entry(k), 1e-4);
     }
 }
 
-TEST_CASE("surface contact: bars whose axes have passed each other are pushed back to their sides",
-          "[surface_contact]") {
+TEST_CASE("surface contact: bars whose axes have passed each other are pushed back to their sides") {
     Dice dice(4);
     Pressed p(dice, Nearness::crossing, false);
     end_step(p.contact, p.x, p.q);
@@ -144,8 +123,7 @@ TEST_CASE("surface contact: bars whose axes have passed each other are pushed ba
     CHECK(last > p.contact.radius[0] + p.contact.radius[1]);
 }
 
-TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart to the side from which they came",
-          "[surface_contact]") {
+TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart to the side from which they came") {
     const Vec3 a[2] = {{-0.5, 0, 0}, {0.5, 0, 0}};
     const struct {
         Nearness kind;
@@ -193,7 +171,7 @@ TEST_CASE("surface contact: axes that meet, at distance zero, are pushed apart t
         }
 }
 
-TEST_CASE("surface contact: the impulse that a step misses gives a bounce its speed back", "[surface_contact]") {
+TEST_CASE("surface contact: the impulse that a step misses gives a bounce its speed back") {
     // a mass m on a fixed plane, the trapezoidal rule by hand: with the impulse the bounce keeps its energy, without it
     // does not
     const double m = 2, k = 1e6, v0 = 3, dt = 0.4 / std::sqrt(k / m);
@@ -231,8 +209,7 @@ TEST_CASE("surface contact: the impulse that a step misses gives a bounce its sp
     CHECK(worst_without > 5 * worst);
 }
 
-TEST_CASE("shared spring: pairs of one contact press as the energy's derivative, none pulls, all are one spring",
-          "[surface_contact]") {
+TEST_CASE("shared spring: pairs of one contact press as the energy's derivative, none pulls, all are one spring") {
     Dice dice(5);
     const double k = 1e6, g = 1e-3;
     const auto energy = [&](std::vector<SurfaceContact>& pairs, const std::vector<double>& depths) {

@@ -1,7 +1,4 @@
 // The gap element: forces against finite differences of the energy, their balance, the tangent.
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 #include "contact/tie.h"
 #include "contact_parts.h"
@@ -47,6 +44,14 @@ Bound bound_pair(unsigned seed, double stretch, double turn_each, double turn_al
     return out;
 }
 
+/// A tie of bars with these ends as they are, 1e9 N/m.
+Tie tie_of(const std::vector<Vec3>& start) {
+    Tie tie;
+    for (int i = 0; i < 4; ++i) tie.end[i].node = i;
+    for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+    return tie;
+}
+
 std::vector<Vec6> forces_of(Bound& b) {
     std::vector<Vec6> f(b.x.size(), Vec6::Zero());
     add_tie_forces(b.tie, b.x, b.q, f);
@@ -56,14 +61,13 @@ std::vector<Vec6> forces_of(Bound& b) {
 /// `b` with degree of freedom `k` of node `n` moved by h.
 Bound nudged(const Bound& b, int n, int k, double h) {
     Bound out = b;
-    if (k < 3) out.x[n][k] += h;
-    else out.q[n] = exponential(h * Vec3::Unit(k - 3)) * out.q[n];
+    nudge(out.x, out.q, n, k, h);
     return out;
 }
 
 }  // namespace
 
-TEST_CASE("contact: a tie's forces are the derivative of their energy", "[contact]") {
+TEST_CASE("contact: a tie's forces are the derivative of their energy") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         const bool arms = seed % 2;
         // The nodes rotate against each other as well: that must not matter, but for arms.
@@ -82,23 +86,19 @@ TEST_CASE("contact: a tie's forces are the derivative of their energy", "[contac
     }
 }
 
-TEST_CASE("contact: a tie's forces and moments balance", "[contact]") {
+TEST_CASE("contact: a tie's forces and moments balance") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Bound b = bound_pair(seed, 0.1, 0.5, 3.0, seed % 2);
         const std::vector<Vec6> f = forces_of(b);
-        Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+        const auto [force, moment] = sums_of(b.x, f);
         double size = 0;
-        for (int n = 0; n < 4; ++n) {
-            force += f[n].head<3>();
-            moment += f[n].tail<3>() + b.x[n].cross(f[n].head<3>());
-            size += f[n].norm();
-        }
+        for (const Vec6& n : f) size += n.norm();
         CHECK(force.norm() < 1e-14 * size);
         CHECK(moment.norm() < 1e-14 * size * 5);
     }
 }
 
-TEST_CASE("contact: a tie that moves as one piece stores nothing", "[contact]") {
+TEST_CASE("contact: a tie that moves as one piece stores nothing") {
     for (unsigned seed = 0; seed < 20; ++seed) {
         Bound b = bound_pair(seed, 0.0, 0.0, pi, seed % 2);
         for (const Vec6& n : forces_of(b)) CHECK(n.norm() < 1e-11);
@@ -106,12 +106,10 @@ TEST_CASE("contact: a tie that moves as one piece stores nothing", "[contact]") 
     }
 }
 
-TEST_CASE("contact: a tie resists the same way whether or not the bars have passed each other", "[contact]") {
+TEST_CASE("contact: a tie resists the same way whether or not the bars have passed each other") {
     // Crossing bars 0.2 mm apart. A gap that pulled along the line between nodes would flip as they pass.
-    Tie tie;
     const std::vector<Vec3> start{{-0.5, 0, 0}, {0.4, 0, 0}, {0, -0.3, 2e-4}, {0, 0.6, 2e-4}};
-    for (int i = 0; i < 4; ++i) tie.end[i].node = i;
-    for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+    Tie tie = tie_of(start);
     tie.normal = Vec3::UnitZ();
     tie.at[0] = 5.0 / 9;
     tie.at[1] = 1.0 / 3;
@@ -135,7 +133,7 @@ TEST_CASE("contact: a tie resists the same way whether or not the bars have pass
     }
 }
 
-TEST_CASE("contact: ties in degenerate positions", "[contact]") {
+TEST_CASE("contact: ties in degenerate positions") {
     struct Case {
         const char* name;
         Vec3 a0, a1, b0, b1;
@@ -151,10 +149,8 @@ TEST_CASE("contact: ties in degenerate positions", "[contact]") {
     };
     for (const Case& c : cases) {
         INFO(c.name);
-        Tie tie;
         const std::vector<Vec3> start{c.a0, c.a1, c.b0, c.b1};
-        for (int i = 0; i < 4; ++i) tie.end[i].node = i;
-        for (int g = 0; g < 4; ++g) tie.gap[g] = {start[gap_b(g)] - start[gap_a(g)], 1e9};
+        Tie tie = tie_of(start);
         Dice dice(11);
         for (double stretch : {0.0, 1e-6, 1e-3, 0.1, 3.0}) {
             std::vector<Vec3> x = start;
@@ -162,11 +158,7 @@ TEST_CASE("contact: ties in degenerate positions", "[contact]") {
             for (Vec3& p : x) p = q[0] * p + dice.vector(stretch);
             std::vector<Vec6> f(4, Vec6::Zero());
             add_tie_forces(tie, x, q, f);
-            Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
-            for (int n = 0; n < 4; ++n) {
-                force += f[n].head<3>();
-                moment += x[n].cross(f[n].head<3>());
-            }
+            const auto [force, moment] = sums_of(x, f);
             const double size = 1e9 * (stretch + 1e-15) * 20;
             CHECK(force.norm() <= 1e-13 * size + 1e-6);
             CHECK(moment.norm() <= 1e-9 * size + 1e-6);
@@ -176,7 +168,7 @@ TEST_CASE("contact: ties in degenerate positions", "[contact]") {
     }
 }
 
-TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
+TEST_CASE("contact: the tangent is the derivative of the forces") {
     for (unsigned seed = 0; seed < 16; ++seed) {
         const bool arms = seed % 2, broken = seed >= 12;  // both ends of a bar on one node
         Bound b = bound_pair(seed, 0.05, 0.3, 2.0, arms || broken);
@@ -187,21 +179,13 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
             end.arm = b.q[to].conjugate() * (b.x[from] + b.q[from] * end.arm - b.x[to]);
             end.node = to;
         }
-        Eigen::MatrixXd k = Eigen::MatrixXd::Zero(24, 24), d = k;
-        add_tie_stiffness(b.tie, b.x, b.q, [&](int p, int r, const Mat12& m) {
-            CHECK(p != r);
-            CHECK(largest_entry(m - m.transpose()) == 0);
-            const int node[2] = {p, r};
-            for (int i = 0; i < 2; ++i)
-                for (int j = 0; j < 2; ++j) k.block<6, 6>(6 * node[i], 6 * node[j]) += m.block<6, 6>(6 * i, 6 * j);
-        });
-        const double h = 1e-5;
-        for (int n = 0; n < 4; ++n)
-            for (int c = 0; c < 6; ++c) {
-                Bound up = nudged(b, n, c, h), down = nudged(b, n, c, -h);
-                const std::vector<Vec6> fu = forces_of(up), fd = forces_of(down);
-                for (int i = 0; i < 4; ++i) d.block<6, 1>(6 * i, 6 * n + c) = (fu[i] - fd[i]) / (2 * h);
-            }
+        const Eigen::MatrixXd k = gathered([&](auto add) { add_tie_stiffness(b.tie, b.x, b.q, add); }),
+                              d = slope_of(
+                                  [&](int n, int c, double h) {
+                                      Bound there = nudged(b, n, c, h);
+                                      return forces_of(there);
+                                  },
+                                  1e-5);
         // Moments about fixed axes make the derivative of an arm's moment lopsided; its symmetric part is the tangent.
         if (!arms && !broken) CHECK(largest_entry(d - d.transpose()) < 1e-6 * largest_entry(k));
         const double error = largest_entry(k - 0.5 * (d + d.transpose()));
@@ -210,7 +194,7 @@ TEST_CASE("contact: the tangent is the derivative of the forces", "[contact]") {
     }
 }
 
-TEST_CASE("contact: stiffness of a gap element", "[contact]") {
+TEST_CASE("contact: stiffness of a gap element") {
     CHECK(gap_stiffness(2e8, 2e8, 0.5, 0.1) == Approx(4e8));
     CHECK(gap_stiffness(2e8, 2e8, 1e-6, 0.1) == Approx(2e9));              // floored
     CHECK(gap_stiffness(1e8, 1e12, 1, 0.1) == Approx(2e8).epsilon(1e-3));  // the softer bar rules
