@@ -14,33 +14,21 @@ namespace {
 struct Crash {
     std::shared_ptr<const Structure> structure;
     DynamicSettings settings;
-    explicit Crash(bool in_explicit_steps, double speed = 60) {
+    explicit Crash(bool in_explicit_steps) {
         Frame frame;
-        ContactRule rule;
-        rule.settings.rule = contact::ContactRuleKind::surface;
-        rule.settings.friction = 0.2;
-        add_contact(*frame.model, rule);
-        FractureRule limits;
-        limits.curvature_x = limits.curvature_y = 0.3;
-        add_fracture(*frame.model, limits);
+        add_contact(*frame.model, surface(0.2));
+        add_fracture(*frame.model, bent_by(0.3));
         set_gravity(*frame.model, {0, 0, -9.80665});
         frame.material = steel(245e6);
-        const int a1 = frame.node(-0.5, 0, 0), a2 = frame.node(0.5, 0, 0), b1 = frame.node(0.1, -0.5, 0.08),
-                  b2 = frame.node(0.1, 0.5, 0.08);
-        for (int a : {a1, a2}) frame.model->fix(a, 63);
-        frame.member(a1, a2);
-        frame.member(b1, b2);
-        for (int b : {b1, b2}) frame.model->set_velocity(b, {0, 0, -speed}, Vec3::Zero());
+        falling_on(frame, true, 0.08, 90, 0.1, 0, 60);
         structure =
             std::make_shared<const Structure>(frame.model, in_explicit_steps ? MassKind::lumped : MassKind::consistent);
-        settings.dt = in_explicit_steps ? 1e-5 : 2e-5;
-        settings.duration = 0.02;
-        settings.beta = in_explicit_steps ? 0 : 0.25;
+        settings = {.dt = in_explicit_steps ? 1e-5 : 2e-5, .duration = 0.02, .beta = in_explicit_steps ? 0 : 0.25};
     }
     Dynamics start(int threads = 1) const {
         DynamicSettings own = settings;
         own.threads = threads;
-        return Dynamics(structure, initial_state(*structure), own);
+        return dynamics(structure, own);
     }
 };
 
@@ -52,33 +40,7 @@ std::string saved(const Dynamics& run) {
 
 }  // namespace
 
-TEST_CASE("checkpoint: goes on with the same bits at every step of a crash", "[checkpoint]") {
-    for (bool in_explicit_steps : {false, true}) {
-        const Crash crash(in_explicit_steps);
-        Dynamics whole = crash.start(), taken = crash.start();
-        while (whole.advance()) {}
-        REQUIRE(whole.verdict() == Verdict::completed);
-        REQUIRE(whole.count_members(-1).broken > 0);
-        long resumed = 0;
-        while (taken.advance()) {
-            if (taken.steps_done() % 97) continue;
-            Dynamics other = crash.start(1 + resumed++ % 2);
-            const std::string bytes = checkpoint_of(taken, "beside");
-            const Checkpoint found = open_checkpoint(bytes, "file");
-            CHECK(found.step == taken.steps_done());
-            CHECK(found.beside == "beside");
-            resume(other, found, "file");
-            CHECK(saved(other).size() == saved(taken).size());
-            while (other.advance()) {}
-            CHECK(hash(other.state()) == hash(whole.state()));
-            CHECK(other.energy().error == whole.energy().error);
-        }
-        CHECK(resumed > 9);
-        CHECK(hash(taken.state()) == hash(whole.state()));
-    }
-}
-
-TEST_CASE("checkpoint: contents that are not valid are refused, and the run is as it was", "[checkpoint]") {
+TEST_CASE("checkpoint: contents that are not valid are refused, and the run is as it was") {
     for (bool in_explicit_steps : {false, true}) {
         const Crash crash(in_explicit_steps);
         Dynamics run = crash.start();
@@ -118,7 +80,7 @@ TEST_CASE("checkpoint: contents that are not valid are refused, and the run is a
     }
 }
 
-TEST_CASE("checkpoint: a state with a number that is not finite is refused", "[checkpoint]") {
+TEST_CASE("checkpoint: a state with a number that is not finite is refused") {
     const Crash crash(false);
     Dynamics run = crash.start();
     const std::string good = saved(run);
@@ -130,7 +92,7 @@ TEST_CASE("checkpoint: a state with a number that is not finite is refused", "[c
     }
 }
 
-TEST_CASE("checkpoint: a node that is gone does not move, and what is held has no way to", "[checkpoint]") {
+TEST_CASE("checkpoint: a node that is gone does not move, and what is held has no way to") {
     const Crash crash(true);
     Dynamics run = crash.start();
     while (run.advance() && std::none_of(run.state().gone.begin(), run.state().gone.end(), [](char g) { return g; })) {}
@@ -159,22 +121,4 @@ TEST_CASE("checkpoint: a node that is gone does not move, and what is held has n
         CHECK_THROWS_AS(run.restore(bytes), Damaged);
         CHECK((saved(run) == good));
     }
-}
-
-TEST_CASE("checkpoint: one of another model or other settings is told by its parts", "[checkpoint]") {
-    const Crash crash(false), faster(false, 61);
-    const std::string bytes = checkpoint_of(crash.start());
-    const Checkpoint found = open_checkpoint(bytes, "file");
-    Dynamics other = faster.start();
-    const std::string before = saved(other);
-    CHECK_THROWS_WITH(resume(other, found, "file"), Catch::Contains("is of another run, which differs in velocities;"));
-    CHECK((saved(other) == before));
-    Crash longer(false);
-    longer.settings.duration = 0.03;
-    longer.settings.rebuild_angle = 0.02;
-    Dynamics third = longer.start();
-    CHECK_THROWS_WITH(resume(third, found, "file"),
-                      Catch::Contains("which differs in duration and settings of the run;"));
-    CHECK_THROWS_AS(open_checkpoint(bytes.substr(0, 30), "file"), OutsideError);
-    CHECK_THROWS_AS(open_checkpoint("", "file"), OutsideError);
 }

@@ -21,17 +21,21 @@ Names names(const RoleList<Role>& list) {
     return of;
 }
 
-/// The effects of a steel column with weight and a load; `breaks`: with rules of fracture and contact.
-template <class Check>
-void with_effects(bool dynamic, bool breaks, Check check) {
+/// A steel column with weight and a load at its head.
+Frame column() {
     Frame frame;
     frame.material = steel(235e6);
-    const int foot = frame.foot(0, 0, 0, 63), top = frame.foot(0, 0, 3, 0);
-    frame.member(foot, top);
+    const int top = frame.node(0, 0, 3);
+    frame.member(frame.foot(0, 0, 0), top);
     set_gravity(*frame.model, {0, 0, -9.80665});
-    NodalLoad load;
-    load.node = top, load.force = {1, 0, 0};
-    add_load(*frame.model, load);
+    frame.load(top, {1, 0, 0});
+    return frame;
+}
+
+/// The effects of it; `breaks`: with rules of fracture and contact.
+template <class Check>
+void with_effects(bool dynamic, bool breaks, Check check) {
+    const Frame frame = column();
     if (breaks) add_fracture(*frame.model, {}), add_contact(*frame.model, {});
     Bench bench(frame.build(), {.dynamic = dynamic, .dt = 1e-3});
     check(EffectList(bench.w, bench.run));
@@ -66,24 +70,14 @@ TEST_CASE("what a run does not call for is in none of its lists", "[effects]") {
 }
 
 TEST_CASE("an effect that is left out takes itself out of a model", "[effects]") {
-    Frame frame;
-    frame.material = steel(235e6);
-    const int foot = frame.foot(0, 0, 0, 63);
-    frame.member(foot, frame.foot(0, 0, 3, 0));
-    set_gravity(*frame.model, {0, 0, -9.80665});
-    FractureRule rule;
-    rule.axial_strain = 0.1;
-    add_fracture(*frame.model, rule);
-    ContactRule rough;
-    rough.settings.rule = contact::ContactRuleKind::surface, rough.settings.friction = 0.3;
-    add_contact(*frame.model, rough);
+    const Frame frame = column();
+    add_fracture(*frame.model, {{.axial_strain = 0.1}});
+    add_contact(*frame.model, surface(0.3));
     const auto active = [&](const std::string& without) {
         auto copy = std::make_shared<Model>(*frame.model);
         leave_out(without, *copy);
-        RunKind dynamic;
-        dynamic.dynamic = true;
         std::set<std::string> names;
-        for (const PlanLine& line : plan_of(Structure(copy), dynamic))
+        for (const PlanLine& line : plan_of(Structure(copy), {.dynamic = true}))
             if (line.active) names.insert(line.name);
         return names;
     };
@@ -108,13 +102,10 @@ TEST_CASE("statics has no effect that acts in dynamics only, and its plan says w
         CHECK(list.forces.empty());
         CHECK(list.breakers.empty());
     });
-    Frame frame;
-    frame.member(frame.foot(0, 0, 0, 63), frame.foot(0, 0, 3, 0));
+    const Frame frame = column();
     add_contact(*frame.model, {});
     for (const bool dynamic : {false, true}) {
-        RunKind kind;
-        kind.dynamic = dynamic;
-        const std::vector<PlanLine> plan = plan_of(Structure(frame.model), kind);
+        const std::vector<PlanLine> plan = plan_of(Structure(frame.model), {.dynamic = dynamic});
         const auto line = std::find_if(plan.begin(), plan.end(), [](const auto& l) { return l.name == "contact"; });
         REQUIRE(line != plan.end());
         CHECK(line->active == dynamic);

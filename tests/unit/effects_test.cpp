@@ -26,7 +26,7 @@ constexpr double bar_mass = 7850 * 0.1 * 0.1 * 3, radius = 0.05;
 
 }  // namespace
 
-TEST_CASE("gravity: the weights of the nodes sum to m g, and are minus the slope of its energy", "[effects]") {
+TEST_CASE("gravity: the weights of the nodes sum to m g, and are minus the slope of its energy") {
     const Vec3 g(0.3, -0.2, -9.81);
     Frame frame = free_bar();
     set_gravity(*frame.model, g);
@@ -52,7 +52,7 @@ TEST_CASE("gravity: the weights of the nodes sum to m g, and are minus the slope
     }
 }
 
-TEST_CASE("point mass: at an offset it has the energy of a rigid body, however its node has turned", "[effects]") {
+TEST_CASE("point mass: at an offset it has the energy of a rigid body, however its node has turned") {
     Frame frame = free_bar();
     const PointMass mass{0, 12, {0.3, 0.5, 0.7}, {0.2, -0.1, 0.4}};
     frame.model->declare(point_mass_effect, mass);
@@ -70,7 +70,7 @@ TEST_CASE("point mass: at an offset it has the energy of a rigid body, however i
     }
 }
 
-TEST_CASE("connector: its forces are the slope of its energy and in balance, its blocks their slope", "[effects]") {
+TEST_CASE("connector: its forces are the slope of its energy and in balance, its blocks their slope") {
     Frame frame;
     frame.section = square(0.1);
     const int a = frame.node(0, 0, 0), b = frame.node(0.2, 0.1, 0);
@@ -110,7 +110,7 @@ TEST_CASE("connector: its forces are the slope of its energy and in balance, its
     }
 }
 
-TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiffness, and not rotation", "[effects]") {
+TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiffness, and not rotation") {
     constexpr double alpha = 0.7, beta = 0.002, dt = 0.01;
     const auto damped = [&](double of_mass, double of_stiffness) {
         Frame frame = free_bar();
@@ -148,7 +148,7 @@ TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiff
     }
 }
 
-TEST_CASE("ground: points press with k o, along the slope of their energy, and not from above", "[effects]") {
+TEST_CASE("ground: points press with k o, along the slope of their energy, and not from above") {
     constexpr double k = 2e6, o = 1e-3;
     Frame frame = free_bar();
     GroundPlane plane;
@@ -165,7 +165,7 @@ TEST_CASE("ground: points press with k o, along the slope of their energy, and n
                  of_differences * k * o);
 }
 
-TEST_CASE("ground: a layer presses on the area of a bar that lies flat, with any number of elements", "[effects]") {
+TEST_CASE("ground: a layer presses on the area of a bar that lies flat, with any number of elements") {
     constexpr double o = 1e-4, v = 0.3, area = 2 * radius * 3;
     for (const int elements : {2, 8}) {
         Frame frame = free_bar(elements);

@@ -22,7 +22,7 @@ Failure with_all(Cause cause) { return {.cause = cause, .node = 1, .element = 1,
 
 }  // namespace
 
-TEST_CASE("failure: each cause has a word and a sentence of its own", "[failure]") {
+TEST_CASE("failure: each cause has a word and a sentence of its own") {
     const auto structure = bar();
     std::set<std::string> words, texts;
     for (int i = 1; i < cause_count; ++i) {
@@ -37,7 +37,7 @@ TEST_CASE("failure: each cause has a word and a sentence of its own", "[failure]
     CHECK(!Failure{});
 }
 
-TEST_CASE("failure: remarks follow the sentence, and a brief text has none of them", "[failure]") {
+TEST_CASE("failure: remarks follow the sentence, and a brief text has none of them") {
     const auto structure = bar();
     RunFailure f{with_all(Cause::element_folded)};
     f.what.step = 3, f.what.time = 0.5;
@@ -55,7 +55,7 @@ TEST_CASE("failure: remarks follow the sentence, and a brief text has none of th
     CHECK(text_of_rest(f, *structure, true) == ": the path turns too sharply or ends there");
 }
 
-TEST_CASE("failure: nodes, elements and kinds that do not exist are refused, as in a damaged checkpoint", "[failure]") {
+TEST_CASE("failure: nodes, elements and kinds that do not exist are refused, as in a damaged checkpoint") {
     const auto structure = bar();
     const auto good = [&](const RunFailure& f) { return makes_sense(f, *structure); };
     CHECK(good({}));
@@ -79,7 +79,7 @@ TEST_CASE("failure: nodes, elements and kinds that do not exist are refused, as 
     CHECK(!changed([](RunFailure& f) { f.remarks[0].kind = Remark::Kind(99); }));
 }
 
-TEST_CASE("failure: advice names the setting that held, and one that does not exist is refused", "[failure]") {
+TEST_CASE("failure: advice names the setting that held, and one that does not exist is refused") {
     const auto structure = bar();
     const Advice holds{.kind = Advice::Kind::holds, .from = 0.25, .to = 1, .remedies = {{Remedy::Kind::direct_solver}}};
     CHECK(text_of(holds, *structure) == "; solver = 'direct' holds: tried from t = 0.25 s to 1 s");

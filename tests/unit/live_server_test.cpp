@@ -2,13 +2,14 @@
 #include <catch2/catch.hpp>
 
 #include <arpa/inet.h>
-#include <dirent.h>
+
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <cstring>
+#include <filesystem>
 #include <thread>
 #include <vector>
 
@@ -25,13 +26,14 @@ namespace {
 struct Connection {
     int fd = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
     bool connected;
-    explicit Connection(int port, int room = 0) {
+    explicit Connection(int port, const std::string& request = "", int room = 0) {
         if (room) ::setsockopt(fd, SOL_SOCKET, SO_RCVBUF, &room, sizeof room);
         const timeval most = {5, 0};
         ::setsockopt(fd, SOL_SOCKET, SO_RCVTIMEO, &most, sizeof most);
         sockaddr_in a = {};
         a.sin_family = AF_INET, a.sin_port = htons(std::uint16_t(port)), a.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
         connected = ::connect(fd, reinterpret_cast<sockaddr*>(&a), sizeof a) == 0;
+        if (!request.empty()) say(request);
     }
     ~Connection() { ::close(fd); }
     void say(const std::string& text) {
@@ -50,10 +52,11 @@ struct Connection {
 };
 
 std::string get(int port, const std::string& path, const std::string& more = "Host: 127.0.0.1\r\n") {
-    Connection c(port);
-    c.say("GET " + path + " HTTP/1.1\r\n" + more + "\r\n");
-    return c.hear();
+    return Connection(port, "GET " + path + " HTTP/1.1\r\n" + more + "\r\n").hear();
 }
+
+/// A request of what has 40 MB.
+const std::string large = "GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n";
 
 std::string status_of(const std::string& answer) { return answer.substr(0, answer.find("\r\n")); }
 std::string body_of(const std::string& answer) {
@@ -66,27 +69,21 @@ std::shared_ptr<const std::string> text(std::string t) { return std::make_shared
 std::optional<Answer> plain(const Request& r) {
     if (r.path == "/") return Answer{200, "text/html", text("the page")};
     if (r.path == "/echo") return Answer{200, "text/plain", text(std::to_string(r.number("n", -7)))};
-    static const auto large = text(std::string(40'000'000, 'x'));
-    if (r.path == "/large") return Answer{200, "text/plain", large};
+    static const auto much = text(std::string(40'000'000, 'x'));
+    if (r.path == "/large") return Answer{200, "text/plain", much};
     if (r.path == "/never") return std::nullopt;
     return Answer{404, "text/plain", text("nothing")};
 }
 
-int threads_now() {
-    int n = 0;
-    DIR* folder = ::opendir("/proc/self/task");
-    while (const dirent* entry = ::readdir(folder)) n += entry->d_name[0] != '.';
-    ::closedir(folder);
-    return n;
+/// Five seconds at most.
+template <class Test>
+void wait_for(Test test) {
+    for (int i = 0; i < 500 && !test(); ++i) std::this_thread::sleep_for(10ms);
 }
 
-int files_now() {
-    int n = 0;
-    DIR* folder = ::opendir("/proc/self/fd");
-    while (const dirent* entry = ::readdir(folder)) n += entry->d_name[0] != '.';
-    ::closedir(folder);
-    return n;
-}
+int entries_of(const char* path) { return int(std::distance(std::filesystem::directory_iterator(path), {})); }
+int threads_now() { return entries_of("/proc/self/task"); }
+int files_now() { return entries_of("/proc/self/fd"); }
 
 }  // namespace
 
@@ -122,11 +119,7 @@ TEST_CASE("the live server refuses other hosts, other methods and what is no req
     CHECK(with(elsewhere) == "HTTP/1.1 200 OK");
     CHECK(status_of(get(port, "/echo", elsewhere)) == "HTTP/1.1 403 Forbidden");
     CHECK(status_of(get(port, "/echo", "Host: localhost\r\nSec-Fetch-Site: same-origin\r\n")) == "HTTP/1.1 200 OK");
-    const auto raw = [&](const std::string& request) {
-        Connection c(port);
-        c.say(request);
-        return status_of(c.hear());
-    };
+    const auto raw = [&](const std::string& request) { return status_of(Connection(port, request).hear()); };
     const std::string host = " HTTP/1.1\r\nHost: localhost\r\n\r\n";
     CHECK(raw("POST /" + host + "a body that nobody reads") == "HTTP/1.1 405 Method Not Allowed");
     CHECK(raw("HEAD /" + host) == "HTTP/1.1 405 Method Not Allowed");
@@ -159,8 +152,7 @@ TEST_CASE("a client has one limit of time for its request, and others for waitin
     CHECK(std::chrono::steady_clock::now() - begin >= 200ms);
     CHECK(status_of(get(server.port(), "/never")) == "HTTP/1.1 204 No Content");
     // A client that reads with pauses gets all 40 MB: they take longer than the limit, and no pause is as long.
-    Connection slow(server.port());
-    slow.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    Connection slow(server.port(), large);
     const auto before = std::chrono::steady_clock::now();
     std::vector<char> room(2'000'000);
     std::size_t taken = 0;
@@ -169,8 +161,7 @@ TEST_CASE("a client has one limit of time for its request, and others for waitin
     CHECK(taken > 40'000'000);
     CHECK(std::chrono::steady_clock::now() - before > 200ms);
     // A client that does not read is dropped: the rest of the answer does not come.
-    Connection mute(server.port(), 4096);
-    mute.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    Connection mute(server.port(), large, 4096);
     std::this_thread::sleep_for(600ms);
     CHECK(mute.hear().size() < 40'000'000);
 }
@@ -178,10 +169,7 @@ TEST_CASE("a client has one limit of time for its request, and others for waitin
 TEST_CASE("a live server ends in less than a second while clients do not read", "[live]") {
     auto server = std::make_unique<Server>(0, plain);
     std::vector<std::unique_ptr<Connection>> mute;
-    for (int i = 0; i < 4; ++i) {
-        mute.push_back(std::make_unique<Connection>(server->port(), 4096));
-        mute.back()->say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    }
+    for (int i = 0; i < 4; ++i) mute.push_back(std::make_unique<Connection>(server->port(), large, 4096));
     CHECK(body_of(get(server->port(), "/")) == "the page");  // the four were served before
     const auto before = std::chrono::steady_clock::now();
     server.reset();
@@ -193,19 +181,12 @@ TEST_CASE("clients that never read, never ask or go away hold nobody up", "[live
     {
         Server server(0, plain);
         std::vector<std::unique_ptr<Connection>> others;
-        for (int i = 0; i < 4; ++i) {  // each has asked for 40 MB and takes none of it
-            others.push_back(std::make_unique<Connection>(server.port(), 4096));
-            others.back()->say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
+        for (int i = 0; i < 4; ++i) {
+            others.push_back(std::make_unique<Connection>(server.port(), large, 4096));  // takes none of its 40 MB
+            others.push_back(std::make_unique<Connection>(server.port()));               // says nothing
+            others.push_back(std::make_unique<Connection>(server.port(), "GET /la"));    // half a request
         }
-        for (int i = 0; i < 4; ++i) others.push_back(std::make_unique<Connection>(server.port()));  // says nothing
-        for (int i = 0; i < 4; ++i) {                                                               // half a request
-            others.push_back(std::make_unique<Connection>(server.port()));
-            others.back()->say("GET /la");
-        }
-        for (int i = 0; i < 50; ++i) {  // asks and is gone
-            Connection c(server.port());
-            c.say("GET /large HTTP/1.1\r\nHost: localhost\r\n\r\n");
-        }
+        for (int i = 0; i < 50; ++i) Connection(server.port(), large);  // asks and is gone
         const auto before = std::chrono::steady_clock::now();
         int answered = 0;
         for (int i = 0; i < 20; ++i) answered += body_of(get(server.port(), "/")) == "the page";
@@ -227,15 +208,14 @@ TEST_CASE("a request waits until there is something new", "[live]") {
         return Answer{200, "text/plain", text(std::to_string(version))};
     });
     std::vector<std::unique_ptr<Connection>> waiting;
-    for (int i = 0; i < 3; ++i) {
-        waiting.push_back(std::make_unique<Connection>(server.port()));
-        waiting.back()->say("GET /?after=0 HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    }
-    for (int i = 0; i < 500 && server.waiting() < 3; ++i) std::this_thread::sleep_for(10ms);
+    for (int i = 0; i < 3; ++i)
+        waiting.push_back(
+            std::make_unique<Connection>(server.port(), "GET /?after=0 HTTP/1.1\r\nHost: localhost\r\n\r\n"));
+    wait_for([&] { return server.waiting() == 3; });
     REQUIRE(server.waiting() == 3);
     waiting.pop_back();  // one goes away
     server.wake();       // and there is nothing new
-    for (int i = 0; i < 500 && (asked < 5 || server.waiting() > 2); ++i) std::this_thread::sleep_for(10ms);
+    wait_for([&] { return asked >= 5 && server.waiting() <= 2; });
     CHECK(server.waiting() == 2);
     version = 1;
     server.wake();
@@ -247,18 +227,12 @@ TEST_CASE("a live server ends while clients wait, and its port is free again", "
     const int threads = threads_now();
     auto server = std::make_unique<Server>(0, plain);
     const int port = server->port();
-    Connection waits(port);
-    waits.say("GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
-    for (int i = 0; i < 500 && server->waiting() < 1; ++i) std::this_thread::sleep_for(10ms);
-    try {
-        Server second(port, plain);
-        FAIL("two servers have one port");
-    } catch (const OutsideError& e) {
-        CHECK(std::string(e.what()).find("cannot listen on 127.0.0.1 at port " + std::to_string(port) +
-                                         ": Address already in use; "
-                                         "another program has that port: give another one, or --live alone") !=
-              std::string::npos);
-    }
+    Connection waits(port, "GET /never HTTP/1.1\r\nHost: localhost\r\n\r\n");
+    wait_for([&] { return server->waiting() == 1; });
+    CHECK_THROWS_WITH(Server(port, plain),
+                      Catch::Contains("cannot listen on 127.0.0.1 at port " + std::to_string(port) +
+                                      ": Address already in use; another program has that port: give another one, or "
+                                      "--live alone"));
     const auto before = std::chrono::steady_clock::now();
     server.reset();
     CHECK(std::chrono::steady_clock::now() - before < 1s);

@@ -62,7 +62,7 @@ TEST_CASE("Steps along an arc are as long as five iterations suffice", "[step_ha
     CHECK(halving.size() == 30);
 }
 
-TEST_CASE("Load control adds the load in the first iteration", "[path_control]") {
+TEST_CASE("Load control adds the load in the first iteration") {
     LoadControl control(4);
     const Displacements any = moved(1, 2, 3, 4);
     CHECK(control.factor_change({1, 0.25, any, any, any}) == 0.25);
@@ -72,7 +72,7 @@ TEST_CASE("Load control adds the load in the first iteration", "[path_control]")
     CHECK(control.is_over(1 - 1e-13, 4));
 }
 
-TEST_CASE("Displacement control moves one node by its part of the way", "[path_control]") {
+TEST_CASE("Displacement control moves one node by its part of the way") {
     DisplacementControl control(10, 1, 2, -0.4);  // z of the second node
     const Displacements correction = moved(9, 9, 9, 0.01), response = moved(9, 9, 9, -0.5);
     Displacements total = moved(0, 0, 0, 0);
@@ -89,7 +89,7 @@ TEST_CASE("Displacement control moves one node by its part of the way", "[path_c
     CHECK(control.part_done(0.7, 5) == 0.1);
 }
 
-TEST_CASE("Arc length is the length of the displacements, and the path goes on", "[path_control]") {
+TEST_CASE("Arc length is the length of the displacements, and the path goes on") {
     ArcLengthControl control(10, 2, 0.1);
     const Displacements none = moved(0, 0, 0, 0), response = moved(3, 0, 0, 4, 100);  // 5 m long
     const auto first = control.factor_change({1, 1, none, none, response});

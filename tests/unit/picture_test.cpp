@@ -1,8 +1,6 @@
 // Pictures: what they show of a snapshot, read from their pixels.
 #include <sys/wait.h>
 
-#include <limits>
-
 #include "output/colours.h"
 #include "output_parts.h"
 
@@ -10,22 +8,20 @@ using namespace hinge::output;
 using namespace hinge::output::test;
 
 TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
-    const Folder folder;
     View view;
-    view.width = 640;
-    view.height = 480;
+    view.width = 640, view.height = 480;
     view.title = "Portal";
     view.hinges = false;  // whose dots are red as well
     const Snapshot snapshot = portal(6);
-    REQUIRE(render(folder / "a.png", snapshot, view) == "");
-    const Image image = decode(contents(folder / "a.png"));
+    const Image image = picture(snapshot, view);
     CHECK(image.width == 640);
     CHECK(image.height == 480);
     CHECK(image.colours() > 200);
     CHECK(image.pixels.front() == Rgb{255, 255, 255});
 
     SECTION("the same bytes again") {
-        REQUIRE(render(folder / "b.png", snapshot, view) == "");
+        const Folder folder;
+        for (const char* name : {"a.png", "b.png"}) REQUIRE(render(folder / name, snapshot, view) == "");
         CHECK(contents(folder / "a.png") == contents(folder / "b.png"));
     }
     SECTION("f_y = 1 is red") {
@@ -35,39 +31,31 @@ TEST_CASE("a picture has the size asked for and shows the bars", "[output]") {
             for (int end : {0, 1}) bar.Mx[end] = bar.My[end] = bar.Qx[end] = bar.Qy[end] = 0;
             bar.Mz = 0;
         }
-        REQUIRE(render(folder / "b.png", yielded, view) == "");
-        CHECK(decode(contents(folder / "b.png")).count(is_red) > 3 * image.count(is_red));
+        CHECK(picture(yielded, view).count(is_red) > 3 * image.count(is_red));
     }
     SECTION("a view leaves bars out") {
         view.above = 1;
-        REQUIRE(render(folder / "b.png", snapshot, view) == "");
-        CHECK(contents(folder / "a.png") != contents(folder / "b.png"));
+        CHECK(picture(snapshot, view).pixels != image.pixels);
         view.above = -1;
         view.leave_out_broken = true;
-        REQUIRE(render(folder / "c.png", snapshot, view) == "");
-        CHECK(contents(folder / "a.png") != contents(folder / "c.png"));
+        CHECK(picture(snapshot, view).pixels != image.pixels);
     }
     SECTION("nothing to show is a picture too") {
         view.above = 100;
-        CHECK(render(folder / "b.png", snapshot, view) == "");
+        picture(snapshot, view);
     }
     SECTION("bars that went astray or are not numbers do no harm") {
         Snapshot wild = snapshot;
         wild.points[0] = {1e30, 0, 0};
-        wild.points[1] = {std::numeric_limits<double>::quiet_NaN(), 0, 0};
-        CHECK(render(folder / "b.png", wild, view) == "");
+        wild.points[1] = {std::nan(""), 0, 0};
+        picture(wild, view);
     }
 }
 
 TEST_CASE("a picture of statics shows the load factor, not a time", "[output]") {
-    const Folder folder;
     Snapshot now = portal(2), later = now;
     later.time = 2 * now.time;
-    const auto same = [&] {
-        REQUIRE(render(folder / "now.png", now, {}) == "");
-        REQUIRE(render(folder / "later.png", later, {}) == "");
-        return contents(folder / "now.png") == contents(folder / "later.png");
-    };
+    const auto same = [&] { return picture(now, {}).pixels == picture(later, {}).pixels; };
     CHECK(!same());
     now.factor = later.factor = 0.5;
     CHECK(same());
@@ -78,10 +66,8 @@ TEST_CASE("a picture of statics shows the load factor, not a time", "[output]") 
 TEST_CASE("bars have the colour of their class: five of f_y, f_y = 1, a broken one's", "[output]") {
     // The legend's colours (paper, fig 17), dark blue to orange, red for f_y = 1, black. A bar's pixels are those in
     // which the picture differs from one without it; light and shade change their brightness, hardly their hue.
-    const Folder folder;
     View view;
-    view.width = 320;
-    view.height = 240;
+    view.width = 320, view.height = 240;
     std::array<double, 3> classes[n_classes];
     for (int i = 0; i < n_classes; ++i)
         for (int k = 0; k < 3; ++k) classes[i][k] = class_colours[i][k];
@@ -91,14 +77,11 @@ TEST_CASE("bars have the colour of their class: five of f_y, f_y = 1, a broken o
         snapshot.points = {{0, 0, 0}, {1, 0, 0}};
         snapshot.is_virtual = {0, 0};
         snapshot.bars.push_back({{0, 1}, yield, state, -1, 1, 1, 0.3});
-        REQUIRE(render(folder / "with.png", snapshot, view) == "");
+        const Image with = picture(snapshot, view);
         View nothing = view;
-        const double ends[6] = {-0.3, 1.3, -0.3, 0.3, -0.3, 0.3};
-        nothing.box.emplace();
-        std::copy(ends, ends + 6, nothing.box->begin());
+        nothing.box = {-0.3, 1.3, -0.3, 0.3, -0.3, 0.3};
         snapshot.bars.clear();
-        REQUIRE(render(folder / "without.png", snapshot, nothing) == "");
-        return std::pair{decode(contents(folder / "with.png")), decode(contents(folder / "without.png"))};
+        return std::pair{with, picture(snapshot, nothing)};
     };
     const auto class_of = [&](double yield, BarState state) {
         const auto [with, without] = drawn(yield, state);
@@ -123,14 +106,12 @@ TEST_CASE("bars have the colour of their class: five of f_y, f_y = 1, a broken o
         }
         return best;
     };
-    const struct {
-        double yield;
-        int colour;
-    } elastic[] = {{0, 0},    {0.19, 0}, {0.21, 1}, {0.39, 1},  {0.41, 2},         {0.59, 2},     {0.61, 3},
-                   {0.79, 3}, {0.81, 4}, {0.99, 4}, {0.998, 4}, {0.9995, plastic}, {1.0, plastic}};
-    for (const auto& e : elastic) {
-        INFO("f_y " << e.yield);
-        CHECK(class_of(e.yield, BarState::elastic) == e.colour);
+    const std::pair<double, int> elastic[] = {{0, 0},     {0.19, 0},         {0.21, 1},     {0.39, 1}, {0.41, 2},
+                                              {0.59, 2},  {0.61, 3},         {0.79, 3},     {0.81, 4}, {0.99, 4},
+                                              {0.998, 4}, {0.9995, plastic}, {1.0, plastic}};
+    for (const auto& [yield, colour] : elastic) {
+        INFO("f_y " << yield);
+        CHECK(class_of(yield, BarState::elastic) == colour);
     }
     CHECK(class_of(0.3, BarState::yielded) == 1);  // what it bears now; its hinges have dots
     CHECK(class_of(0.3, BarState::broken) == broken);
@@ -152,21 +133,17 @@ TEST_CASE("a view that makes no sense is refused", "[output]") {
 }
 
 TEST_CASE("one stray fragment does not widen the frame", "[output]") {
-    const Folder folder;
     Snapshot snapshot = portal(40);
     for (Bar& bar : snapshot.bars) bar.N0 = 0;  // no legend of hinges, which a picture with a box has
     snapshot.points.back() = {5000, 0, 0};
     View view;
-    view.width = 320;
-    view.height = 240;
+    view.width = 320, view.height = 240;
     view.hinges = view.ground = view.supports = false;  // the frame is that of the bars alone
-    REQUIRE(render(folder / "fitted.png", snapshot, view) == "");
+    const Image fitted = picture(snapshot, view);
     view.box = {0, 160, 0, 0, 0, 3};  // the portal without the fragment
-    REQUIRE(render(folder / "boxed.png", snapshot, view) == "");
-    CHECK(contents(folder / "fitted.png") == contents(folder / "boxed.png"));
+    CHECK(picture(snapshot, view).pixels == fitted.pixels);
     view.box = {0, 5000, 0, 0, 0, 3};
-    REQUIRE(render(folder / "wide.png", snapshot, view) == "");
-    CHECK(contents(folder / "fitted.png") != contents(folder / "wide.png"));
+    CHECK(picture(snapshot, view).pixels != fitted.pixels);
 }
 
 TEST_CASE("without any display the message says how to get one", "[output]") {

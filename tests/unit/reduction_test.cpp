@@ -80,9 +80,7 @@ struct Case {
         std::iota(all.begin(), all.end(), 0);
         A.build(all, state, state, {});
         A.assemble();
-        SolverSettings settings;
-        settings.direct = storage == MatrixStorage::direct;
-        settings.tolerance = 1e-12;
+        SolverSettings settings{.direct = storage == MatrixStorage::direct, .tolerance = 1e-12};
         std::vector<Vec6> x(right.size(), Vec6::Zero());
         REQUIRE(A.solve(right, x, settings).converged);
         return off(x, m, k);
@@ -99,7 +97,7 @@ struct Case {
 
 }  // namespace
 
-TEST_CASE("solutions with constraints are those of the dense matrix", "[reduction]") {
+TEST_CASE("solutions with constraints are those of the dense matrix") {
     CHECK_FIGURE("by factors", Case().off_dense(MatrixStorage::direct), 1e-9);
     CHECK_FIGURE("by conjugate gradients", Case().off_dense(MatrixStorage::iterative), 1e-8);
     CHECK_FIGURE("in single precision", Case().off_dense(MatrixStorage::single_precision), 1e-3);
@@ -107,7 +105,7 @@ TEST_CASE("solutions with constraints are those of the dense matrix", "[reductio
     CHECK_FIGURE("lumped mass alone", Case(MassKind::lumped).mass_off_dense(), 1e-9);
 }
 
-TEST_CASE("constraints that contradict each other are refused", "[reduction]") {
+TEST_CASE("constraints that contradict each other are refused") {
     const Case c;
     const auto make = [&](std::vector<LinearConstraint> list) { Reduction(*c.structure, c.state.held, list); };
     const int a = c.frame.top[0], b = c.frame.top[1], held = c.frame.foot[0];

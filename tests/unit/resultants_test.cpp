@@ -1,8 +1,6 @@
 // Forces and moments along a bar, from those at its ends and the loads on it, against closed forms.
 #include "output/resultants.h"
 
-#include <limits>
-
 #include "helpers.h"
 
 using namespace hinge::output;
@@ -15,6 +13,10 @@ constexpr double L = 8;
 struct Supported {
     Bar bar{{0, 1}, 0, BarState::elastic, -1, 1, 1, 0.3};
     std::vector<Load> loads;
+    void shear(double first, double second) { bar.Qy[0] = first, bar.Qy[1] = second; }
+    void moments(double first, double second) { bar.Mx[0] = first, bar.Mx[1] = second; }
+    /// A force along y, of this size a metre at both ends.
+    void spread(double first, double second) { loads = {{Load::force, -1, 0, -1, {{0, first, 0}, {0, second, 0}}}}; }
     Resultants carries() const {
         std::vector<const Load*> on;
         for (const Load& l : loads) on.push_back(&l);
@@ -36,7 +38,7 @@ void check(const Resultants& r, double t, double Mx, double Qy, double My, doubl
 TEST_CASE("a point load on a simply supported bar: a kink in M, a step in Q") {
     Supported s;
     const double P = 100, a = 0.25, Q0 = -P * (1 - a), Q1 = P * a;
-    s.bar.Qy[0] = Q0, s.bar.Qy[1] = Q1;  // against y: the fibres away from y are in tension, Mx < 0
+    s.shear(Q0, Q1);  // against y: the fibres away from y are in tension, Mx < 0
     s.loads = {{Load::force, -1, 0, a, {{0, -P, 0}, {0, 0, 0}}}};
     Resultants r = s.carries();
     check(r, 0.125, Q0 * 1, Q0, 0, 0);
@@ -55,17 +57,17 @@ TEST_CASE("a point load on a simply supported bar: a kink in M, a step in Q") {
     }
     SECTION("at an end it acts on the node") {
         s.loads[0].at = 0;
-        s.bar.Qy[0] = s.bar.Qy[1] = 0;
-        s.bar.Mx[0] = 3, s.bar.Mx[1] = 3;
+        s.shear(0, 0);
+        s.moments(3, 3);
         check(s.carries(), 0.5, 3, 0, 0, 0);
         CHECK(s.carries().jumps().empty());
         // or is inside, where the shear force at that end is the one before it
-        s.bar.Mx[0] = -150, s.bar.Mx[1] = 50;
-        s.bar.Qy[0] = -75, s.bar.Qy[1] = 25;
+        s.moments(-150, 50);
+        s.shear(-75, 25);
         check(s.carries(), 0, -150, -75, 0, 0);
         check(s.carries(), 0.25, -100, 25, 0, 0);
         s.loads[0].at = 1;
-        s.bar.Mx[0] = 0, s.bar.Mx[1] = -600;
+        s.moments(0, -600);
         check(s.carries(), 0.5, -300, -75, 0, 0);
     }
 }
@@ -74,26 +76,26 @@ TEST_CASE("spread loads: M is a parabola or a cubic") {
     Supported s;
     const double w = 10;
     SECTION("uniform") {
-        s.bar.Qy[0] = -w * L / 2, s.bar.Qy[1] = w * L / 2;
-        s.loads = {{Load::force, -1, 0, -1, {{0, -w, 0}, {0, -w, 0}}}};
+        s.shear(-w * L / 2, w * L / 2);
+        s.spread(-w, -w);
         const Resultants r = s.carries();
         check(r, 0.5, -w * L * L / 8, 0, 0, 0);
         check(r, 0.25, -w * L * L * 3 / 32, -w * L / 4, 0, 0);
         CHECK(r.jumps().empty());
     }
     SECTION("a triangle") {
-        s.bar.Qy[0] = -w * L / 6, s.bar.Qy[1] = w * L / 3;
-        s.loads = {{Load::force, -1, 0, -1, {{0, 0, 0}, {0, -w, 0}}}};
+        s.shear(-w * L / 6, w * L / 3);
+        s.spread(0, -w);
         const double z = 0.5 * L;
         check(s.carries(), 0.5, -w * L * z / 6 + w * z * z * z / (6 * L), -w * L / 6 + w * z * z / (2 * L), 0, 0);
     }
     SECTION("a moment per length") {
-        s.bar.Qy[0] = s.bar.Qy[1] = 5;  // dM/dz = Q - m = 0
+        s.shear(5, 5);  // dM/dz = Q - m = 0
         s.loads = {{Load::moment, -1, 0, -1, {{5, 0, 0}, {5, 0, 0}}}};
         check(s.carries(), 0.3, 0, 5, 0, 0);
     }
     SECTION("without a load, what the ends have in common: inertia, weight") {
-        s.bar.Qy[0] = -w * L / 2, s.bar.Qy[1] = w * L / 2;
+        s.shear(-w * L / 2, w * L / 2);
         check(s.carries(), 0.5, -w * L * L / 8, 0, 0, 0);
     }
 }
@@ -101,9 +103,9 @@ TEST_CASE("spread loads: M is a parabola or a cubic") {
 TEST_CASE("a moment is largest where its slope is zero, wherever that is") {
     Supported s;
     const double w = 10, M0 = 24, M1 = -40;
-    s.bar.Mx[0] = M0, s.bar.Mx[1] = M1;
-    s.bar.Qy[0] = -w * L / 2 + (M1 - M0) / L, s.bar.Qy[1] = w * L / 2 + (M1 - M0) / L;
-    s.loads = {{Load::force, -1, 0, -1, {{0, -w, 0}, {0, -w, 0}}}};
+    s.moments(M0, M1);
+    s.shear(-w * L / 2 + (M1 - M0) / L, w * L / 2 + (M1 - M0) / L);
+    s.spread(-w, -w);
     const Resultants r = s.carries();
     const double z = -s.bar.Qy[0] / w;  // Q = Q0 + w z
     const auto peaks = r.peaks(Show::Mx, 0, 1);
@@ -114,9 +116,9 @@ TEST_CASE("a moment is largest where its slope is zero, wherever that is") {
     CHECK(r.peaks(Show::Qy, 0, 1).empty());
     CHECK(r.peaks(Show::N, 0, 1).empty());
     SECTION("a triangle, whose moment is a cubic") {
-        s.bar.Mx[0] = s.bar.Mx[1] = 0;
-        s.bar.Qy[0] = -w * L / 6, s.bar.Qy[1] = w * L / 3;
-        s.loads = {{Load::force, -1, 0, -1, {{0, 0, 0}, {0, -w, 0}}}};
+        s.moments(0, 0);
+        s.shear(-w * L / 6, w * L / 3);
+        s.spread(0, -w);
         const auto at = s.carries().peaks(Show::Mx, 0, 1);
         REQUIRE(at.size() == 1);
         CHECK(at[0] == Approx(std::sqrt(1.0 / 3)).epsilon(1e-9));
@@ -126,7 +128,7 @@ TEST_CASE("a moment is largest where its slope is zero, wherever that is") {
 TEST_CASE("a moment at a point: a step in M") {
     Supported s;
     const double m = 24;
-    s.bar.Qy[0] = s.bar.Qy[1] = m / L;
+    s.shear(m / L, m / L);
     s.loads = {{Load::moment, -1, 0, 0.5, {{m, 0, 0}, {0, 0, 0}}}};
     check(s.carries(), 0.5 - 1e-12, m / 2, m / L, 0, 0);
     check(s.carries(), 0.5 + 1e-12, -m / 2, m / L, 0, 0);
@@ -136,7 +138,7 @@ TEST_CASE("a moment at a point: a step in M") {
 TEST_CASE("f_y between the ends is that of the moment there") {
     Supported s;
     s.bar.Mx0 = 200, s.bar.N0 = 1e3, s.bar.yield = 0;
-    s.bar.Qy[0] = -75, s.bar.Qy[1] = 25;
+    s.shear(-75, 25);
     s.loads = {{Load::force, -1, 0, 0.25, {{0, -100, 0}, {0, 0, 0}}}};
     const Resultants r = s.carries();
     CHECK(r.yield_at(0.25) == Approx(0.5625));  // (150 / 200)^2
@@ -146,7 +148,7 @@ TEST_CASE("f_y between the ends is that of the moment there") {
     REQUIRE(at.size() == 6);  // 0.2 and 0.4 on both sides
     CHECK(at[1] == Approx(std::sqrt(0.2) * 200 / 75 / L).epsilon(0.02));
     CHECK(at[4] == Approx(1 - std::sqrt(0.2) * 200 / 25 / L).epsilon(0.02));
-    s.bar.Mx[0] = std::numeric_limits<double>::quiet_NaN();
+    s.bar.Mx[0] = std::nan("");
     CHECK(s.carries().class_at(0.5) == 0);
 }
 

@@ -1,8 +1,6 @@
 // What a step solves with: M by itself, the operator by conjugate gradients, the pool of threads. Each against dense
 // matrices or the same thing done by one.
 #include <Eigen/Cholesky>
-#include <algorithm>
-#include <atomic>
 #include <numeric>
 
 #include "beam/element_mass.h"
@@ -14,33 +12,22 @@ using namespace hinge::test;
 
 namespace {
 
-ModelOptions any_number_of_elements() {
-    ModelOptions o;
-    o.formulation = Formulation::asi;
-    return o;
-}
-
 /// A triangle of members of 3, 2 and 1 elements on a post of 4, with an arm of 2 and one of 1 that end free. Node 1 may
 /// not move along x nor rotate about z; the post's foot is held.
 struct Odd : Frame {
     int corner[3], foot, free_end[2];
-    Odd() : Frame(any_number_of_elements()) {
-        material = steel();
+    Odd() : Frame({.formulation = Formulation::asi}) {
         corner[0] = node(0, 0, 1);
-        corner[1] = foot_of({1, 0.2, 1}, 0b100001);
+        corner[1] = Frame::foot(1, 0.2, 1, 0b100001);
         corner[2] = node(0.3, 0.9, 1.2);
-        foot = foot_of({0, 0, 0}, 63);
+        foot = Frame::foot(0, 0, 0);
         free_end[0] = node(-0.8, 0.1, 1.1);
         free_end[1] = node(0.4, 1.6, 1.0);
-        const int ends[6][2] = {{corner[0], corner[1]}, {corner[1], corner[2]},   {corner[2], corner[0]},
-                                {foot, corner[0]},      {corner[0], free_end[0]}, {corner[2], free_end[1]}};
-        const int counts[6] = {3, 2, 1, 4, 2, 1};
-        for (int i = 0; i < 6; ++i) {
-            elements = counts[i];
-            member(ends[i][0], ends[i][1]);
-        }
+        const std::tuple<int, int, int> members[] = {{corner[0], corner[1], 3},   {corner[1], corner[2], 2},
+                                                     {corner[2], corner[0], 1},   {foot, corner[0], 4},
+                                                     {corner[0], free_end[0], 2}, {corner[2], free_end[1], 1}};
+        for (const auto& [a, b, count] : members) elements = count, member(a, b);
     }
-    int foot_of(const Vec3& x, std::uint8_t fixed) { return Frame::foot(x.x(), x.y(), x.z(), fixed); }
 };
 
 /// Each degree of freedom measured by the square root of A's diagonal: N and N m are alike then.
@@ -68,7 +55,6 @@ std::vector<int> all_elements(const Structure& structure) {
 }
 
 // ---- M
-// ----------------------------------------------------------------------------------------------------------------
 
 /// A straight lumped element of which one of its pair is broken, whole or not, at one of its nodes: that of a rigid bar
 /// there (`other`: 0), or what Radau's points leave on its outer node (1) and on its inner one (2), `span` from it.
@@ -127,6 +113,13 @@ State rotated_state(const Structure& structure, const Quat& Q) {
     return state;
 }
 
+/// Nothing is left where a degree of freedom is held.
+void check_held(const std::vector<Vec6>& x, const State& state) {
+    for (std::size_t i = 0; i < x.size(); ++i)
+        for (int c = 0; c < 6; ++c)
+            if (state.held[i] >> c & 1) CHECK(x[i][c] == 0);
+}
+
 double mass_error(const Structure& structure, const State& state, Mass& mass, const Eigen::MatrixXd& M, unsigned seed) {
     Dice dice(seed);
     std::vector<Vec6> b(structure.position().size()), x;
@@ -135,14 +128,11 @@ double mass_error(const Structure& structure, const State& state, Mass& mass, co
     const std::vector<int> free = free_degrees_of_freedom(state.held);
     const Eigen::MatrixXd part = M(free, free);
     const Eigen::VectorXd all = flat(x), right = flat(b)(free);
-    for (std::size_t i = 0; i < x.size(); ++i)
-        for (int c = 0; c < 6; ++c)
-            if (state.held[i] >> c & 1) CHECK(x[i][c] == 0);
+    check_held(x, state);
     return scaled_norm(part * all(free) - right, part) / scaled_norm(right, part);
 }
 
 // ---- the operator
-// -------------------------------------------------------------------------------------------------------
 
 Mat12 spring(Dice& dice, double size) {  // semidefinite: of rank 9
     Eigen::Matrix<double, 12, 9> F;
@@ -195,11 +185,7 @@ std::vector<Vec6> right_side(const State& state, unsigned seed) {
     return b;
 }
 
-SolverSettings tight() {
-    SolverSettings s;
-    s.tolerance = 1e-12;
-    return s;
-}
+SolverSettings tight() { return {.tolerance = 1e-12}; }
 
 std::vector<Vec6> answer(EffectiveStiffness& op, const std::vector<Vec6>& b) {
     std::vector<Vec6> x(b.size(), Vec6::Constant(7));  // what was there before must not matter
@@ -207,20 +193,6 @@ std::vector<Vec6> answer(EffectiveStiffness& op, const std::vector<Vec6>& b) {
     CHECK(op.solve(b, x, tight()).converged);
     return x;
 }
-
-struct Solving {
-    Odd frame;
-    std::shared_ptr<const Structure> structure = frame.build();
-    State state = initial_state(*structure);
-    ThreadPool pool{1};
-    Dice dice{31};
-    int inner(int i) const { return 6 + i; }  // the declared nodes come first
-    std::unique_ptr<EffectiveStiffness> fresh(MatrixStorage keeping, double k) {
-        auto op = std::make_unique<EffectiveStiffness>(*structure, pool, 1, k, false, keeping);
-        op->build(all_elements(*structure), state, state, {});
-        return op;
-    }
-};
 
 // beta dt^2 of 10 us, in which an axial wave comes a part of the way through an element, so that inertia rules; and of
 // 1 ms
@@ -236,13 +208,24 @@ constexpr Way ways[] = {{MatrixStorage::iterative, short_step, 1e-9, "double, sh
                         {MatrixStorage::iterative, long_step, 1e-9, "double, long step"},
                         {MatrixStorage::single_precision, short_step, 1e-6, "single, short step"}};
 
+struct Solving {
+    Odd frame;
+    std::shared_ptr<const Structure> structure = frame.build();
+    State state = initial_state(*structure);
+    ThreadPool pool{1};
+    Dice dice{31};
+    int inner(int i) const { return 6 + i; }  // the declared nodes come first
+    std::unique_ptr<EffectiveStiffness> fresh(const Way& way) {
+        auto op = std::make_unique<EffectiveStiffness>(*structure, pool, 1, way.k, false, way.keeping);
+        op->build(all_elements(*structure), state, state, {});
+        return op;
+    }
+};
+
 }  // namespace
 
-TEST_CASE(
-    "solver: M by itself is undone, consistent and lumped, with offset masses and with held degrees of freedom (1e-10: "
-    "its tolerance is "
-    "1e-13)",
-    "[solver]") {
+// 1e-10: its tolerance is 1e-13.
+TEST_CASE("solver: M by itself is undone, of both kinds, with offset masses and held degrees of freedom") {
     for (MassKind kind : {MassKind::consistent, MassKind::lumped}) {
         const std::string name = kind == MassKind::lumped ? "lumped" : "consistent";
         const Odd frame;
@@ -299,10 +282,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "solver: an offset mass is that of its element where that moves as a rigid body, consistent and lumped (1e-14: "
-    "rounding)",
-    "[solver]") {
+TEST_CASE("solver: an offset mass is that of its element where that moves as a rigid body, of both kinds (rounding)") {
     const Odd frame;
     const Structure structure(frame.model);
     const Element& e = structure.elements()[1];
@@ -311,24 +291,22 @@ TEST_CASE(
     for (int i : {0, 6}) follow.block<6, 6>(i, 0).setIdentity();
     follow.block<3, 3>(6, 3) = -skew(e.chord);
     const Mat12 lumped = beam::lumped_inertia(e.rigidity, e.length, 0.3).matrix(axes);
-    const std::pair<const char*, std::pair<Mat12, beam::RigidOffset>> kinds[] = {
-        {"consistent",
-         {beam::linear_inertia(e.rigidity, e.length).matrix(axes), beam::rigid_offset(e.rigidity, e.chord, axes)}},
-        {"lumped",
-         {lumped, beam::lumped_rigid_offset(lumped.topLeftCorner<6, 6>(), lumped.bottomRightCorner<6, 6>(), e.chord)}}};
-    for (const auto& [name, both] : kinds) {
-        const Mat6 element = follow.transpose() * both.first * follow,
-                   offset = beam::offset_mass_matrix(both.second.mass, both.second.moment, both.second.inertia);
+    const Mat12 consistent = beam::linear_inertia(e.rigidity, e.length).matrix(axes);
+    const std::tuple<const char*, Mat12, beam::RigidOffset> kinds[] = {
+        {"consistent", consistent, beam::rigid_offset(e.rigidity, e.chord, axes)},
+        {"lumped", lumped,
+         beam::lumped_rigid_offset(lumped.topLeftCorner<6, 6>(), lumped.bottomRightCorner<6, 6>(), e.chord)}};
+    for (const auto& [name, mass, rigid] : kinds) {
+        const Mat6 element = follow.transpose() * mass * follow,
+                   offset = beam::offset_mass_matrix(rigid.mass, rigid.moment, rigid.inertia);
         CHECK_FIGURE(std::string("offset mass, ") + name, (element - offset).norm() / element.norm(), 1e-14);
     }
 }
 
 TEST_CASE(
-    "solver: the lumps of a member have its mass, its centre and its moment of inertia, with 2 to 12 elements (1e-14: "
-    "rounding)",
-    "[solver]") {
+    "solver: the lumps of a member have its mass, centre and moment of inertia, with 1 to 12 elements (rounding)") {
     for (int n = 1; n <= 12; ++n) {
-        Frame frame(any_number_of_elements());
+        Frame frame({.formulation = Formulation::asi});
         frame.elements = n;
         frame.member(frame.node(0, 0, 0), frame.node(1, 2, 2));
         const auto structure = std::make_shared<const Structure>(frame.model, MassKind::lumped);
@@ -348,9 +326,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE(
-    "solver: the lumped inverse is that of the diagonal, nothing where a degree of freedom is held (1e-14: rounding)",
-    "[solver]") {
+TEST_CASE("solver: the lumped inverse is the diagonal's, nothing where a degree of freedom is held (rounding)") {
     const Odd frame;
     const Structure structure(frame.model, MassKind::lumped);
     const State state = initial_state(structure);
@@ -365,28 +341,23 @@ TEST_CASE(
     CHECK_FIGURE("lumped inverse", worst, 1e-14);
 }
 
-TEST_CASE(
-    "solver: conjugate gradients give what dense factors give, on a frame with an odd cycle (1e-9 double, 1e-6 single)",
-    "[solver]") {
+// Limits of these three: `ways`.
+TEST_CASE("solver: conjugate gradients give what dense factors give, on a frame with an odd cycle") {
     for (const Way& way : ways) {
         Solving s;
-        auto op = s.fresh(way.keeping, way.k);
+        auto op = s.fresh(way);
         const auto b = right_side(s.state, 5);
         const auto x = answer(*op, b);
         CHECK_FIGURE(std::string("no couplings, ") + way.name,
                      Dense(*s.structure, s.state, way.k, {}, {}, -1, {}).error(b, x), way.limit);
-        for (std::size_t i = 0; i < x.size(); ++i)
-            for (int c = 0; c < 6; ++c)
-                if (s.state.held[i] >> c & 1) CHECK(x[i][c] == 0);
+        check_held(x, s.state);
     }
 }
 
-TEST_CASE(
-    "solver: couplings between inner nodes and between joints, as they come, change and go (1e-9 double, 1e-6 single)",
-    "[solver]") {
+TEST_CASE("solver: couplings between inner nodes and between joints, as they come, change and go") {
     for (const Way& way : ways) {
         Solving s;
-        auto op = s.fresh(way.keeping, way.k);
+        auto op = s.fresh(way);
         const auto b = right_side(s.state, 6);
         const double stiff = 2e8;  // N/m: that of a touch, which is as stiff as its softer element
         const std::vector<Vec6> before = answer(*op, b);
@@ -410,7 +381,7 @@ TEST_CASE(
             const auto x = answer(*op, b);
             CHECK_FIGURE(std::string(name) + ", " + way.name, all.error(b, x), way.limit);
             CHECK(all.error(b, before) > 100 * way.limit);  // the coupling is felt
-            auto fresh = s.fresh(way.keeping, way.k);
+            auto fresh = s.fresh(way);
             fresh->set_couplings(couplings);
             CHECK(flat(answer(*fresh, b)) == flat(x));
         }
@@ -419,11 +390,10 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("solver: elements rebuilt, removed and attached while nodes are coupled (1e-9 double, 1e-6 single)",
-          "[solver]") {
+TEST_CASE("solver: elements rebuilt, removed and attached while nodes are coupled") {
     for (const Way& way : ways) {
         Solving s;
-        auto op = s.fresh(way.keeping, way.k);
+        auto op = s.fresh(way);
         const auto b = right_side(s.state, 7);
         const std::vector<Coupling> couplings = {{s.inner(0), s.inner(4), spring(s.dice, 2e8)}};
         op->set_couplings(couplings);
@@ -465,7 +435,7 @@ TEST_CASE("solver: elements rebuilt, removed and attached while nodes are couple
     }
 }
 
-TEST_CASE("solver: conjugate gradients give the same bits with any number of threads", "[solver]") {
+TEST_CASE("solver: conjugate gradients give the same bits with any number of threads") {
     // long enough for several pieces of 256 rows in each colour
     Frame frame;
     std::vector<std::vector<int>> grid(40, std::vector<int>(40));
@@ -496,50 +466,7 @@ TEST_CASE("solver: conjugate gradients give the same bits with any number of thr
     }
 }
 
-TEST_CASE("solver: a pool does each index once, in the same pieces for any number of threads", "[solver]") {
-    for (int threads : {1, 2, 3, 4}) {
-        ThreadPool pool(threads);
-        CHECK(pool.threads() == threads);
-        for (int count : {0, 1, 5, 256, 257, 10000})
-            for (int size : {1, 7, 256}) {
-                std::vector<std::atomic<int>> times(count);
-                std::vector<std::atomic<int>> pieces((count + size - 1) / size);
-                std::atomic<int> wrong{0};
-                pool.share(count, size, [&](int first, int end, int piece) {
-                    if (first != piece * size || end != std::min(count, first + size)) ++wrong;
-                    ++pieces[piece];
-                    for (int i = first; i < end; ++i) ++times[i];
-                });
-                const auto once = [](const auto& v) {
-                    return std::all_of(v.begin(), v.end(), [](int n) { return n == 1; });
-                };
-                CHECK((wrong == 0 && once(times) && once(pieces)));
-            }
-    }
-}
-
-TEST_CASE("solver: a pool's sums have the same bits for any number of threads, one after the other and many times",
-          "[solver]") {
-    Dice dice(41);
-    std::vector<double> numbers(100000);
-    for (double& x : numbers) x = dice(-1, 1) * std::pow(10, dice(-8, 8));  // so that the order shows
-    const auto some = [&](int first, int end) {
-        return std::accumulate(numbers.begin() + first, numbers.begin() + end, 0.0);
-    };
-    ThreadPool alone;
-    const double reference = alone.sum(int(numbers.size()), 100, some);
-    CHECK(reference != std::accumulate(numbers.begin(), numbers.end(), 0.0));  // the order does show
-    CHECK(alone.sum(0, 100, some) == 0);
-    for (int threads : {2, 3}) {
-        ThreadPool pool(threads);
-        int same = 0;
-        for (int i = 0; i < 200; ++i) same += pool.sum(int(numbers.size()), 100, some) == reference;
-        CHECK(same == 200);
-    }
-}
-
-TEST_CASE("solver: a matrix that is not positive definite is said to be so, with the nodes and what makes it so there",
-          "[solver]") {
+TEST_CASE("solver: a matrix that is not positive definite is said to be so, with the nodes that make it so") {
     for (const Way& way : ways) {
         INFO(way.name);
         Solving s;
@@ -550,7 +477,7 @@ TEST_CASE("solver: a matrix that is not positive definite is said to be so, with
         K.topRightCorner<6, 6>() = K.bottomLeftCorner<6, 6>() = size * Mat6::Identity();
         Blocks between;
         between.stiffness(joint, inside, K);
-        auto op = s.fresh(way.keeping, way.k);
+        auto op = s.fresh(way);
         op->set_blocks(between);
         op->assemble();
         std::vector<Vec6> x(s.state.held.size());
@@ -565,7 +492,7 @@ TEST_CASE("solver: a matrix that is not positive definite is said to be so, with
     }
 }
 
-TEST_CASE("solver: M by itself says where it finds no answer", "[solver]") {
+TEST_CASE("solver: M by itself says where it finds no answer") {
     const Odd frame;
     const Structure structure(frame.model, MassKind::consistent);
     State state = initial_state(structure);

@@ -1,4 +1,5 @@
 // The thread pool: each piece once, in every loop, for any number of threads; sums with the same bits.
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <thread>
@@ -15,7 +16,7 @@ namespace {
 /// Returns how many pieces were not done exactly once.
 int wrong_pieces(int threads) {
     ThreadPool pool(threads);
-    int wrong = 0;
+    int wrong = pool.threads() != threads;
     for (int loop = 0; loop < 20000; ++loop) {
         const int count = loop % 157, size = 4;
         std::atomic<int> done[40] = {};
@@ -34,7 +35,14 @@ int wrong_pieces(int threads) {
 }  // namespace
 
 TEST_CASE("each piece of a loop is done once, for any number of threads", "[threads]") {
-    for (const int threads : {1, 2, 3, 8}) CHECK(wrong_pieces(threads) == 0);
+    for (const int threads : {1, 2, 3, 8}) {
+        CHECK(wrong_pieces(threads) == 0);
+        std::vector<std::atomic<int>> times(10000);
+        ThreadPool(threads).share(10000, 256, [&](int first, int end, int) {
+            for (int i = first; i < end; ++i) ++times[i];
+        });
+        CHECK(std::all_of(times.begin(), times.end(), [](int n) { return n == 1; }));
+    }
 }
 
 TEST_CASE("a sum has the same bits for any number of threads", "[threads]") {
@@ -46,6 +54,7 @@ TEST_CASE("a sum has the same bits for any number of threads", "[threads]") {
             return s;
         });
     };
+    CHECK(ThreadPool(2).sum(0, 16, [](int, int) { return 1.0; }) == 0);
     const double alone = sum(1);
     CHECK(std::isfinite(alone));
     for (const int threads : {2, 3, 8})
