@@ -14,7 +14,7 @@ namespace {
 /// Of Newton's method in energy-momentum steps: relative to the first correction of a step, in the norm of the energy.
 constexpr double tolerance_of_conserving = 1e-8;
 
-/// rad. With that tolerance the right-angle cantilever of tests/script/run/energy_momentum_test.lua takes 2451
+/// rad. With that tolerance the right-angle cantilever of tests/script/run/integrators_test.lua takes 2451
 /// iterations with 10,400 elements rebuilt at 0.01, 2141 with 12,700 at 0.005, 1938 with 14,100 at 0.002, 1929 with
 /// 14,400 at 0.001, 1905 with 34,000 where each iteration rebuilds all.
 constexpr double rebuild_angle_of_conserving = 0.002;
