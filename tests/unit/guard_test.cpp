@@ -149,7 +149,7 @@ TEST_CASE("guard: the error at the moment of failure is kept, and a jump between
     EnergyMonitor guard(0.1, 1000);
     for (int i = 1; i <= 9; ++i)
         CHECK(!guard.check(state, balance_of(1e8, {{"kinetic", 1e8 + i * 0.009e8}}), some_accounts, largest, true,
-                          may_grow));
+                           may_grow));
 }
 
 namespace {

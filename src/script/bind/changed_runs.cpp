@@ -69,8 +69,9 @@ bool is_removed(const Model& model, int member) {
     });
 }
 
-/// core.facts(run): { elements =, members = how many, broken = numbers of the members that have broken, without those that
-/// the script removes, groups = { number = the first group of such a member }, strain_limits = true if a limit of fracture is a strain, which goes with the length of elements }.
+/// core.facts(run): { elements =, members = how many, broken = numbers of the members that have broken, without those
+/// that the script removes, groups = { number = the first group of such a member }, strain_limits = true if a limit of
+/// fracture is a strain, which goes with the length of elements }.
 int facts(lua_State* L) {
     const auto r = run_argument(L, 1, "facts: this");
     const Structure& structure = r->run->structure();
@@ -145,9 +146,8 @@ void change_automatic_step(lua_State* L, DynamicSettings& s) {
 }
 
 void add_changed_runs(lua_State* L) {
-    static const luaL_Reg functions[] = {{"change_runs", guarded<change_runs>},
-                                         {"facts", guarded<facts>},
-                                         {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {
+        {"change_runs", guarded<change_runs>}, {"facts", guarded<facts>}, {nullptr, nullptr}};
     luaL_setfuncs(L, functions, 0);
 }
 
