@@ -57,6 +57,10 @@ function estimate.along(h, answers, theory, accepted)
       return { by = "order", order = order, answer = better or finest,
         error = usual * rest(change, ratio, math.min(order, theory)) }
     end
+    if one_way and order and order < least_order then -- so slow that the rest counts as that of the least order
+      return { by = "change", error = compare.larger(usual * rest(change, ratio, least_order),
+        careful * rest(largest, ratio, theory)), answer = finest }
+    end
     if one_way and not order and not (change <= (accepted or 0) * compare.size(finest)) then
       return { by = "grows", error = math.huge, answer = finest }
     end

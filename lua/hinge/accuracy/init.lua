@@ -132,7 +132,7 @@ end
 local function problem_of(o, runs, tell, first, all, corner)
   local problem = { knobs = all, corner = corner, within = o.within, economic = o.economic,
     most_runs = o.budget and math.huge or most_runs }
-  function problem.names(record) return names_of(record, o.answers) end
+  function problem.names(record) return names_of(record, o.answers or o.scenario and o.scenario.answers) end
   function problem.fits(seconds) return runs:fits(seconds) end
   function problem.run(levels, vary, chosen)
     local set, factors = knobs.apply(all, levels)
@@ -166,7 +166,7 @@ local function told_of(o, runs, search, found)
     checked = found.checked and knobs.words(all, found.checked, ladders:at(found.checked)),
     answers = report.answers(all, found, search), notes = notes_of(search, chosen), elapsed = runs:elapsed(),
     seconds = found.seconds, runs = found.runs, own = found.own, half = forecast.half(search, found),
-    folder = runs.folder, printed = o.measured_only and "" or runs:printed() }
+    folder = runs.folder, integrator = runs.integrator, printed = o.measured_only and "" or runs:printed() }
   if told.half then told.half.seconds = told.half.seconds * math.max(1, told.elapsed / found.seconds) end
   for _, knob in ipairs(all) do told.values[knob.name] = knob.value(found.chosen[knob.name]) end
   told.broken = broken.of(records_for_broken(search, found))

@@ -105,11 +105,22 @@ function Ladders:along(knob, name)
     answers[#answers + 1] = self:answer(Ladders.with(self:place(knob), knob.name, all[i]), name)
   end
   if #answers == 0 or #answers < #levels then return { by = "open", error = math.huge, size = 0, levels = levels } end
-  local found = estimate.along(h, answers, knob.theory, self.accepted)
+  local found = self.chaotic[name] and self:along_means(knob, name, answers)
+    or estimate.along(h, answers, knob.theory, self.accepted)
   found.levels, found.answers, found.size = levels, answers, size_of(answers)
-  if found.size == 0 then found.by, found.error = "exact", 0 end
-  if is_whole(answers) and found.by ~= "exact" then found.error = math.max(1, math.ceil(found.error)) end
+  if found.size == 0 and found.by ~= "open" then found.by, found.error = "exact", 0 end
+  local whole = not self.chaotic[name] and is_whole(answers)
+  if whole and found.by ~= "exact" then found.error = math.max(1, math.ceil(found.error)) end
   return found
+end
+
+-- Of a chaotic answer: means differ by scatter, so no order can be seen. The error is the last difference where it is
+-- beyond scatter, else none; the band of the mean counts beside it.
+function Ladders:along_means(knob, name, answers)
+  local n = #answers
+  if n < 2 then return { by = "open", error = math.huge, answer = answers[n] } end
+  if not self:apart(knob, name) then return { by = "scatter", error = 0, answer = answers[n] } end
+  return { by = "change", error = compare.distance(answers[n - 1], answers[n]), answer = answers[n] }
 end
 
 -- The error of an answer at a level: at the finest what the ladder leaves; at a coarser one the way to the best known
@@ -128,7 +139,6 @@ local function part_of(error, size) return size > 0 and error / size or error > 
 --- The error of an answer at the finest level of a knob, as a part of it; 0 where means do not differ beyond scatter.
 function Ladders:part(knob, name)
   local found = self:along(knob, name)
-  if self.chaotic[name] and not self:apart(knob, name) then return 0, found end
   return part_of(found.error, found.size), found
 end
 
@@ -140,7 +150,6 @@ function Ladders:errors(levels, names)
     for _, knob in ipairs(self.knobs) do
       local found = self:along(knob, name)
       local part = part_of(error_at(found, levels[knob.name]), found.size)
-      if self.chaotic[name] and not self:apart(knob, name) then part = 0 end
       e.parts[knob.name], e.found[knob.name], e.total = part, found, e.total + part
     end
     all[name] = e

@@ -15,13 +15,6 @@ local function parameters_of(options, scenario)
   return given
 end
 
-local function names_of(text)
-  if not text then return nil end
-  local list = {}
-  for name in values.items(text, "--answers " .. text) do list[#list + 1] = name end
-  return list
-end
-
 --- options: script, case, overrides, out, out_given, within, budget, answers, quiet, all as text. Returns the program's
 -- exit status: 0 where the answers are within what was asked, 1 where they are not, or the run failed.
 function program.main(options)
@@ -30,12 +23,12 @@ function program.main(options)
       "a part above 0, such as 2% or 0.02")
     local budget = values.time("--budget", options.budget)
     files.watch()
-    local scenario, probe = accuracy.load(options)
+    local scenario = accuracy.load(options)
     local parameters = parameters_of(options, scenario)
-    local told = accuracy.run { script = options.script, scenario = scenario, case = options.case, probe = probe,
+    local told = accuracy.run { script = options.script, scenario = scenario, case = options.case,
       overrides = options.overrides, parameters = parameters, out = runner.folder(options, parameters),
-      out_given = options.out_given ~= nil, within = within, budget = budget, answers = names_of(options.answers),
-      progress = options.quiet == nil }
+      out_given = options.out_given ~= nil, within = within, budget = budget,
+      answers = values.names("--answers", options.answers), progress = options.quiet == nil }
     if options.quiet == nil then io.stdout:write(told.printed) end
     for _, line in ipairs(report.lines(told)) do print(line) end
     print("written to " .. told.folder)

@@ -25,7 +25,7 @@ local function basis_of_knob(knob, found, part)
 end
 
 --- What the error of an answer rests on.
-local function basis(all, e, state)
+local function basis(all, e)
   local parts = {}
   if e.mean ~= nil then
     parts[1] = ("%d runs, mean %s, scatter %s"):format(e.runs,
@@ -33,8 +33,8 @@ local function basis(all, e, state)
   end
   for _, knob in ipairs(all) do
     local found = e.found[knob.name]
-    if state and not (e.parts[knob.name] > 0) then
-      parts[#parts + 1] = ("%s: no change beyond the scatter"):format(knob.name)
+    if found and found.by == "scatter" then
+      parts[#parts + 1] = ("no change in %s beyond the scatter"):format(knob.name)
     elseif found then parts[#parts + 1] = basis_of_knob(knob, found, e.parts[knob.name]) end
   end
   if e.shown then parts[#parts + 1] = ("check %s"):format(percent(e.shown)) end
@@ -48,7 +48,7 @@ function report.answers(all, found, search)
     local e = found.errors[name]
     local value = search.ladders:answer(found.chosen, name)
     list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
-      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, search.ladders.chaotic[name]),
+      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e),
       mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
       parts = e.parts }
   end

@@ -13,6 +13,7 @@ Search.__index = Search
 local room = 0.9     -- part of the accepted error that the ladders may take before the chosen run is made
 local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
+local least_runs = 5 -- of a chaotic answer at the chosen setting
 local dearest = 4    -- times the chosen run: a check that would make the search cost more is left out
 local restless = 4   -- values of a ladder after which an answer should come to rest
 local rounding = 1e-12
@@ -74,6 +75,7 @@ function Search:is_restless(knob)
   for _, name in ipairs(self.names) do
     local found = self.ladders:along(knob, name)
     local n = #found.levels
+    if self.ladders.chaotic[name] and n >= 3 and found.by == "change" then return true end
     if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2) then
       local first = compare.distance(found.answers[n - 3], found.answers[n - 2])
       local last = compare.larger(compare.distance(found.answers[n - 2], found.answers[n - 1]),
@@ -146,7 +148,8 @@ function Search:first_ladder()
     for _, name in ipairs(self.names) do
       most = compare.larger(most, self.ladders:part(first, name))
     end
-    if most <= self.problem.within / (#levels >= 3 and 2 or 4) or not self:refine(first) then break end
+    if most <= self.problem.within / (#levels >= 3 and 2 or 4) or self.stuck[first.name]
+      or not self:refine(first) then break end
   end
   local levels = first and self.ladders:levels(first) or {}
   if #levels > 0 then
@@ -154,24 +157,43 @@ function Search:first_ladder()
   end
 end
 
--- Which answers of the coarsest setting change with the physical numbers: by more than `least_scatter` they are
--- chaotic.
-function Search:look_for_chaos()
-  local place, chaotic = self.ladders.corner, {}
+-- Scatter of the answers at a place, in runs whose physical numbers change by 1e-9, into `spread`. One such run tells
+-- that an answer is not chaotic; where one is, all of a family are made.
+function Search:add_spread(place, names, spread)
   local base = self.ladders:at(place)
   for vary = 1, family - 1 do
-    if vary > 1 and not next(chaotic) then break end
+    local wild = false
+    for name in pairs(spread) do wild = wild or statistics.is_chaotic(spread[name], self.problem.within) end
+    if vary > 1 and not wild then break end
     local record, why = self:run(place, vary)
     if not record and why == "budget" then break end
-    for _, name in ipairs(self.names) do
+    for _, name in ipairs(names) do
       local a, b = base.answers[name], record and record.answers[name]
       local apart = b == nil and math.huge or compare.error(b, a)
       if b and compare.size(a) <= rounding and compare.size(b) <= rounding then apart = 0 end
-      self.sensitive[name] = compare.larger(self.sensitive[name] or 0, apart)
-      if statistics.is_chaotic(apart, self.problem.within) then chaotic[name] = true end
+      spread[name] = compare.larger(spread[name] or 0, apart)
     end
   end
-  self.ladders.chaotic = chaotic
+end
+
+-- Which answers are chaotic: at the coarsest setting, and a level of the first knob above it as well. At one alone it
+-- is the time step that makes an answer jump, for example where a step is divided or not.
+function Search:look_for_chaos()
+  local place, names = self.ladders.corner, self.names
+  for _ = 1, 2 do
+    local spread, wild = {}, {}
+    self:add_spread(place, names, spread)
+    for _, name in ipairs(names) do
+      self.sensitive[name] = spread[name]
+      if spread[name] and statistics.is_chaotic(spread[name], self.problem.within) then wild[#wild + 1] = name end
+    end
+    names = wild
+    local first = self.knobs[1]
+    if #wild == 0 or not first then break end
+    place = with(place, first.name, place[first.name] + 1)
+    if place[first.name] > first.most or not self:run(place) then break end
+  end
+  for _, name in ipairs(names) do self.ladders.chaotic[name] = true end
 end
 
 -- The finest levels of the ladders. Where many runs follow (economic), the coarsest whose errors together are accepted:
@@ -215,7 +237,8 @@ function Search:add_scatter(chosen, name, e)
   local size = compare.size(mean)
   e.mean, e.deviation, e.runs = mean, deviation, runs
   e.band = statistics.band(deviation, runs)
-  e.total = e.total + (size > 0 and e.band / size or e.band > 0 and math.huge or 0)
+  e.band_part = size > 0 and e.band / size or e.band > 0 and math.huge or 0
+  e.total = e.total + e.band_part
 end
 
 -- Errors at the chosen setting, with what its own run and the check show.
@@ -225,6 +248,7 @@ function Search:judge(chosen, checked)
   for name, e in pairs(errors) do
     e.interplay = self.ladders.chaotic[name] and 0 or self.ladders:interplay(chosen, name)
     e.total = e.total + e.interplay
+    if not self.ladders.chaotic[name] then e.total = e.total + 2 * (self.sensitive[name] or 0) end
     if self.ladders.chaotic[name] then self:add_scatter(chosen, name, e) end
     local shown = checked and not self.ladders.chaotic[name] and self:shown_by(checked, chosen, name)
     if shown then
@@ -283,7 +307,9 @@ function Search:repeat_chaotic(chosen)
   for vary = 1, self.problem.most_runs - 1 do
     local errors = self:judge(chosen)
     local _, most = Ladders.worst(errors)
-    if vary >= 5 and most <= self.problem.within then break end
+    local others = 0 -- what more runs do not change
+    for _, e in pairs(errors) do others = compare.larger(others, e.total - (e.band_part or 0)) end
+    if vary >= least_runs and (most <= self.problem.within or not (others <= self.problem.within)) then break end
     if not self.ladders:at(chosen, vary) and not self:run(chosen, vary) then break end
   end
 end

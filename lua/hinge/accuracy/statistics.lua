@@ -10,12 +10,12 @@ local function student(degrees)
   return n >= #students and students[#students] or students[math.max(1, n)]
 end
 
---- An answer is chaotic if it changes by more than this part of it where physical numbers change by 1e-9: the change has
--- grown a thousandfold. Answers of structures near their limits grow a hundredfold, and Newton's method leaves 1e-9 to
--- 1e-7.
+--- An answer is chaotic if it changes by more than this part of it where physical numbers change by 1e-9: the change
+-- has grown a thousandfold. Answers of structures near their limits grow a hundredfold, and Newton's method leaves 1e-9
+-- to 1e-7.
 statistics.least_scatter = 1e-6
 -- Scatter below this part of the accepted error is told with the error, and needs no mean.
-local no_matter = 1 / 20
+local no_matter = 1 / 10
 
 --- Whether a scatter, a part of an answer, makes it chaotic where an error of `within` is accepted.
 function statistics.is_chaotic(spread, within)

@@ -198,7 +198,7 @@ local function chaos_tables(result)
             if not m.apart and not standard then alike[#alike + 1] = tostring(i) end
           end
         end
-        print_table(("%s is chaotic: mean and scatter (standard deviation) over runs whose physical numbers change by 1e-9")
+        print_table(("%s is chaotic: mean and scatter (standard deviation), physical numbers change by 1e-9")
           :format(name), { "setting", "mean", "scatter", "runs", "from the finest's mean", "told apart (95 %)" }, rows)
         print(#alike > 0 and ("  the mean of %s %s cannot be told apart from that of %s"):format(
           #alike == 1 and "setting" or "settings", words.list(alike), q.standard)

@@ -89,6 +89,14 @@ function values.items(text, whole)
   return text:gmatch "[^,]+"
 end
 
+--- Names between commas as a list; nil for nil. `option`: of the command line.
+function values.names(option, text)
+  if not text then return nil end
+  local names = {}
+  for name in values.items(text, option .. " " .. text) do names[#names + 1] = name:match "^%s*(.-)%s*$" end
+  return names
+end
+
 --- Text as a value of the same type as `default`. Returns nil and what would be allowed when it cannot be one.
 function values.like(text, default)
   local kind = type(default)

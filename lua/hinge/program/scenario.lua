@@ -47,8 +47,14 @@ function scenario.new(options, ...)
   local o = check.options(where, options, {
     parameters = { "table", default = {} }, cases = { "table", default = {} },
     accuracy = { "table", default = {} }, proposals = { "table", default = {} }, vary = { "table", default = {} },
-    run = { "function" },
+    run = { "function" }, answers = { "table", optional = true },
   })
+  for i, name in ipairs(o.answers or {}) do
+    if type(name) ~= "string" then
+      check.fail("%s: answers: item %d is %s; must be the name of a number that run returns, or of a probe", where, i,
+        check.show(name))
+    end
+  end
   each_parameter(o.parameters)
   local parameters = {}
   for name, value in pairs(o.parameters) do parameters[name] = value end
@@ -81,7 +87,7 @@ function scenario.new(options, ...)
     if parameters[name] == nil then check.unknown(where .. ": vary", "parameter", name, check.keys(parameters)) end
   end
   return setmetatable({ parameters = parameters, cases = o.cases, accuracy = o.accuracy, proposals = o.proposals,
-    vary = o.vary, run = o.run }, class)
+    vary = o.vary, run = o.run, answers = o.answers }, class)
 end
 
 function scenario.is(value) return getmetatable(value) == class end

@@ -42,7 +42,7 @@ function Study:prepare(one, number)
   end
   one.case, one.number = one.case or options.plan.case, number
   local overrides = case.overrides(one.parameters)
-  one.id = core.fingerprint(core.to_json { case = one.case, parameters = overrides })
+  one.id = core.fingerprint(core.to_json { case = one.case, parameters = overrides, setting = options.setting })
   if options.scenario then options.scenario:values(one.case, overrides) end
 end
 
@@ -215,14 +215,15 @@ function study.write(of)
   core.write_json(of.folder .. "/summary.json", {
     verdict = of.interrupted and "stopped" or "completed", hinge = core.version, script = of.script,
     study = of.said, cases = #of.cases, planned = of.planned, verdicts = study.describe(of.cases),
-    quantities = tables.columns_of(of), pictures = of.pictures, warned = study.warned(of.cases),
+    accuracy = of.accuracy, quantities = tables.columns_of(of), pictures = of.pictures, warned = study.warned(of.cases),
   })
 end
 
 --- Runs a study. options: scenario or script (path; of plain statements), plan (list, cases, rows, row_names, samples,
 -- seed, method, said), propose and fixed (parameters that all cases have then), jobs, timeout, memory, out, out_given,
 -- resume, restart, progress, only (numbers of the cases to run, as a set) with journal (name), list (run nothing),
--- collect (run nothing, and take what has ended). Returns the study as hinge.study does; all has all its cases.
+-- collect (run nothing, and take what has ended), setting (text: what else makes a case another one). Returns the study
+-- as hinge.study does; all has all its cases.
 function study.go(options)
   files.watch()
   files.note(options.script)

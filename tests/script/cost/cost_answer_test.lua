@@ -248,14 +248,6 @@ case("what changes with the time step and not with physical numbers is no chaos"
   expect(not table.concat(headline.lines(r)):find "chaotic", "words: %s", headline.lines(r)[1])
 end)
 
-case("two values that agree by chance do not make a narrow band", function()
-  -- 0.8 and 0.4 are 2 apart, 0.4 and 0.2 the same by chance; the error in truth is 0.5.
-  local values = { [0.8] = 102, [0.4] = 100, [0.2] = 100 }
-  local estimate = require "hinge.accuracy.estimate"
-  local found = estimate.along({ 0.8, 0.4, 0.2 }, { values[0.8], values[0.4], values[0.2] }, 2)
-  near(found.error, 0.5, 1e-12, "what the coarser change suggests for a second order: 2 / 4")
-end)
-
 case("where a bar comes to lie is chaotic, that it lies on the ground is not", function()
   local m
   -- A bar that strikes the ground and slides: where it comes to lie is chaotic, that it lies on the ground is not.

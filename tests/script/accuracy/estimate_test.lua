@@ -1,0 +1,225 @@
+-- The estimator and the search of hinge run --within, on made-up sequences: errors by order and by changes, means of
+-- chaotic answers, who broke, and settings that are chosen in a table of known answers.
+--
+-- Run: lua5.4 tests/script/accuracy/estimate_test.lua, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local broken = require "hinge.accuracy.broken"
+local estimate = require "hinge.accuracy.estimate"
+local library = require "hinge.library.check"
+local Search = require "hinge.accuracy.search"
+local statistics = require "hinge.accuracy.statistics"
+local checks = support.checks "accuracy_estimate"
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
+
+local function powers(p, h)
+  local answers = {}
+  for i, size in ipairs(h) do answers[i] = 2 + 3 * size ^ p end
+  return answers
+end
+
+-- Along one refinement: 2 + 3 h^p, whose exact value is 2 -------------------------------------------------------------
+
+case("three values that show an order have the rest of the series and a quarter of it as their error", function()
+  for _, p in ipairs { 1, 2 } do
+    for _, h in ipairs { { 0.4, 0.2, 0.1 }, { 0.5, 0.3, 0.1 } } do
+      local found = estimate.along(h, powers(p, h), 2)
+      equal(found.by, "order", "kind of order " .. p)
+      near(found.order, p, 1e-6, "observed order")
+      near(found.answer, 2, 1e-7, "extrapolated value, order " .. p)
+      near(found.error, 1.25 * 3 * 0.1 ^ p, 1e-9, "error of order " .. p)
+    end
+  end
+end)
+
+case("an order beyond the theory, or below one half, is chance and not believed", function()
+  for _, p in ipairs { 0.3, 2.6, 4 } do
+    local h = { 0.4, 0.2, 0.1 }
+    local found = estimate.along(h, powers(p, h), 2)
+    equal(found.by, "change", "kind of order " .. p)
+    local change = 3 * (0.2 ^ p - 0.1 ^ p)
+    local least = p < 0.5 and 1.25 * change / (2 ^ 0.5 - 1) or change -- what is slow counts as of the order 0.5
+    expect(found.error >= least * (1 - 1e-9), "order %g: an error of %g after a change of %g", p, found.error, change)
+  end
+end)
+
+case("two values have Roache's factor of safety of 3", function()
+  local found = estimate.along({ 0.2, 0.1 }, powers(2, { 0.2, 0.1 }), 2)
+  equal(found.by, "change", "kind")
+  near(found.error, 3 * 0.09 / 3, 1e-12, "3 d / (2^2 - 1), in truth 0.03")
+  near(estimate.along({ 0.2, 0.1 }, powers(1, { 0.2, 0.1 }), 1).error, 3 * 0.3, 1e-12, "3 d / (2 - 1), in truth 0.3")
+end)
+
+case("two values that agree by chance do not make a narrow band", function()
+  near(estimate.along({ 4, 2, 1 }, { 102, 100, 100 }, 2).error, 0.5, 1e-12, "the change before, over 2^2")
+  near(estimate.along({ 4, 2, 1 }, { 5, 5.6, 5.5 }, 2).error, 0.15, 1e-12, "a change that turns back")
+end)
+
+case("what does not change is exact, what grows or is no number has no error", function()
+  equal(estimate.along({ 4, 2, 1 }, { 5, 5, 5 }, 2).by, "exact", "what does not change")
+  for by, answers in pairs { grows = { 5, 5.1, 5.3 }, open = { 5, 0 / 0, 5 } } do
+    local found = estimate.along({ 4, 2, 1 }, answers, 2)
+    expect(found.by == by and found.error == math.huge, "%s: %s, %s", by, found.by, found.error)
+  end
+  equal(estimate.along({ 1 }, { 5 }, 2).by, "open", "one value")
+  equal(estimate.along({ 4, 2, 1 }, { 5, 5.1, 5.3 }, 2, 0.05).by, "change", "what grows within what is accepted")
+end)
+
+case("a history whose every point converges is extrapolated", function()
+  local curves = {}
+  for i, size in ipairs { 0.4, 0.2, 0.1 } do
+    curves[i] = { x = { 0, 1, 2, 3 }, y = { 1, 2 + size ^ 2, 3 - size ^ 2, 4 + 2 * size ^ 2 } }
+  end
+  local found = estimate.along({ 0.4, 0.2, 0.1 }, curves, 2)
+  equal(found.by, "order", "kind of a history")
+  for i, y in ipairs { 1, 2, 3, 4 } do near(found.answer.y[i], y, 1e-9, "extrapolated history") end
+end)
+
+-- Scatter -------------------------------------------------------------------------------------------------------------
+
+case("means of scattered answers are told apart by Welch's test, and have Student's band", function()
+  local mean, deviation, runs = statistics.mean { 3, 4, 5 }
+  expect(mean == 4 and runs == 3 and math.abs(deviation - 1) < 1e-12, "mean of 3, 4, 5: %g, %g, %g", mean, deviation,
+    runs)
+  near(statistics.band(1, 3), 4.303 / math.sqrt(3), 1e-3, "band of three values: t of two degrees of freedom")
+  local function sample(m, s, n) return { mean = m, deviation = s, runs = n } end
+  -- equal deviations s and n = 5: 8 degrees of freedom, t = 2.306, limit 2.306 s sqrt(2 / 5) = 1.458 s
+  equal(statistics.apart(sample(10, 1, 5), sample(11.45, 1, 5)), false, "means within the limit")
+  equal(statistics.apart(sample(10, 1, 5), sample(11.47, 1, 5)), true, "means beyond the limit")
+  equal(statistics.apart(sample(10, 0, 5), sample(10, 0, 5)), false, "the same without scatter")
+  local curve = statistics.mean { { x = { 0, 1 }, y = { 1, 2 } }, { x = { 0, 1 }, y = { 3, 6 } } }
+  expect(curve.y[1] == 2 and curve.y[2] == 4, "mean of histories")
+end)
+
+case("a change that has grown less than a thousandfold, or that does not matter, is no chaos", function()
+  equal(statistics.is_chaotic(3e-8, 0.02), false, "3e-8")
+  equal(statistics.is_chaotic(2e-6, 1e-5), true, "2e-6 where 0.001 % is asked")
+  equal(statistics.is_chaotic(0.004, 0.02), true, "0.4 % where 2 % is asked")
+  equal(statistics.is_chaotic(0.0005, 0.02), false, "a fortieth of what is asked")
+  equal(statistics.is_chaotic(0 / 0, 0.02), true, "what is not a number")
+end)
+
+-- Who broke -----------------------------------------------------------------------------------------------------------
+
+case("members that broke in all, some and none of the runs are told apart", function()
+  local function record(...) return { runs = { { members = 5, broken = { ... }, groups = { [2] = "columns" } } } } end
+  local of = broken.of { record(2, 3), record(2), record(2, 5) }
+  expect(of.runs == 3 and of.in_all == 1 and of.in_some == 2 and of.in_none == 2, "counts: %d, %d, %d", of.in_all,
+    of.in_some, of.in_none)
+  equal(broken.csv(of), 'member,group,broken,runs\n2,columns,3,3\n3,,1,3\n5,,1,3\n', "table")
+  equal(broken.lines(of)[1], "broken in 3 of 3 runs: member 2", "line of those in all runs")
+  equal(broken.lines(of)[2], "broken in some of 3 runs: members 3, 5 (broken.csv)", "line of those in some")
+  equal(#broken.lines(broken.of { record() }), 0, "lines where nothing broke")
+end)
+
+-- The search, in a table ----------------------------------------------------------------------------------------------
+
+-- A search for answers(dt, elements, vary), where dt is 2^-level and so is the length of elements; a run takes
+-- 1 s at level 0 of both, twice that a refinement.
+local function search(answers, within, options)
+  options = options or {}
+  local made, spent = {}, 0
+  local found
+  local one
+  one = Search.new {
+    knobs = { { name = "dt", theory = 2, ratio = 2, least = -6, most = options.most or 6 },
+      { name = "elements", theory = 2, ratio = 2, least = 0, most = options.most or 6 } },
+    corner = { dt = -2, elements = 0 }, within = within, most_runs = 20, economic = options.economic,
+    names = function(record) return library.keys(record.answers) end,
+    foretell = function(levels) return 2.0 ^ (levels.dt + levels.elements) end,
+    fits = function(seconds) return not options.budget or spent + seconds <= options.budget end,
+    run = function(levels, vary)
+      local seconds = 2.0 ^ (levels.dt + levels.elements)
+      spent = spent + seconds
+      made[#made + 1] = { dt = levels.dt, elements = levels.elements, vary = vary }
+      local a = answers(2.0 ^ -levels.dt, 2.0 ^ -levels.elements, vary)
+      return type(a) == "table" and { answers = a, seconds = seconds, runs = {} } or { failed = a, seconds = seconds }
+    end,
+  }
+  found = one:find()
+  return found, made, one
+end
+
+local function smooth(dt, length) return { v = 10 * (1 + 0.02 * dt ^ 2 + 0.03 * length ^ 2) } end
+
+case("the error that is told is above the true one, and what was asked is kept", function()
+  for _, within in ipairs { 0.1, 0.05, 0.02, 0.01, 0.001 } do
+    local found = search(smooth, within)
+    local true_error = 0.02 * 4.0 ^ -found.chosen.dt + 0.03 * 4.0 ^ -found.chosen.elements
+    local told = found.errors.v.total
+    expect(found.reached and told <= within, "asked %g, told %g", within, told)
+    expect(told >= true_error / (1 + true_error) * (1 - 1e-9), "asked %g: told %g, in truth %g", within, told,
+      true_error)
+  end
+end)
+
+case("asking costs at most four times the chosen run", function()
+  for _, within in ipairs { 0.05, 0.01, 0.001 } do
+    local found = search(smooth, within)
+    expect(found.seconds <= 4.01 * found.own, "asked %g: %.3g times", within, found.seconds / found.own)
+  end
+end)
+
+case("a script that is far too fine is made coarser, and a far too coarse one finer", function()
+  local found = search(function(dt, length) return { v = 1 + 1e-5 * dt ^ 2 + 1e-5 * length ^ 2 } end, 0.02)
+  equal(found.chosen.dt, -1, "steps of twice the length do")
+  found = search(function(dt, length) return { v = 1 + 0.5 * dt ^ 2 + 1e-4 * length ^ 2 } end, 0.02)
+  expect(found.reached and found.chosen.dt >= 2 and found.chosen.elements <= 1,
+    "refined alone: dt level %d, elements %d", found.chosen.dt, found.chosen.elements)
+end)
+
+case("an answer that does not settle is not reached, and nothing is tried for ever", function()
+  local found, made = search(function(dt, length) return { v = 1 + 0.1 * math.sin(1e6 * dt + 17 / length) } end, 0.01)
+  expect(not found.reached and found.errors.v.total > 0.01 and #made < 15, "told %g after %d runs",
+    found.errors.v.total, #made)
+end)
+
+case("what elements and steps do to each other is found by the chosen run and its check", function()
+  local function joined(dt, length)
+    return { v = 1 + 0.001 * dt ^ 2 + 0.001 * length ^ 2 + (dt < 0.9 and length < 0.9 and 0.2 or 0) }
+  end
+  local found = search(joined, 0.02)
+  expect(not found.reached or math.abs(joined(2.0 ^ -found.chosen.dt, 2.0 ^ -found.chosen.elements).v / 1.2 - 1) < 0.02
+    or found.chosen.dt < 1, "chosen: dt %d, elements %d, told %g", found.chosen.dt, found.chosen.elements,
+    found.errors.v.total)
+end)
+
+case("a chaotic answer is a mean with a band, and one beside it has an error", function()
+  local state = 7
+  local function noise()
+    state = (state * 48271) % 2147483647
+    return state / 2147483647 - 0.5
+  end
+  local found, made, one = search(function(dt, length, vary)
+    return { steady = smooth(dt, length).v, wild = 100 + 10 * noise() + 0 * vary }
+  end, 0.05)
+  expect(one.ladders.chaotic.wild and not one.ladders.chaotic.steady, "what is chaotic")
+  local e = found.errors.wild
+  expect(e.runs >= 5 and math.abs(e.mean - 100) <= e.band + 10 / 3 and e.band > 0, "mean %g, band %g of %d runs",
+    e.mean, e.band, e.runs)
+  expect(#made > 10, "runs: %d", #made)
+end)
+
+case("an answer that jumps at the coarsest step alone is no chaos", function()
+  local found, _, one = search(function(dt, length, vary)
+    return { v = smooth(dt, length).v * (dt > 3 and 1 + 0.01 * vary or 1 + 1e-10 * vary) }
+  end, 0.02)
+  expect(found.reached and not one.ladders.chaotic.v, "a jump of 1 %% at the coarsest step")
+end)
+
+case("a number that counts is wrong by one where it changes at all", function()
+  local found = search(function(dt, length)
+    return { v = smooth(dt, length).v, columns = dt > 3 and 11 or 12 }
+  end, 0.05)
+  equal(found.errors.columns.total <= 1 / 12 + 1e-12, true, "columns: a twelfth or nothing")
+end)
+
+case("a coarse setting that fails is left behind, a budget ends the search", function()
+  local found = search(function(dt, length) return dt > 1.5 and "no convergence" or smooth(dt, length) end, 0.05)
+  expect(found and found.reached and found.chosen.dt >= 0, "chosen where dt above 1.5 fails")
+  local short, made = search(smooth, 1e-6, { budget = 4 })
+  expect(short and not short.reached and short.stuck, "with a budget of 4: %d runs", #made)
+end)
+
+checks.done()
