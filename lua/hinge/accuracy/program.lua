@@ -29,7 +29,7 @@ function program.main(options)
       overrides = options.overrides, parameters = parameters, out = runner.folder(options, parameters),
       out_given = options.out_given ~= nil, within = within, budget = budget,
       answers = values.names("--answers", options.answers), progress = options.quiet == nil }
-    if options.quiet == nil then io.stdout:write(told.printed) end
+    io.stdout:write(told.printed)
     for _, line in ipairs(report.lines(told)) do print(line) end
     print("written to " .. told.folder)
     return told.reached and 0 or 1

@@ -6,11 +6,11 @@ local hinge = {}
 
 ---Runs a scenario with each of its accuracy settings, and compares the answers with a reference. The runs are in
 ---this process, each with its own models. The reference is finer than all settings, and a second reference tests it.
----The error of an answer has a band: from the order of convergence if that is clear (Richardson), else from the
----scatter of the finest runs. An answer is chaotic if it changes by more than half of `within` under relative
----changes of 1e-9, or if the two references differ by no more than runs of one setting do. Such runs have their time
----step, if it is varied, shorter by one to four thousandths, and all other numbers that are not whole changed by
----1e-9. A chaotic answer has mean and scatter in place of an error. Answers are the numbers and lists of numbers
+---The error of an answer has a band: the rest of the series by the order of convergence where that is clear
+---(Richardson), with a factor of 1.25, else the largest change, with a factor of safety of 3 (Roache's grid convergence
+---index). An answer is chaotic if it changes by more than 1e-6 of itself, and by more than a tenth of `within`, where
+---physical numbers change by 1e-9: parameters that are no settings and not whole, stiffness and strength of the
+---members. A chaotic answer has mean and scatter in place of an error. Answers are the numbers and lists of numbers
 ---that the scenario returns, and the probes of its runs (as histories). The scenario prints and draws nothing
 ---meanwhile. `hinge cost SCRIPT` prints the result. With effects = true the settings do not change. The scenario
 ---runs with its parameters, and once more without each effect that its models declare (gravity, large displacement,
@@ -58,7 +58,8 @@ function hinge.cost(scenario, options) end
 ---@field finer? table<string, string>
 ---for numbers: the order of convergence from theory. Default: 2 for dt and elements, 1 for tolerances and steps
 ---@field orders? table<string, number>
----relative change of every number that is not whole, to look for chaotic answers; default 1e-9
+---relative change of physical numbers, to look for chaotic answers: of parameters that are no settings and not whole,
+---and of stiffness and strength of the members; default 1e-9
 ---@field perturbation? number
 ---@field progress? boolean prints lines on stderr; default false
 ---true: leave out effects instead; default false. `accuracy` then serves only for one finer run, to show the error of
@@ -104,10 +105,9 @@ function hinge.cost(scenario, options) end
 ---@field value? number of the finest run
 ---@field agreement? number difference between the two references
 ---@field scatter? number as a part of the value, or of the largest value of a history
----where the band of the errors comes from. "order": the observed order of convergence (Richardson); "theory": two
----values, the order in theory and a safety factor of 3; "scatter": of the finest three runs, and of runs that are
----changed slightly; "grows": refinements change it in one direction by no less each time, errors are lower bounds;
----"open": there is one run alone, errors are lower bounds; "exact". nil: it is moving
+---where the band of the errors comes from. "order": the observed order of convergence (Richardson); "change": the
+---largest change with a safety factor of 3, as two values show no order, or three do not; "grows": refinements change
+---it in one direction by no less each time, errors are lower bounds; "open": there is one run alone, errors are lower bounds; "exact". nil: it is moving
 ---@field by? string
 ---@field half? number by so much the best known value may be off, as a part of it; half the width of the bands
 ---@field order? number observed, if by = "order"; of all numbers together, in terms of halved steps

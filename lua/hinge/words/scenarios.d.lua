@@ -38,6 +38,10 @@ function hinge.scenario(options) end
 ---what a study of the scenario varies, as `vary` of hinge.study. `hinge study SCRIPT` and hinge.study take it for the
 ---names for which they get nothing else; with proposals it has no effect
 ---@field vary? table<string, any>
+---names of the answers that count for `hinge run SCRIPT --within 2%`: numbers that run returns, by name ("tip_mm",
+---"damage.columns"), or probes, whose histories count. Default: all numbers that run returns, but for those with
+---"energy_error" in their name; where there are none, all probes. A name that there is not is an error of that command
+---@field answers? string[]
 ---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
 
 ---@class hinge.scenario

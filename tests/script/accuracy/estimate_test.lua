@@ -119,6 +119,7 @@ end)
 -- 1 s at level 0 of both, twice that a refinement.
 local function search(answers, within, options)
   options = options or {}
+  local growth = options.growth or 1 -- exponent of the time over elements
   local made, spent = {}, 0
   local found
   local one
@@ -127,10 +128,10 @@ local function search(answers, within, options)
       { name = "elements", theory = 2, ratio = 2, least = 0, most = options.most or 6 } },
     corner = { dt = -2, elements = 0 }, within = within, most_runs = 20, economic = options.economic,
     names = function(record) return library.keys(record.answers) end,
-    foretell = function(levels) return 2.0 ^ (levels.dt + levels.elements) end,
+    foretell = function(levels) return 2.0 ^ (levels.dt + growth * levels.elements) end,
     fits = function(seconds) return not options.budget or spent + seconds <= options.budget end,
     run = function(levels, vary)
-      local seconds = 2.0 ^ (levels.dt + levels.elements)
+      local seconds = 2.0 ^ (levels.dt + growth * levels.elements)
       spent = spent + seconds
       made[#made + 1] = { dt = levels.dt, elements = levels.elements, vary = vary }
       local a = answers(2.0 ^ -levels.dt, 2.0 ^ -levels.elements, vary)
@@ -175,14 +176,40 @@ case("an answer that does not settle is not reached, and nothing is tried for ev
     found.errors.v.total, #made)
 end)
 
-case("what elements and steps do to each other is found by the chosen run and its check", function()
+case("errors of knobs add up, and so does what they do to each other at the chosen setting", function()
+  local found = search(smooth, 0.05)
+  local e = found.errors.v
+  expect(e.parts.dt > 0 and e.parts.elements > 0 and e.total >= e.parts.dt + e.parts.elements, "%g from %g and %g",
+    e.total, e.parts.dt, e.parts.elements)
+  -- both ladders stay at one side of the corner: where both are fine the answer is 1 % more
   local function joined(dt, length)
-    return { v = 1 + 0.001 * dt ^ 2 + 0.001 * length ^ 2 + (dt < 0.9 and length < 0.9 and 0.2 or 0) }
+    return { v = (1 + 0.001 * dt ^ 2 + 0.001 * length ^ 2) * (dt < 3 and length < 0.9 and 1.01 or 1) }
   end
-  local found = search(joined, 0.02)
-  expect(not found.reached or math.abs(joined(2.0 ^ -found.chosen.dt, 2.0 ^ -found.chosen.elements).v / 1.2 - 1) < 0.02
-    or found.chosen.dt < 1, "chosen: dt %d, elements %d, told %g", found.chosen.dt, found.chosen.elements,
-    found.errors.v.total)
+  local together, _, one = search(joined, 0.05, { growth = 4 }) -- without a check
+  e = together.errors.v
+  near(one.ladders:interplay(together.chosen, "v"), 0.01, 2e-4, "what both do together")
+  expect(e.total >= (e.parts.dt + e.parts.elements + e.interplay) * (1 - 1e-9) and e.interplay > 0.0098,
+    "told %g, where %g is what both do together", e.total, e.interplay)
+end)
+
+case("a check that shows more than was told counts", function()
+  -- elements finer than any ladder change the answer by 3 %
+  local function later(dt, length, _) return { v = smooth(dt, length).v * (length < 0.3 and 1.03 or 1) } end
+  local found = search(later, 0.2)
+  local e = found.errors.v
+  expect(found.checked and found.checked.elements > found.chosen.elements, "a check with more elements")
+  expect(found.checked.elements < 2 or e.by_check and e.total >= 0.029, "told %g, where the check shows 3 %%", e.total)
+end)
+
+case("a dear check is left out, an answer that does not settle ends its ladder", function()
+  -- twice the elements take 16 times as long: the check does not fit into four times the chosen run
+  local found = search(smooth, 0.2, { growth = 4 })
+  expect(found.seconds <= 4.01 * found.own and not found.checked, "%.3g times", found.seconds / found.own)
+  local restless, made, one = search(function(dt, length)
+    return { v = 1 + 0.1 * math.sin(1e6 * dt) + 1e-4 * length ^ 2 }
+  end, 0.01)
+  equal(one.stuck.dt, "restless", "the reason")
+  expect(#made <= 8 and not restless.reached, "%d runs", #made)
 end)
 
 case("a chaotic answer is a mean with a band, and one beside it has an error", function()
@@ -210,9 +237,9 @@ end)
 
 case("a number that counts is wrong by one where it changes at all", function()
   local found = search(function(dt, length)
-    return { v = smooth(dt, length).v, columns = dt > 3 and 11 or 12 }
-  end, 0.05)
-  equal(found.errors.columns.total <= 1 / 12 + 1e-12, true, "columns: a twelfth or nothing")
+    return { v = smooth(dt, length).v, columns = length > 0.9 and 1011 or 1012 }
+  end, 0.01)
+  near(found.errors.columns.total, 1 / 1012, 1e-12, "columns: one")
 end)
 
 case("a coarse setting that fails is left behind, a budget ends the search", function()
