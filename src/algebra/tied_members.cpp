@@ -194,13 +194,13 @@ void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Bloc
     }
     int free[most_free];
     m.free_count = 0;
+    m.at.assign(6 * inner, -1);
     for (int i = 0; i < 6 * inner; ++i) {
         const bool is_free = !(parts.held()[m.nodes[i / 6]] >> (i % 6) & 1);
-        m.at[i] = is_free ? (signed char)m.free_count : -1;
-        if (is_free) free[m.free_count++] = i;
+        if (is_free) m.at[i] = (signed char)m.free_count, free[m.free_count++] = i;
     }
     const int count = m.free_count;
-    Factors within(count, count);
+    Eigen::MatrixXd within(count, count);
     Columns across(count, 12);
     for (int i = 0; i < count; ++i) {
         for (int j = 0; j <= i; ++j) within(i, j) = A(free[i], free[j]);
@@ -249,7 +249,7 @@ void TiedMembers::solve_back(std::vector<Vec6>& x) const {
             const Member& m = members_[i];
             Vec12 outer;
             outer << x[m.side[0]], x[m.side[1]];
-            const Column within = m.right - m.to_sides * outer;
+            const Eigen::VectorXd within = m.right - m.to_sides * outer;
             for (int k = 0; k < 6 * int(m.nodes.size()); ++k)
                 if (m.at[k] >= 0) x[m.nodes[k / 6]][k % 6] = within[m.at[k]];
         }

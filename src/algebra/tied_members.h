@@ -66,10 +66,8 @@ public:
     }
 
 private:
-    static constexpr int most_nodes = 5, most_free = 6 * most_nodes;
-    using Factors = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_free, most_free>;
-    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 12, 0, most_free, 12>;
-    using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_free, 1>;
+    static constexpr int most_nodes = 9, most_free = 6 * most_nodes;  ///< a member of eight elements
+    using Columns = Eigen::Matrix<double, Eigen::Dynamic, 12>;
 
     /// An end that follows its leader.
     struct Follower {
@@ -86,12 +84,12 @@ private:
         std::vector<Follower> followers;
         bool had_blocks = false;  ///< of its nodes, from effects
         int free_count = 0;
-        signed char at[most_free];     ///< of each degree of freedom within: its place in f; -1: held or tied
-        Eigen::LDLT<Factors> factors;  ///< of A_ff
-        Columns to_sides;              ///< A_ff^-1 A_fs
-        Mat12 S;                       ///< S - A of the outer nodes
-        Column right;                  ///< A_ff^-1 r_f of the solution under way
-        Vec12 to_outer;                ///< what the outer nodes get of r_f
+        std::vector<signed char> at;           ///< of each degree of freedom within: its place in f; -1: held or tied
+        Eigen::LDLT<Eigen::MatrixXd> factors;  ///< of A_ff
+        Columns to_sides;                      ///< A_ff^-1 A_fs
+        Mat12 S;                               ///< S - A of the outer nodes
+        Eigen::VectorXd right;                 ///< A_ff^-1 r_f of the solution under way
+        Vec12 to_outer;                        ///< what the outer nodes get of r_f
     };
     /// What a member was condensed with.
     struct Used {
