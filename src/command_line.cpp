@@ -3,12 +3,19 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 
 #include "completion.h"
 #include "version.h"
 
 namespace hinge {
 namespace {
+
+/// What `hinge help accuracy` prints.
+constexpr const char* help_on_accuracy =
+    "hinge run SCRIPT --within 2%      chooses settings, so that the answers have this error at most, and tells it\n"
+    "hinge study SCRIPT --within 2%    chooses them once, and checks them in some of the cases\n"
+    "hinge cost SCRIPT                 compares settings by error and time; --effects: effects and laws\n";
 
 /// --sandbox and its limits, for the verbs that run a script.
 void add_sandbox(CLI::App& verb, Request& request) {
@@ -387,6 +394,8 @@ CommandLine read_command_line(std::vector<std::string> words) {
 
     if (!words.empty() && words[0] == "help") {  // hinge help VERB is hinge VERB --help
         words.erase(words.begin());
+        if (!words.empty() && words[0] == "accuracy")
+            return std::fputs(help_on_accuracy, stdout), line.status = 0, line;
         if (!words.empty() && !is_verb(words[0])) return line.unknown_verb = words[0], line;
         words.resize(std::min<std::size_t>(words.size(), 1));
         words.emplace_back("--help");

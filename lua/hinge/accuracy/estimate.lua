@@ -1,9 +1,10 @@
 -- How far an answer may still be from the exact one, from its values at settings that get finer.
 --
 -- Where three values show an order of convergence, the error is the rest of the series (Richardson). Where they do not,
--- or where there are two values, the largest change counts, with a factor of safety of 3: the grid convergence index of
--- Roache (P. J. Roache, Perspective: a method for uniform reporting of grid refinement studies, Journal of Fluids
--- Engineering 116, 1994, pp. 405-413). Three values with an order have the factor 1.25 of the same index.
+-- the largest change counts, over what a refinement leaves in theory, with a factor of safety of 3; of two values, the
+-- change itself with that factor. This is the grid convergence index of Roache (P. J. Roache, Perspective: a method for
+-- uniform reporting of grid refinement studies, Journal of Fluids Engineering 116, 1994, pp. 405-413). Three values
+-- with an order have the factor 1.25 of the same index.
 local compare = require "hinge.cost.compare"
 
 local estimate = {}
@@ -65,7 +66,9 @@ function estimate.along(h, answers, theory, accepted)
       return { by = "grows", error = math.huge, answer = finest }
     end
   end
-  return { by = "change", error = careful * rest(largest, ratio, theory), answer = finest }
+  -- nothing shows that two values follow the theory: their change counts in full, as of the first order
+  return { by = "change", error = n == 2 and careful * largest or careful * rest(largest, ratio, theory),
+    answer = finest }
 end
 
 return estimate

@@ -11,6 +11,7 @@ local store = require "hinge.cost.store"
 local Runs = {}
 Runs.__index = Runs
 
+local interrupted = 130 -- exit status, as after Ctrl-C
 local worth_it = 0.7 -- of the time of Newmark's run: explicit steps that take more are not tried any further
 local same_end = 0.05 -- of its duration: a run that ends farther from where the first one ended was ended by the script
 
@@ -157,7 +158,8 @@ function Runs:in_full(set, factors)
     local ended, _, code = core.wait(0.2)
     if ended == "interrupted" then
       core.kill(process, true)
-      error "interrupted"
+      while core.wait(10, true) ~= process do end
+      os.exit(interrupted, true)
     end
     if ended == process then
       local text = read(file)

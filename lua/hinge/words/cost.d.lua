@@ -107,7 +107,8 @@ function hinge.cost(scenario, options) end
 ---@field scatter? number as a part of the value, or of the largest value of a history
 ---where the band of the errors comes from. "order": the observed order of convergence (Richardson); "change": the
 ---largest change with a safety factor of 3, as two values show no order, or three do not; "grows": refinements change
----it in one direction by no less each time, errors are lower bounds; "open": there is one run alone, errors are lower bounds; "exact". nil: it is moving
+---it in one direction by no less each time, errors are lower bounds; "open": there is one run alone, errors are lower
+---bounds; "exact". nil: it is moving
 ---@field by? string
 ---@field half? number by so much the best known value may be off, as a part of it; half the width of the bands
 ---@field order? number observed, if by = "order"; of all numbers together, in terms of halved steps

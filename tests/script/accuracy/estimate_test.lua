@@ -47,7 +47,7 @@ end)
 case("two values have Roache's factor of safety of 3", function()
   local found = estimate.along({ 0.2, 0.1 }, powers(2, { 0.2, 0.1 }), 2)
   equal(found.by, "change", "kind")
-  near(found.error, 3 * 0.09 / 3, 1e-12, "3 d / (2^2 - 1), in truth 0.03")
+  near(found.error, 3 * 0.09, 1e-12, "3 d, in truth 0.03")
   near(estimate.along({ 0.2, 0.1 }, powers(1, { 0.2, 0.1 }), 1).error, 3 * 0.3, 1e-12, "3 d / (2 - 1), in truth 0.3")
 end)
 
@@ -193,12 +193,12 @@ case("errors of knobs add up, and so does what they do to each other at the chos
 end)
 
 case("a check that shows more than was told counts", function()
-  -- elements finer than any ladder change the answer by 3 %
-  local function later(dt, length, _) return { v = smooth(dt, length).v * (length < 0.3 and 1.03 or 1) } end
-  local found = search(later, 0.2)
+  -- elements finer than any ladder change the answer by 30 %
+  local function later(dt, length) return { v = smooth(dt, length).v * (length < 0.3 and 1.3 or 1) } end
+  local found = search(later, 0.5)
   local e = found.errors.v
   expect(found.checked and found.checked.elements > found.chosen.elements, "a check with more elements")
-  expect(found.checked.elements < 2 or e.by_check and e.total >= 0.029, "told %g, where the check shows 3 %%", e.total)
+  expect(e.by_check and e.total >= 0.29, "told %g, where the check shows 30 %%", e.total)
 end)
 
 case("a dear check is left out, an answer that does not settle ends its ladder", function()

@@ -264,7 +264,7 @@ case("where a bar comes to lie is chaotic, that it lies on the ground is not", f
       local x, _, z = model:dynamic { dt = p.dt, duration = 0.3 }:finish():displacement(a)
       return { x = x, z = z }
     end,
-  }, { within = 0.01, repeats = 1 })
+  }, { within = 0.004, repeats = 1 })
   equal(r.quantities.x.state, "chaotic", "where a bar comes to lie")
   equal(r.quantities.z.state, "sound", "that it lies on the ground")
   for _, one in ipairs(r.settings) do

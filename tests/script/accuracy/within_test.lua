@@ -1,0 +1,168 @@
+-- hinge run --within on three small scenes of a new user's kind: an elastic frame that is shaken, a frame that loses a
+-- column, a mass that falls on a frame. The error that is told is held against runs four times finer in everything.
+--
+-- Run: lua5.4 tests/script/accuracy/within_test.lua BUILD_FOLDER, with the module on LUA_CPATH
+package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
+local support = require "support"
+require "hinge"
+local changes = require "hinge.accuracy.changes"
+local measure = require "hinge.cost.measure"
+local checks = support.checks "accuracy_within"
+local case, expect, equal = checks.case, checks.expect, checks.equal
+local build = arg[1]
+local folder = support.temporary_folder()
+
+local frame = [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = STRESS }
+local laden = hinge.material { E = 206e9, density = 60000, yield_stress = STRESS }
+local column = hinge.section.box { width = 0.2, depth = 0.2, thickness = 0.008 }
+local beam = hinge.section.h { depth = 0.25, width = 0.125, web = 0.006, flange = 0.009 }
+local function build()
+  local model, n, columns = hinge.model {}, {}, {}
+  for k = 0, 1 do
+    for i = 0, 2 do
+      local at = #n + 1
+      n[at] = model:node { 5 * i, 0, 3.5 * k }
+      model:fix(n[at], k == 0 and "all" or "y,rx,rz")
+      if k > 0 then columns[#columns + 1] = model:member { n[at - 3], n[at], section = column, material = steel,
+        group = "columns" } end
+      if k > 0 and i > 0 then model:member { n[at - 1], n[at], section = beam, material = laden, group = "beams" } end
+    end
+  end
+  return model, n, columns
+end
+]]
+
+local scripts = {
+  shaken = frame:gsub("STRESS", "nil") .. [[
+local model, n = build()
+local record = {}
+for i = 0, 50 do record[i + 1] = math.sin(0.4 * i) * math.exp(-((i - 25) / 12) ^ 2) end
+model:move { node = { n[1], n[2], n[3] }, x = hinge.ground { dt = 0.02, acceleration = record, scale = 3 } }
+local run = model:dynamic { dt = 5e-3, duration = 1 }
+local roof = run:probe { node = n[4], "ux", name = "roof" }
+run:finish()
+print "shaken"
+return { roof_mm = 1000 * math.max(roof.max, -roof.min), my_energy_error = run.energy_error }
+]],
+  lost = frame:gsub("STRESS", "325e6") .. [[
+local model, n, columns = build()
+model:gravity { 0, 0, -9.81 }
+local rest = model:static { steps = 4 }:finish()
+model:remove { member = columns[2], at = 0 }
+model:fracture { hinge_rotation_x = 0.08, hinge_rotation_y = 0.08 }
+local run = model:dynamic { from = rest, dt = 1e-3, duration = 0.4 }
+local sag = run:probe { node = n[5], "uz", name = "sag" }
+run:finish()
+return { sag_mm = -1000 * sag.min, broken = run:count { state = "broken" } }
+]],
+  struck = frame:gsub("STRESS", "325e6") .. [[
+local model, n = build()
+local block = model:member { model:node { 2.5, -0.8, 3.9 }, model:node { 2.5, 0.8, 3.9 }, material = laden,
+  section = hinge.section.solid { width = 0.2, depth = 0.2 } }
+model:velocity(block, { 0, 0, -8 })
+model:fracture { hinge_rotation_x = 0.03, hinge_rotation_y = 0.03 }
+model:contact {}
+local run = model:dynamic { dt = 1e-4, duration = 0.05 }:finish()
+return { fall_mm = -1000 * select(3, block.a:displacement(run)), broken = run:count { state = "broken" } }
+]],
+}
+for name, text in pairs(scripts) do support.write(("%s/%s.lua"):format(folder, name), text) end
+
+local function hinge_run(words)
+  local status, stdout, stderr = support.run(("cd %s && %s/hinge %s"):format(folder, build, words))
+  return { status = status, stdout = stdout, stderr = stderr }
+end
+
+local function summary_of(out) return support.json(support.read(("%s/%s/summary.json"):format(folder, out))) end
+
+-- The answers of a script with steps and elements that are finer by these factors.
+local function answers_of(name, dt, elements)
+  local path = ("%s/%s.lua"):format(folder, name)
+  local record = measure.once({ run = function() return dofile(path) end }, {}, nil, nil, nil,
+    changes.of { dt = dt, elements = elements })
+  expect(not record.failed, "%s: %s", name, record.failed)
+  return record.answers
+end
+
+local function holds(name, within, told)
+  local fine = answers_of(name, told.values.dt / 4, told.values.elements * 4)
+  for answer, a in pairs(told.answers) do
+    local truth = math.abs(a.value / fine[answer] - 1)
+    if a.value == fine[answer] then truth = 0 end
+    expect(not told.reached or truth <= within, "%s: %s is off by %.3g, asked %g", name, answer, truth, within)
+    expect(truth <= (a.error or math.huge), "%s: %s is off by %.3g, told %s", name, answer, truth, a.error)
+  end
+end
+
+case("an elastic frame that is shaken is within 2 %, and the error that is told holds", function()
+  local r = hinge_run "run shaken.lua --within 2% --out shaken"
+  equal(r.status, 0, "status: " .. r.stderr)
+  local told = summary_of("shaken").accuracy
+  expect(told.reached and told.estimated <= 0.02 and told.asked == 0.02, "told %g", told.estimated)
+  expect(told.answers.roof_mm and not told.answers.my_energy_error, "answers that count")
+  expect(r.stdout:find("shaken\nwithin 2 %: dt ", 1, true), "what the script prints, and then the conclusion:\n%s",
+    r.stdout)
+  expect(r.stdout:find "\n  roof_mm +[%d.]+ +%+%- [%d.]+ %% +[^\n]+ in dt; [^\n]+ in elements", "a line an answer:\n%s",
+    r.stdout)
+  expect(r.stdout:find "asked 2 %%, estimated [%d.]+ %%, cost [%d.]+ m?s; [%d.]+ %% would cost about",
+    "what it cost:\n%s", r.stdout)
+  expect(summary_of("shaken").notes[1] == told.line, "the line is a note, which the report shows")
+  expect(support.is_there(folder .. "/shaken/history.csv"), "the chosen run is written in full")
+  holds("shaken", 0.02, told)
+end)
+
+case("a second call takes the runs of the first", function()
+  local r = hinge_run "run shaken.lua --within 1% --out shaken"
+  equal(r.status, 0, "status: " .. r.stderr)
+  local lines = select(2, support.read(folder .. "/shaken/accuracy/finished.lua"):gsub("\n", "\n"))
+  hinge_run "run shaken.lua --within 1% --out shaken"
+  local again = select(2, support.read(folder .. "/shaken/accuracy/finished.lua"):gsub("\n", "\n"))
+  equal(again, lines, "measurements after a third call")
+end)
+
+case("a frame that loses a column tells its sag, what is not reached, and who broke", function()
+  local r = hinge_run "run lost.lua --within 5% --answers sag_mm,broken --out lost"
+  local told = summary_of("lost").accuracy
+  equal(r.status, told.reached and 0 or 1, "status")
+  holds("lost", 0.05, told)
+  expect(told.broken.in_all + told.broken.in_some > 0 == support.is_there(folder .. "/lost/broken.csv"), "broken.csv")
+end)
+
+case("a mass that falls on a frame tells an error that holds, or that there is none", function()
+  local r = hinge_run "run struck.lua --within 10% --budget 20 --out struck"
+  local told = summary_of("struck").accuracy
+  equal(r.status, told.reached and 0 or 1, "status")
+  if not told.reached then expect(r.stdout:find "^10 %% is not reached: the error of", "conclusion:\n%s", r.stdout) end
+  local reference = answers_of("struck", told.values.dt / 4, 8)
+  for name, a in pairs(told.answers) do
+    local truth = a.value == reference[name] and 0 or math.abs(a.value / reference[name] - 1)
+    expect(not a.error or a.error > 1 or truth <= a.error, "%s is off by %.3g, told %s", name, truth, a.error)
+  end
+end)
+
+case("what is wrong on the command line is named", function()
+  for words, complaint in pairs {
+    ["run shaken.lua --within 2%% --answers top"] = "unknown answer 'top'",
+    ["run shaken.lua --within much"] = "--within much: must be a part above 0",
+    ["run shaken.lua --budget 5"] = "--within",
+    ["study shaken.lua x=1,2 --within 2%% --list"] = "--list",
+  } do
+    local r = hinge_run((words:gsub("%%%%", "%%")) .. " --out wrong")
+    expect(r.status ~= 0 and r.stderr:find(complaint, 1, true), "%s: %s %s", words, r.status, r.stderr)
+  end
+end)
+
+case("a study chooses its settings once, and checks them in some of its cases", function()
+  support.write(folder .. "/many.lua", scripts.shaken:gsub('local model, n = build%(%)', 'local p = ...\n%0', 1)
+    :gsub("scale = 3", "scale = tonumber(p.scale)"))
+  local r = hinge_run "study many.lua scale=1,2,3,4 --within 3% --answers roof_mm --out many"
+  equal(r.status, 0, "status: " .. r.stderr)
+  local told = summary_of("many").accuracy
+  expect(#told.checked == 3 and told.asked == 0.03, "cases that are checked: %d", #told.checked)
+  for _, one in ipairs(told.checked) do expect(one.error <= 0.03, "case %d: %s", one.case, one.error) end
+  expect(r.stdout:find("within 3 %: dt ", 1, true), "its line:\n%s", r.stdout)
+end)
+
+checks.done()
