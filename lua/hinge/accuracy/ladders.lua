@@ -14,7 +14,8 @@ Ladders.__index = Ladders
 local rounding = 1e-12 -- of the unit: an answer below it is 0
 local longest = 4      -- values of a ladder that count, the finest ones
 
---- knobs: { { name =, theory = order, ratio =, least = level, most = level }, ... }; corner: their coarsest levels.
+--- knobs: { { name =, theory = order, ratio =, work = exponent of the work over the ratio (1), least = level, most =
+-- level }, ... }; corner: their coarsest levels.
 -- accepted: the part by which answers may change and pass for settled.
 function Ladders.new(knobs, corner, accepted)
   return setmetatable({ accepted = accepted, knobs = knobs, corner = corner, coarse = corner, records = {},

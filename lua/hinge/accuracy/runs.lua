@@ -69,6 +69,9 @@ local function plain_record(record, began)
   record.wall = record.seconds + (record.outside or 0)
   record.seconds = os.clock() - began
   record.stages, record.memory = nil, nil
+  local work = 0
+  for _, run in ipairs(record.runs) do work = work + run.steps * run.elements end
+  record.work = work > 0 and work or nil
   return record
 end
 

@@ -19,12 +19,12 @@ local restless = 4   -- values of a ladder after which an answer should come to 
 local rounding = 1e-12
 
 --- problem: knobs and corner (see Ladders.new), within, names(record) of the answers that count, run(levels, vary,
--- chosen), which returns { answers =, seconds =, failed = } or nil where the budget ends; foretell(levels) and
--- fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
+-- chosen), which returns { answers =, seconds =, work = steps times elements or nil, failed = } or nil where the budget
+-- ends; foretell(levels) and fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
 function Search.new(problem)
   return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
-    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2), seconds = 0, runs = 0, stuck = {},
-    sensitive = {}, names = {} }, Search)
+    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2), seconds = 0, work = 0, runs = 0,
+    stuck = {}, sensitive = {}, names = {} }, Search)
 end
 
 --- The run of these levels; `chosen`: made in full, whatever is known of it. nil and why it is not there: "budget", or
@@ -42,6 +42,7 @@ function Search:run(levels, vary, chosen)
     record.levels = levels
     self.ladders:keep(levels, vary, record)
     self.runs, self.seconds = self.runs + 1, self.seconds + record.seconds
+    self.work = self.work + (record.work or record.seconds)
   end
   if record.failed then return nil, record.failed end
   if vary == 0 and next(self.ladders.chaotic) then
@@ -54,7 +55,7 @@ end
 function Search:begin_with(record)
   record.levels = self.ladders.corner
   self.ladders:keep(self.ladders.corner, 0, record)
-  self.runs, self.seconds = 1, record.seconds
+  self.runs, self.seconds, self.work = 1, record.seconds, record.work or record.seconds
 end
 
 -- The coarsest setting that has an answer: the first knob is refined until there is one.
@@ -292,12 +293,17 @@ function Search:check_of(chosen)
   return finer and checked or nil
 end
 
--- Makes the check of a setting where it is cheap enough. Returns its levels, nil where there is none.
+-- Makes the check of a setting where it is cheap enough, by steps and elements: the same on every machine. Returns its
+-- levels, nil where there is none.
 function Search:run_check(chosen, own)
   local checked = self:check_of(chosen)
   if not checked then return nil end
-  local dear = self.seconds + self.problem.foretell(checked) > dearest * own.seconds
-  if dear and not self.ladders:at(checked) then return nil end
+  local work = own.work or own.seconds
+  local more = work
+  for _, knob in ipairs(self.knobs) do
+    more = more * knob.ratio ^ ((knob.work or 1) * (checked[knob.name] - chosen[knob.name]))
+  end
+  if self.work + more > dearest * work and not self.ladders:at(checked) then return nil end
   return self:run(checked) and checked or nil
 end
 

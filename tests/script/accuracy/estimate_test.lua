@@ -125,7 +125,7 @@ local function search(answers, within, options)
   local one
   one = Search.new {
     knobs = { { name = "dt", theory = 2, ratio = 2, least = -6, most = options.most or 6 },
-      { name = "elements", theory = 2, ratio = 2, least = 0, most = options.most or 6 } },
+      { name = "elements", theory = 2, ratio = 2, work = growth, least = 0, most = options.most or 6 } },
     corner = { dt = -2, elements = 0 }, within = within, most_runs = 20, economic = options.economic,
     names = function(record) return library.keys(record.answers) end,
     foretell = function(levels) return 2.0 ^ (levels.dt + growth * levels.elements) end,
