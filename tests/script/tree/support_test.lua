@@ -1,5 +1,5 @@
 -- What the tests rest on: a number that is not one is missed by every limit, and no test collects its errors so that it
--- is dropped. Printed text is compared with numbers as numbers.
+-- is dropped. Printed text is compared with numbers as numbers. ctest runs every test file in Lua.
 --
 -- Run: lua5.4 tests/script/tree/support_test.lua
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -189,6 +189,40 @@ case("no line of the tests drops a number that is not one", function()
     end
   end
   expect(files > 50 and lines > 8000, "%d files of %d lines were looked at", files, lines)
+end)
+
+-- That every test runs ------------------------------------------------------------------------------------------------
+
+-- The files, below tests/script, that lines of tests/CMakeLists.txt give to add_script_test.
+local function registered(text)
+  local files = {}
+  for line in ("\n" .. text):gmatch "\n%s*add_script_test%(([^\n]*)" do
+    local file = line:match "^%S+ %${HINGE_LUA} %${scripts}/([%w_/]+_test%.lua)%f[%s)]"
+    if file then files[file] = true end
+  end
+  return files
+end
+
+case("a line that adds no test is not taken for one", function()
+  local line = "add_script_test(a ${HINGE_LUA} ${scripts}/run/a_test.lua"
+  for text, found in pairs {
+    [line .. ")"] = true, ["  " .. line .. " ${CMAKE_BINARY_DIR} 0.02)"] = true,
+    ["# " .. line .. ")"] = false, [line .. "x)"] = false, ["# ${scripts}/run/a_test.lua"] = false,
+    ["add_script_test(a ${HINGE_LUA} ${scripts}/effects/a_test.lua)"] = false,
+  } do
+    expect((registered(text)["run/a_test.lua"] or false) == found, "'%s': adds a test: must be %s", text, found)
+  end
+end)
+
+case("every Lua test has its line add_script_test in tests/CMakeLists.txt", function()
+  local added, count = registered(support.read(support.root .. "tests/CMakeLists.txt")), 0
+  local there = support.output(("cd %stests/script && find . -name '*_test.lua'"):format(support.quote(support.root)))
+  for path in there:gmatch "%./([^\n]+)" do
+    count = count + 1
+    expect(added[path], "tests/script/%s never runs: give tests/CMakeLists.txt a line add_script_test(%s ${HINGE_LUA} "
+      .. "${scripts}/%s), with what it is called with behind it", path, path:match "([%w_]+)_test%.lua$", path)
+  end
+  expect(count > 100, "%d tests were looked at", count)
 end)
 
 checks.done()
