@@ -1,4 +1,4 @@
--- The checks of hinge.results.aisc against AISC 360-16, row by row: one row on each side of each limit. The numbers are
+-- The checks of standards/aisc_360 against AISC 360-16, row by row: one row on each side of each limit. The numbers are
 -- a second transcription, made without the code of the checks.
 --
 -- Read for it: table B4.1 as pages that print it; E3, F7, G5 and H3 as the verification examples of STAAD.Pro's help

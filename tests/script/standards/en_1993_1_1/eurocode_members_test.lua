@@ -1,4 +1,4 @@
--- The checks of members in hinge.results.eurocode against EN 1993-1-1:2005, 6.3 and annex B, row by row: one row on
+-- The checks of members in standards/en_1993_1_1 against EN 1993-1-1:2005, 6.3 and annex B, row by row: one row on
 -- each side of each limit. A second transcription; eurocode_tables_test.lua says what was read.
 --
 -- Run: lua5.4 tests/script/standards/en_1993_1_1/eurocode_members_test.lua, with the module on LUA_CPATH

@@ -1,4 +1,4 @@
--- What the tests of hinge.results.eurocode share: sections of each kind, and a demand.
+-- What the tests of standards/en_1993_1_1 share: sections of each kind, and a demand.
 local hinge = require "hinge"
 local scenes = require "scenes"
 local profile = require "hinge.results.profile"

@@ -1,4 +1,4 @@
--- The checks of hinge.results.eurocode against the tables of EN 1993-1-1:2005, row by row: one row on each side of each
+-- The checks of standards/en_1993_1_1 against the tables of EN 1993-1-1:2005, row by row: one row on each side of each
 -- limit. The numbers are a second transcription, made without the code of the checks.
 --
 -- Read for it: table 5.2 and table 6.2 as pages of the standard and as SCIA Engineer's help gives them; 6.18 a to g and
