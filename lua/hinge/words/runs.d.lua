@@ -168,6 +168,11 @@ local run = {}
 ---@field joints number joint_stored + joint_dissipated; these three only if members' ends have joints
 ---@field joint_stored number stored in the springs of joints now
 ---@field joint_dissipated number plastic work of joints, and what was lost when they broke
+---@field ground number ground_stored + ground_dissipated; these three only if the model has a ground
+---@field ground_stored number stored now where members press on the ground
+---@field ground_dissipated number lost to the ground's damping, friction and restitution
+---heat and prestress: energy taken out; below 0 they have done work. Only with model:heat or model:prestress
+---@field heat number
 ---@field numerical number dissipated by the integrator (rho_infinity)
 ---@field work number work of the loads
 ---@field energy_error number the energy error: initial + work - all other accounts (without their parts)

@@ -97,6 +97,8 @@ local function scene()
   s.model:member { there, s.model:node { 2, 0, 5 }, section = s.bar, material = s.steel }
   s.node_joint = s.model:joint { here, there, joint = hinge.joint { Mx = { stiffness = 1e6 } } }
   s.model:damping { alpha = 1 }
+  s.model:ground { point = { 0, 0, -9 } }
+  s.model:prestress { member = s.member, strain = 1e-6 }
   s.run = s.model:dynamic { dt = 1e-4, duration = 1e-3, loads = {} }
   s.probe = s.run:probe { node = s.tip, "uz" }
   s.snapshot = s.run:snapshot()
