@@ -26,16 +26,17 @@ local function damage_table(damage, groups)
   return table.concat(lines, "\n")
 end
 
-local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "damping",
-  "numerical",
-  "energy_error" }
+-- The accounts of which the balance consists (hinge.energy), without their parts.
+local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "ground",
+  "connectors", "joints", "damping", "heat", "numerical", "energy_error" }
+local shown_if_any = { heat = true, numerical = true }
 
 local function energy_table(run)
   local energy = run.energy
   local lines = { "energy, kJ" }
   for _, name in ipairs(accounts) do
     local joules = energy[name]
-    if joules and (joules ~= 0 or name ~= "numerical") then
+    if joules and (joules ~= 0 or not shown_if_any[name]) then
       local part = name == "energy_error"
         and ("   %.2g %% of the largest energy"):format(100 * run.energy_error) or ""
       lines[#lines + 1] = ("%-16s%14.3f%s"):format(name, joules / 1e3, part)

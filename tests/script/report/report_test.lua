@@ -268,4 +268,31 @@ for _ in run:steps() do hinge.frame(run) end
   end
 end)
 
+case("the table at the end of a run has all accounts of the balance", function()
+  local text = [[
+local hinge = require "hinge"
+local steel = hinge.material { E = 2e11, density = 7850, yield_stress = 235e6 }
+local model, bar = hinge.model(), hinge.section.solid { width = 0.1, depth = 0.1 }
+local a, b, c = model:node { 0, 0, 1.5 }, model:node { 1.5, 0, 1.5 }, model:node { 3, 0, 1.5 }
+model:fix(a)
+model:member { a, b, section = bar, material = steel, group = "bars" }
+model:member { b, c, section = bar, material = steel, group = "bars",
+  ends = { a = hinge.joint { Mx = { stiffness = 1e6, strength = 5e3 } } } }
+model:mass { node = c, mass = 2000 }
+model:ground {}
+model:gravity { 0, 0, -9.81 }
+local run = model:dynamic { dt = 2e-4, duration = 1 }:finish()
+require "hinge.report".show(run, { "bars" })
+]]
+  local _, printed = hinge_on("run", text, "--out table")
+  local sum, rows, wrong = 0, 0, nil
+  local of = { initial = 1, work = 1 }
+  for name, kJ in (printed:match "energy, kJ\n(.-)\n\n" or ""):gmatch "(%l[%l_]*) +(%-?[%d.]+)" do
+    if name == "energy_error" then wrong = tonumber(kJ) else sum, rows = sum + (of[name] or -1) * kJ, rows + 1 end
+    if name == "ground" or name == "joints" then expect(tonumber(kJ) > 1, "%s: %s kJ", name, kJ) end
+  end
+  expect(rows == 10 and wrong, "%d accounts in\n%s", rows, printed)
+  near(sum, wrong or 0 / 0, 0.0055, "what the accounts leave, kJ: each has three digits after the point")
+end)
+
 checks.done()
