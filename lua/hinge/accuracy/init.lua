@@ -97,7 +97,6 @@ local function notes_of(search, record)
   for name in pairs(record.answers) do
     if name:find(own_error) then notes[#notes + 1] = name .. " is not counted: it is an error itself" end
   end
-  if #search.knobs == 0 then notes[#notes + 1] = "the script has nothing to refine: it makes no run" end
   for name, spread in pairs(search.sensitive) do
     if search.ladders.chaotic[name] then
       notes[#notes + 1] = ("%s is chaotic: it changes by %s where stiffness and strength change by 1e-9"):format(name,
@@ -175,13 +174,16 @@ local function told_of(o, runs, search, found)
 end
 
 --- Runs a script within an accuracy. o: script, scenario, case, overrides, parameters, out, out_given, within, budget,
--- answers, progress. Returns what report.lines takes, and folder and printed (what the script printed).
+-- answers, progress. Returns what report.lines takes, and folder and printed (what the script printed); nil and why
+-- where the script has no answer.
 function accuracy.run(o)
   local tell = teller(o.progress)
   local runs = Runs.open(o)
   tell.say "first run"
   local first, all, corner = runs:first()
   if not first then check.fail("%s: the budget ended before the first run was finished; give a larger one", where) end
+  if first.failed and #first.runs == 0 then return nil, words_of(first.failed) end
+  if #all == 0 then check.fail("%s: the script makes no run of a model, so there is nothing to refine", where) end
   if not o.measured_only then runs:own_folder() end
   local problem = problem_of(o, runs, tell, first, all, corner)
   local search = Search.new(problem)
@@ -194,7 +196,7 @@ function accuracy.run(o)
   end
   local found, why = search:find()
   tell.close()
-  if not found then check.fail("%s: there is no answer: %s", where, words_of(why)) end
+  if not found then return nil, words_of(why) end
   local told = told_of(o, runs, search, found)
   if not o.measured_only then accuracy.write(told) end
   return told

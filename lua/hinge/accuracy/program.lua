@@ -1,5 +1,6 @@
 -- hinge run SCRIPT --within 2%: reads the command line, searches, makes the chosen run, prints and writes.
 local accuracy = require "hinge.accuracy"
+local check = require "hinge.library.check"
 local files = require "hinge.study.files"
 local report = require "hinge.accuracy.report"
 local runner = require "hinge.program.runner"
@@ -19,16 +20,20 @@ end
 -- exit status: 0 where the answers are within what was asked, 1 where they are not, or the run failed.
 function program.main(options)
   return runner.guard(function()
+    if options.sandbox then
+      check.fail("--within %s: runs a script many times, and does not go with --sandbox", options.within)
+    end
     local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
       "a part above 0, such as 2% or 0.02")
     local budget = values.time("--budget", options.budget)
     files.watch()
     local scenario = accuracy.load(options)
     local parameters = parameters_of(options, scenario)
-    local told = accuracy.run { script = options.script, scenario = scenario, case = options.case,
+    local told, why = accuracy.run { script = options.script, scenario = scenario, case = options.case,
       overrides = options.overrides, parameters = parameters, out = runner.folder(options, parameters),
       out_given = options.out_given ~= nil, within = within, budget = budget,
       answers = values.names("--answers", options.answers), progress = options.quiet == nil }
+    if not told then return runner.status("failed", why) end
     io.stdout:write(told.printed)
     for _, line in ipairs(report.lines(told)) do print(line) end
     print("written to " .. told.folder)

@@ -29,7 +29,8 @@ end
 -- runs of all cases. o: within, budget, answers. Returns what study.check takes.
 function study.choose(what, o)
   local all = what.propose and {} or vary.cases(what.plan)
-  local told = accuracy.run(of_case(what, all[#all // 2 + 1] or all[1] or {}, o))
+  local told, why = accuracy.run(of_case(what, all[#all // 2 + 1] or all[1] or {}, o))
+  if not told then check.fail("--within: the case of the choice has no answer: %s", why) end
   local set, factors = knobs.apply(told.knobs, told.levels)
   factors.integrator = told.integrator
   what.fixed = what.fixed or {}
