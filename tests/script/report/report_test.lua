@@ -269,7 +269,7 @@ for _ in run:steps() do hinge.frame(run) end
 end)
 
 case("the table at the end of a run has all accounts of the balance", function()
-  local text = [[
+  local scene_text = [[
 local hinge = require "hinge"
 local steel = hinge.material { E = 2e11, density = 7850, yield_stress = 235e6 }
 local model, bar = hinge.model(), hinge.section.solid { width = 0.1, depth = 0.1 }
@@ -284,7 +284,7 @@ model:gravity { 0, 0, -9.81 }
 local run = model:dynamic { dt = 2e-4, duration = 1 }:finish()
 require "hinge.report".show(run, { "bars" })
 ]]
-  local _, printed = hinge_on("run", text, "--out table")
+  local _, printed = hinge_on("run", scene_text, "--out table")
   local sum, rows, wrong = 0, 0, nil
   local of = { initial = 1, work = 1 }
   for name, kJ in (printed:match "energy, kJ\n(.-)\n\n" or ""):gmatch "(%l[%l_]*) +(%-?[%d.]+)" do
