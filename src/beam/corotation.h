@@ -203,4 +203,32 @@ template <class Real>
     return out;
 }
 
+/// Rates d' of the basic deformations from the velocities of an element's nodes in space, linear and angular: the
+/// transpose of nodal_forces, so that p . d' is the power of the forces.
+template <class Real>
+[[gnu::always_inline]] inline void deformation_rates(const ElementFrame<Real>& p, const Triple<Real> (&linear)[2],
+                                                     const Triple<Real> (&angular)[2], Real rate[6]) {
+    const Real half = spread(0.5, p.length), zero = spread(0.0, p.length);
+    const auto to_frame = [&](const Triple<Real>& a) -> Triple<Real> {
+        return {dot(p.frame.x, a), dot(p.frame.y, a), dot(p.frame.z, a)};
+    };
+    const Triple<Real> along = to_frame(linear[1] - linear[0]), spin[2] = {to_frame(angular[0]), to_frame(angular[1])};
+    const Real slope = p.y_mean_z / p.y_mean_y;
+    const Real by_axes = spin[0].y * p.y[0].z - spin[0].z * p.y[0].y + spin[1].y * p.y[1].z - spin[1].z * p.y[1].y;
+    const Triple<Real> of_frame = {along.y / p.length, zero - along.x / p.length,
+                                   half * by_axes / p.y_mean_y - slope * along.x / p.length};
+    Triple<Real> theta[2];  // rates of the rotation vectors
+    for (int i = 0; i < 2; ++i) {
+        const Triple<Real>& t = p.theta[i];
+        const Triple<Real> relative = spin[i] + of_frame, once = cross(t, relative);
+        theta[i] = relative - half * once + inverse_tangent_coefficient(dot(t, t)) * cross(t, once);
+    }
+    rate[0] = theta[0].x;
+    rate[1] = theta[1].x;
+    rate[2] = theta[0].y;
+    rate[3] = theta[1].y;
+    rate[4] = along.z;
+    rate[5] = theta[1].z - theta[0].z;
+}
+
 }  // namespace hinge::beam

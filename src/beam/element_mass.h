@@ -27,6 +27,15 @@ struct Inertia {
         return {{own[0], own[1]}, across, {rotary[0] + rotary_across, rotary[1] + rotary_across}, Vec3::Zero()};
     }
 
+    /// matrix(axes) times v.
+    Vec12 times(const Mat3& axes, const Vec12& v) const {
+        const Vec3 spin[2] = {axes.transpose() * v.segment<3>(3), axes.transpose() * v.segment<3>(9)};
+        Vec12 out;
+        for (int i : {0, 1})
+            out.segment<6>(6 * i) << own[i] * v.segment<3>(6 * i) + across * v.segment<3>(6 * (1 - i)),
+                axes * (rotary[i].cwiseProduct(spin[i]) + rotary_across.cwiseProduct(spin[1 - i]));
+        return out;
+    }
     /// 12 x 12, order [u1 t1 u2 t2], in space; `axes`: columns are the local axes.
     Mat12 matrix(const Mat3& axes) const {
         const auto in_space = [&](const Vec3& J) -> Mat3 { return axes * J.asDiagonal() * axes.transpose(); };

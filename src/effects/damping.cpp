@@ -345,17 +345,13 @@ private:
                     alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * velocity_relative(node));
     }
 
-    /// The part of beta at the trial pose. The rates of the element's deformation are d' = B v, B^T what makes nodal
-    /// forces of p, in its axes of now.
+    /// The part of beta at the trial pose.
     Vec12 force_by_stiffness(int element, const ElementFrame& place) const {
         const Element& e = w_.structure.elements()[element];
-        Vec12 v;
-        v << w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]];
-        const Eigen::Matrix<double, 12, 6> to_nodes = forces_at_nodes(place);
-        const Vec6 rate = to_nodes.transpose() * v;
+        const Vec6 rate = deformation_rates(place, w_.trial.velocity[e.node[0]], w_.trial.velocity[e.node[1]]);
         const beam::Stiffness k = stiffness_now(w_.structure, w_.state, element);
-        const ElasticRate* flow = find_rate(w_.elastic_rates, element);
-        return to_nodes * (damping_[element].of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
+        const ElasticRate* flow = w_.elastic_rates.empty() ? nullptr : find_rate(w_.elastic_rates, element);
+        return nodal_forces(place, damping_[element].of_stiffness * (flow ? flow->forces(k, rate) : k.times(rate)));
     }
 
     /// Of both parts.
@@ -369,7 +365,7 @@ private:
         if (c.of_mass != 0) {
             Vec12 relative;
             relative << velocity_relative(e.node[0]), velocity_relative(e.node[1]);
-            force = c.of_mass * (inertia_now(w_.structure, w_.state, element).matrix(axes_of(place)) * relative);
+            force = c.of_mass * inertia_now(w_.structure, w_.state, element).times(axes_of(place), relative);
             if (is_lone(w_.structure, w_.state, element)) {
                 const int inner = inner_end(element, e);
                 const Vec3 arm = w_.trial.rotation[e.node[inner]] * w_.state.offset_arm[element];

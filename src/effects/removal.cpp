@@ -121,7 +121,7 @@ private:
     void stand_in(int element, double from, double over) {
         const Structure& s = w_.structure;
         const Element& e = s.elements()[std::size_t(element)];
-        const Vec12 forces = forces_at_nodes(element_frame(s, element, w_.trial)) * w_.force[std::size_t(element)];
+        const Vec12 forces = nodal_forces(element_frame(s, element, w_.trial), w_.force[std::size_t(element)]);
         for (const int end : {0, 1}) {
             const int node = s.declared_node(e.node[end]);
             const auto stays = [&](int other) { return !w_.state.broken[std::size_t(other)] && !is_going(other); };

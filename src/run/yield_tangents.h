@@ -64,7 +64,7 @@ inline void add_response(const Structure& structure, const State& state, const C
         } else {
             p += g.own * stiffness_now(structure, state, g.element, heat_of(pose.heat, g.element)).solve(own);
         }
-        const Vec12 f = forces_at_nodes(element_frame(structure, g.element, pose)) * p;
+        const Vec12 f = nodal_forces(element_frame(structure, g.element, pose), p);
         for (int end : {0, 1}) resisting[structure.elements()[g.element].node[end]] += f.segment<6>(6 * end);
     }
 }

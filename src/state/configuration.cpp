@@ -82,6 +82,31 @@ Eigen::Matrix<double, 12, 6> forces_at_nodes(const ElementFrame& placement) {
     return to_nodes;
 }
 
+Vec6 deformation_rates(const ElementFrame& placement, const Vec6& first, const Vec6& second) {
+    if (placement.wound) {
+        Vec12 v;
+        v << first, second;
+        return beam::rates(*placement.wound) * v;
+    }
+    const beam::Triple<double> linear[2] = {{first[0], first[1], first[2]}, {second[0], second[1], second[2]}},
+                               angular[2] = {{first[3], first[4], first[5]}, {second[3], second[4], second[5]}};
+    Vec6 rate;
+    beam::deformation_rates(placement, linear, angular, rate.data());
+    return rate;
+}
+
+Vec12 nodal_forces(const ElementFrame& placement, const Vec6& p) {
+    if (placement.wound) return beam::rates(*placement.wound).transpose() * p;
+    double of_p[6];
+    std::copy_n(p.data(), 6, of_p);
+    const beam::NodalForces<double> f = beam::nodal_forces(placement, of_p);
+    Vec12 out;
+    for (int end : {0, 1})
+        out.segment<6>(6 * end) << f.force[end].x, f.force[end].y, f.force[end].z, f.moment[end].x, f.moment[end].y,
+            f.moment[end].z;
+    return out;
+}
+
 Mat12 element_tangent(const ElementFrame& placement, const Vec6& p, const Mat6& k, bool geometric) {
     return placement.wound ? beam::tangent(*placement.wound, p, k, geometric)
                            : beam::tangent(placement, p, k, geometric);

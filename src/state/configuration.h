@@ -22,6 +22,9 @@ ElementFrame element_frame(const Structure& structure, int element, const Pose& 
 Vec6 element_deformation(const Structure& structure, int element, const Pose& at);
 Vec6 element_deformation(const Structure& structure, int element, const Pose& at, const ElementFrame& placement);
 Eigen::Matrix<double, 12, 6> forces_at_nodes(const ElementFrame& placement);  ///< times p: nodal forces, in space
+/// Rates of an element's deformation from the velocities of its nodes, and the nodal forces of p; both in space.
+Vec6 deformation_rates(const ElementFrame& placement, const Vec6& first, const Vec6& second);
+Vec12 nodal_forces(const ElementFrame& placement, const Vec6& p);
 /// Element stiffness in space; large displacement: see beam/tangent.h.
 Mat12 element_tangent(const ElementFrame& placement, const Vec6& p, const Mat6& k, bool geometric);
 

@@ -74,12 +74,11 @@ inline ElasticRate elastic_rate(const Structure& structure, const State& state, 
     }
     if (!of.mean.isZero(0)) {
         const Element& e = structure.elements()[y.element];
-        Vec12 v;
-        v << state.velocity[e.node[0]], state.velocity[e.node[1]];
+        const Vec6 rate = deformation_rates(element_frame(structure, y.element, pose), state.velocity[e.node[0]],
+                                            state.velocity[e.node[1]]);
         const double part = std::min(1.0, rests_on_mean * dt / beta);
         of.q = std::sqrt(0.5 * (1 + part)) * of.mean;
-        of.steady -= 0.5 * (1 - part) * of.mean *
-                     of.mean.dot(forces_at_nodes(element_frame(structure, y.element, pose)).transpose() * v);
+        of.steady -= 0.5 * (1 - part) * of.mean * of.mean.dot(rate);
     }
     // k (D - P) / dt - (k - mean mean^T) D / dt
     if (moved) of.steady += (of.mean * of.mean.dot(D) - kP) / dt;

@@ -202,6 +202,28 @@ TEST_CASE("nodal forces do the work of p on d: f . du = p . dd (1e-7: a differen
     CHECK_FIGURE("f . du against p . dd", worst, 1e-7);
 }
 
+TEST_CASE("rates of the deformation are the transpose of the nodal forces: p . d' is their power (1e-13: rounding)") {
+    Dice dice(27);
+    double worst = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const beam::ElementFrame<double> place = random_bar(dice, trial % 2 ? 0.05 : 1.0).placement();
+        double p[6], rate[6], power = 0, size = 0;
+        for (double& v : p) v = dice(-1, 1);
+        Triple<double> linear[2], angular[2];
+        for (auto* of : {linear, angular})
+            for (int node : {0, 1}) of[node] = {dice(-1, 1), dice(-1, 1), dice(-1, 1)};
+        deformation_rates(place, linear, angular, rate);
+        const NodalForces<double> f = nodal_forces(place, p);
+        for (int node : {0, 1}) {
+            const double parts[] = {dot(f.force[node], linear[node]), dot(f.moment[node], angular[node])};
+            for (const double part : parts) power += part, size += std::abs(part);
+        }
+        for (int i = 0; i < 6; ++i) power -= p[i] * rate[i], size += std::abs(p[i] * rate[i]);
+        worst = largest_of(worst, std::abs(power) / size);
+    }
+    CHECK_FIGURE("power of the nodal forces against p . d'", worst, 1e-13);
+}
+
 TEST_CASE("a rotation vector on top of a quaternion is Eigen's exponential, and stays a unit quaternion (1e-15)") {
     Dice dice(27);
     double worst = 0, length = 0;
