@@ -173,6 +173,7 @@ function Writer:rows(panel, s, kept)
     local i = kept and kept[k] or k
     if layout.shown(panel, s, i) then
       data[#data + 1] = number(s.x[i]) .. " " .. number(s.y[i]) .. (s.high and " " .. number(s.high[i]) or "")
+        .. (s.bar_low and (" %s %s"):format(number(s.bar_low[i]), number(s.bar_high[i])) or "")
     elseif data[#data] ~= "" then data[#data + 1] = "" end
   end
   data[#data + 1] = "\n"
@@ -212,6 +213,9 @@ function Writer:bars(panel, s, at)
   return ("using ($1%+.9g):2:(%.9g) with boxes"):format(off, 0.94 * width)
 end
 
+-- Marks of gnuplot, with sizes that look alike; larger than plain points, since a reader tells series by them.
+local plain, marks = { 7, 1 }, { { 7, 1.35 }, { 5, 1.25 }, { 9, 1.75 }, { 13, 1.75 } }
+
 local function colour_of(s)
   local colour = s.colour or read.colours[(s.place - 1) % #read.colours + 1]
   if not s.faint then return colour end
@@ -228,11 +232,16 @@ function Writer:part(panel, s, bar)
   -- after the eight colours of the series come dashes
   local dashed = s.dashed ~= (not s.colour and (s.place - 1) // #read.colours % 2 == 1)
   local line = ("lw %.3g%s lc %s"):format(thick, dashed and " dt (24,14)" or "", colour)
-  local dots = ("pt 7 ps %.3g"):format(self.em / (s.style == "points" and 18 or 20))
+  local mark = s.mark and marks[s.mark] or plain
+  local dots = ("pt %d ps %.3g"):format(mark[1], mark[2] * self.em / (s.style == "points" and 18 or 20))
   if s.style == "bars" then return ("%s %s lc %s %s"):format(data, self:bars(panel, s, bar), colour, title) end
   if s.style == "band" then
     local foot = panel.log_y and ("1:($2 > 0 ? $2 : %.9g):3"):format(panel.y_ends[1]) or "1:2:3"
     return ("%s using %s with filledcurves fs transparent solid 0.28 lc %s %s"):format(data, foot, colour, title)
+  end
+  if s.bar_low then -- a foot that is not above 0 ends at the axis
+    data = ("%s using 1:2:%s:4 with yerrorbars pt 0 ps 0 lw %.3g lc %s notitle, \\\n     %s using 1:2"):format(data,
+      panel.log_y and ("($3 > 0 ? $3 : %.9g)"):format(panel.y_ends[1]) or "3", 0.7 * thick, colour, data)
   end
   if s.style == "points" then return ("%s with points %s lc %s %s"):format(data, dots, colour, title) end
   if s.style == "line and points" then return ("%s with linespoints %s %s %s"):format(data, dots, line, title) end

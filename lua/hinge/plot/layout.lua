@@ -70,7 +70,8 @@ function layout.measure(panel)
       if layout.shown(panel, s, i) then
         panel.any = true
         if is_in(panel.y_range, s.y[i]) then add(x, s.x[i] - reach) add(x, s.x[i] + reach) end
-        for _, v in ipairs { s.y[i], s.high and s.high[i] } do
+        for _, values in pairs { s.y, s.high, s.bar_low, s.bar_high } do
+          local v = values[i]
           if usable(v, panel.log_y) then
             add(all_y, v)
             if is_in(panel.x_range, s.x[i]) then add(y, v) end
@@ -205,6 +206,11 @@ function Ground:series(s)
       else
         if s.style ~= "points" and before_x then self:line(before_x, before_y, x, y) end
         self:take(x, y)
+        if s.bar_low and s.bar_low[i] and s.bar_high[i] then
+          local _, foot = self:pixel(s.x[i], s.bar_low[i])
+          local _, head = self:pixel(s.x[i], s.bar_high[i])
+          self:line(x, math.max(foot, 0), x, head)
+        end
         before_x, before_y = x, y
       end
     end

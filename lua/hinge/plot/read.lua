@@ -9,6 +9,7 @@ read.colours = { 0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x0
 local colour_names = { blue = 1, red = 2, green = 3, purple = 4, orange = 5, sky = 6, black = 7, yellow = 8 }
 read.grey = 0x6e747c
 local styles = { "line", "points", "line and points", "band", "bars" }
+local marks = { "circle", "square", "triangle", "diamond" } -- a picture in grey tells series by them
 
 -- A script in the sandbox may replace the functions of hinge.check, but not this one.
 local function fail(format, ...) core.input_error(format:format(...)) end
@@ -25,7 +26,9 @@ local size_rules = { width = { "number", whole = true, at_least = 64, at_most = 
   height = { "number", whole = true, at_least = 64, at_most = 8192, optional = true } }
 local series_rules = { name = { "string", optional = true }, dashed = { "boolean", default = false },
   faint = { "boolean", default = false } }
-for _, name in ipairs { "x", "y", "low", "high", "style", "colour", "labels" } do series_rules[name] = { "any" } end
+for _, name in ipairs { "x", "y", "low", "high", "style", "colour", "labels", "mark" } do
+  series_rules[name] = { "any" }
+end
 local line_rules = { x = { "number", optional = true }, y = { "number", optional = true },
   name = { "string", optional = true }, dashed = { "boolean", default = true }, colour = { "any" } }
 
@@ -141,16 +144,38 @@ local function style_of(where, given)
   local between = given.low ~= nil or given.high ~= nil
   local style = given.style
   if style == nil then return between and "band" or "line" end
+  local dots = style == "points" or style == "line and points"
   for _, name in ipairs(styles) do
     if name == style then
-      if between and style ~= "band" then
-        complain(where, "style", "'" .. style .. "'", "be 'band', which has low and high")
+      if between and style ~= "band" and not dots then
+        complain(where, "style", "'" .. style .. "'", "be 'band', 'points' or 'line and points', which have "
+          .. "low and high")
       end
       return name
     end
   end
   return complain(where, "style", check.show(style), "be one of '" .. table.concat(styles, "', '") .. "'"
     .. (type(style) == "string" and core.did_you_mean(style, styles) or ""))
+end
+
+local function mark_of(where, given, style)
+  if given.mark == nil then return nil end
+  if style ~= "points" and style ~= "line and points" then
+    complain(where, "mark", check.show(given.mark), "be left out: only points have one")
+  end
+  for i, name in ipairs(marks) do
+    if name == given.mark then return i end
+  end
+  return complain(where, "mark", check.show(given.mark), "be one of '" .. table.concat(marks, "', '") .. "'"
+    .. (type(given.mark) == "string" and core.did_you_mean(given.mark, marks) or ""))
+end
+
+-- low and high of points: the ends of an upright bar through each.
+local function read_bars(where, given, s)
+  for _, name in ipairs { "low", "high" } do
+    if given[name] == nil then fail("%s: field '%s' is missing; a bar has low and high", where, name) end
+    s["bar_" .. name] = as_many(where, name, numbers(where, name, given[name]), #s.x)
+  end
 end
 
 local function read_series(where, given, place, names)
@@ -164,7 +189,9 @@ local function read_series(where, given, place, names)
     s.high = as_many(where, "high", numbers(where, "high", given.high), #s.x)
   else
     s.y = as_many(where, "y", places(where, "y", given.y, names.y), #s.x)
+    if given.low ~= nil or given.high ~= nil then read_bars(where, given, s) end
   end
+  s.mark = mark_of(where, given, s.style)
   s.colour = colour(where, given.colour)
   s.labels = texts(where, "labels", given.labels)
   if #s.labels > #s.x then as_many(where, "labels", s.labels, #s.x) end

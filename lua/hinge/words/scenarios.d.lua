@@ -195,13 +195,15 @@ function job:plot(what, choice, filename) end
 ---@class hinge.series
 ---@field x number[]|string[] texts are categories, with which each series of the plot may have a part of them
 ---@field y? number[]|string[] as many as x; not of a band. Texts: bars lie, and x has the numbers
----@field low? number[] of a band: its lower edge
----@field high? number[] of a band: its upper edge
+---@field low? number[] of a band: its lower edge; of points: the lower end of an upright bar through each
+---@field high? number[] of a band: its upper edge; of points: the upper end of the bar
 ---@field name? string in the legend; default: the series is not in the legend
 ---line (default), points, both; band: filled from low to high; bars: from 0 to the values, those of several series side
 ---by side. Default with low and high: band
 ---@field style? "line"|"points"|"line and points"|"band"|"bars"
 ---@field dashed? boolean
+---of points, by which series are told in a picture without colours; default circle
+---@field mark? "circle"|"square"|"triangle"|"diamond"
 ---one of the names above, grey, "#rrggbb", or { red, green, blue } from 0 to 1; default: by the order
 ---@field colour? string|number[]
 ---texts beside the points, placed so that they hide little; those of bars stand at their ends. "" for none

@@ -1,5 +1,5 @@
--- The picture of hinge cost has every setting with an error once: on a method's line, or faint beside it. It names
--- those on the Pareto front alone. Where every answer is chaotic, it shows means and scatter.
+-- The picture of hinge cost has every setting with an error once, with its band, on the line of its method. It names
+-- those on the Pareto front alone. Chaotic answers have panels with means and scatter.
 --
 -- Run: lua5.4 tests/script/cost/cost_picture_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
@@ -12,53 +12,59 @@ local inputs = { { name = "dt", side = "finer", values = { 2e-5, 1e-5 } },
   { name = "elements_per_member", side = "finer", values = { 2, 4 } }, { name = "way", values = { "one", "two" } } }
 local settings, drawn = {}, nil
 case("the picture of hinge cost has every setting with an error once", function()
-  for i, v in ipairs { { 2e-5, 2, 3, 9 }, { 1e-5, 2, 4, 9.5 }, { 2e-5, 4, 5, 2 }, { 1e-5, 4, 8, 1 } } do
+  for _, v in ipairs { { 2e-5, 2, 3, 9 }, { 1e-5, 2, 4, 9.5 }, { 2e-5, 4, 5, 2 }, { 1e-5, 4, 8, 1 } } do
     for k, way in ipairs { "one", "two" } do
       settings[#settings + 1] = { values = { dt = v[1], elements_per_member = v[2], way = way },
-        seconds = v[3] * k, error = v[4] * k / 100 }
+        seconds = v[3] * k, error = v[4] * k / 100, low = v[4] * k / 200, high = v[4] * k / 50 }
     end
-    settings[2 * i].error = i == 4 and 0 or settings[2 * i].error -- exact
   end
+  settings[8].error, settings[8].low, settings[8].high = 0, 0, 0 -- exact
   settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 1 } -- no error
+  settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 2, error = 0.3,
+    above = true, high = math.huge }
   settings[1].front, settings[7].front = true, true
-  require "hinge.cost.plot".draw({ inputs = inputs, settings = settings, front = { settings[1], settings[7] } },
+  require "hinge.cost.plot".draw({ inputs = inputs, settings = settings, quantities = {}, within = 0.03 },
     { plot = function(_, what) drawn = what end })
-  local seen, labels, faint, named = {}, {}, 0, 0
-  for _, s in ipairs(drawn.series) do
-    named = named + (s.faint and s.name and 1 or 0)
-    for i, label in ipairs(s.labels or {}) do
-      local way = s.faint and ({ blue = "one", red = "two" })[s.colour] or (s.name or "?"):match "^%a+"
-      seen[#seen + 1] = ("%s %g"):format(way, s.x[i])
-      labels[#labels + 1] = label ~= "" and label or nil
-      faint = faint + (s.faint and s.style == "points" and 1 or 0)
+  equal(#drawn.panels, 1, "panels")
+  local seen, labels, looks, panel = {}, {}, {}, drawn.panels[1]
+  for _, s in ipairs(panel.series) do
+    looks[#looks + 1] = ("%s: %s %s%s"):format(s.name, s.colour, s.mark, s.dashed and " dashed" or "")
+    for i, x in ipairs(s.x) do
+      seen[#seen + 1] = ("%s %g %.3g [%.3g %.3g]"):format(s.name:match "^%a+", x, s.y[i], s.low[i], s.high[i])
+      labels[#labels + 1] = s.labels[i] ~= "" and s.labels[i] or nil
     end
   end
-  table.sort(seen)
-  table.sort(labels)
-  equal(table.concat(seen, "; "), "one 3; one 4; one 5; one 8; two 10; two 16; two 6; two 8", "points of cost.png")
-  equal(table.concat(labels, "; "), "10 us, 4 elements; 20 us, 2 elements", "the front alone is named, with units")
-  equal(named, 1, "entries of the legend for faint points")
-  equal(faint, 2, "faint points: those that are slower and no better than another of their method")
+  for _, list in ipairs { seen, labels, looks } do table.sort(list) end
+  equal(table.concat(looks, "; "), "at least: grey triangle; one, 2 elements: blue circle; "
+    .. "one, 4 elements: blue square; two, 2 elements: red circle dashed; "
+    .. "two, 4 elements: red square dashed", "method by colour, elements by mark")
+  equal(table.concat(seen, "; "), "at 2 30 [30 60]; one 3 9 [4.5 18]; one 4 9.5 [4.75 19]; one 5 2 [1 4]; "
+    .. "one 8 1 [0.5 2]; two 10 4 [2 8]; two 16 0.1 [0.1 0.1]; two 6 18 [9 36]; two 8 19 [9.5 38]", "points and bars")
+  equal(table.concat(labels, "; "), "1 s, 2 elements, one; 10 us, 4 elements, one; 20 us, 2 elements, one",
+    "the front is named, and what has only a bound")
+  equal(("%g %s"):format(panel.lines[1].y, panel.lines[1].name), "3 asked: 3 %", "the line of what was asked")
 end)
 
 case("the picture of chaotic answers has means with bars", function()
-  -- Two settings with alike means, a third one apart: bars about the means, and names of the alike ones.
-  local chaotic, bars, points = {}, {}, {}
+  -- Two settings with alike means, a third one apart: bars about the means, and the name of the cheapest alike one.
+  local chaotic, points = {}, {}
   for i, mean in ipairs { 10, 11, 20 } do
-    chaotic[i] = { values = { dt = i * 1e-5, elements_per_member = 2, way = "one" }, seconds = i,
+    chaotic[i] = { values = { dt = i * 1e-5, elements_per_member = 2, way = "one" }, seconds = i, label = "s" .. i,
       means = { v = { mean = mean, scatter = 0.1, runs = 5, apart = i == 3 } } }
   end
-  require "hinge.cost.plot".draw({ inputs = inputs, settings = chaotic, front = {},
-    quantities = { v = { kind = "number", alike = { "a", "b" } } } }, { plot = function(_, what) drawn = what end })
-  for _, s in ipairs(drawn.series) do
-    for i, x in ipairs(s.style == "points" and s.x or {}) do
-      points[#points + 1] = ("%g %g%s"):format(x, s.y[i], s.labels[i] ~= "" and " " .. s.labels[i] or "")
+  require "hinge.cost.plot".draw({ inputs = inputs, settings = chaotic, within = 0.01,
+    quantities = { v = { kind = "number", alike = { "s1", "s2" }, standard = "s2" } } },
+    { plot = function(_, what) drawn = what end })
+  equal(#drawn.panels, 1, "no setting has an error: one panel")
+  local panel = drawn.panels[1]
+  for _, s in ipairs(panel.series) do
+    for i, x in ipairs(s.x) do
+      points[#points + 1] = ("%g: %.4g to %.4g to %.4g %s"):format(x, s.low[i], s.y[i], s.high[i], s.labels[i])
     end
-    if s.style ~= "points" then bars[#bars + 1] = ("%g %.4g %.4g"):format(s.x[2], s.y[1], s.y[2]) end
   end
-  table.sort(points)
-  equal(table.concat(points, "; "), "1 10 10 us, 2 elements, one; 2 11 20 us, 2 elements, one; 3 20", "means")
-  equal(table.concat(bars, "; "), "1 9 11; 2 9.9 12.1; 3 18 22", "bars of one standard deviation")
+  equal(table.concat(points, "; "), "1: 9 to 10 to 11 10 us, 2 elements; 2: 9.9 to 11 to 12.1 ; 3: 18 to 20 to 22 ",
+    "means and one standard deviation")
+  equal(panel.lines[1].y, 11, "the mean of the finest")
 end)
 
 checks.done()

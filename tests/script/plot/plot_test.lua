@@ -270,6 +270,21 @@ hinge.plot({ title = "both", columns = 2, panels = { { title = "left", series = 
   for _, words in ipairs { "both", "left", "right", "limit" } do holds(commands "panels", words) end
 end)
 
+case("points have marks, and bars that end at a logarithmic axis", function()
+  lua [[
+hinge.plot({ log_y = true, series = { { x = { 1, 2 }, y = { 10, 20 }, low = { 0, 10 }, high = { 20, 400 },
+  style = "points", mark = "square" }, { x = { 1, 2 }, y = { 10, 20 }, style = "points", mark = "triangle" } } },
+  "marks.svg")
+]]
+  local text = commands "marks"
+  local foot, top = text:match "set yrange %[([^:]+):([^%]]+)%]"
+  expect(tonumber(foot) > 5 and tonumber(foot) < 10, "the least is 10, and 0 has no place: %s", foot)
+  expect(tonumber(top) > 400, "the highest end of a bar is in the picture: %s", top)
+  expect(text:find(("($3 > 0 ? $3 : %s)"):format(foot), 1, true), "a bar from 0 begins at the axis")
+  expect(text:find("points pt 5 ", 1, true) and text:find("points pt 9 ", 1, true), "a square and a triangle")
+  equal(table.concat((rows "marks"[0] or {})[1] or {}, " "), "1 10 0 20", "x, y and both ends")
+end)
+
 case("different ranges of different columns, or without share_x, are no error", function()
   lua [[
 local function panel(low, high) return { x_range = { low, high }, series = { { x = { 0, 9 }, y = { 0, 1 } } } } end
@@ -416,8 +431,15 @@ case("wrong plots are refused at the script's line", function()
     { { "names along x and y", "numbers along one of the two axes" }, series { x = { "a" }, y = { "b" } } },
     { { "'x_range or log_x' is given", "left out where x holds names" }, with(series(named), { log_x = true }) },
     { { "series 1: field 'high' is nil", "a list of numbers" }, series { x = { 1 }, low = { 1 } } },
-    { { "series 1", "'style' is 'line'", "'band', which has low and high" },
+    { { "series 1", "'style' is 'line'", "'band', 'points' or 'line and points', which have low and high" },
       series { x = { 1 }, low = { 1 }, high = { 2 }, style = "line" } },
+    { { "series 1", "'high' is missing", "a bar has low and high" },
+      series { x = { 1 }, y = { 1 }, low = { 1 }, style = "points" } },
+    { { "series 1", "'low' is 2 numbers", "as many as x, 1" },
+      series { x = { 1 }, y = { 1 }, low = { 1, 2 }, high = { 1 }, style = "points" } },
+    { { "series 1", "'mark' is 'sqare'", "mean 'square'" },
+      series { x = { 1 }, y = { 1 }, style = "points", mark = "sqare" } },
+    { { "series 1", "'mark' is 'square'", "only points have one" }, series(with(point, { mark = "square" })) },
     { { "series 1", "'labels' is 2 texts", "as many as x, 1" }, series(with(point, { labels = { "a", "b" } })) },
     { { "'x_range' is {2, 1}", "two numbers with low below high" }, with(series(), { x_range = { 2, 1 } }) },
     { { "'y_range' is {0, 1}", "above 0 on a logarithmic axis" },
