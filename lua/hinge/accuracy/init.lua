@@ -4,6 +4,7 @@ local broken = require "hinge.accuracy.broken"
 local check = require "hinge.library.check"
 local forecast = require "hinge.accuracy.forecast"
 local knobs = require "hinge.accuracy.knobs"
+local picture = require "hinge.accuracy.picture"
 local report = require "hinge.accuracy.report"
 local Runs = require "hinge.accuracy.runs"
 local Search = require "hinge.accuracy.search"
@@ -202,7 +203,7 @@ function accuracy.run(o)
   return told
 end
 
---- Adds the choice and its grounds to the chosen run's summary.json, and writes broken.csv.
+--- Adds the choice and its grounds to the chosen run's summary.json, and writes accuracy.png and broken.csv.
 function accuracy.write(told)
   local path = told.folder .. "/summary.json"
   local file = io.open(path, "rb")
@@ -214,6 +215,7 @@ function accuracy.write(told)
   table.insert(summary.notes, 1, report.line(told)) -- the page of hinge report shows notes
   core.write_json(path, summary)
   if #told.broken.list > 0 then core.write_text(told.folder .. "/broken.csv", broken.csv(told.broken)) end
+  picture.write(told)
 end
 
 return accuracy

@@ -47,9 +47,9 @@ local function look_of(result)
   return look
 end
 
--- What names a setting in the picture: "2 ms, 4 elements", with its method if there are several.
+-- What names a setting in the picture: "2 ms, 4 elements", with its method if there are several. One is `chosen`.
 local function label_of(look, s)
-  return words.label(#look.methods > 1 and look.inputs or look.numbers, s.values)
+  return (s.chosen and "chosen: " or "") .. words.label(#look.methods > 1 and look.inputs or look.numbers, s.values)
 end
 
 -- The line of a setting, made if it is new: method by colour, elements by mark.
@@ -98,7 +98,7 @@ local function error_panel(result, look)
   for _, s in ipairs(result.settings) do -- the fastest first, so that a line goes from coarse to fine
     if s.error and not s.above then
       add(line_of(look, lines, s), s.seconds, height(s.error), height(s.low or s.error),
-        height(math.min(s.high or s.error, 10 * most)), s.front and label_of(look, s))
+        height(math.min(s.high or s.error, 10 * most)), (s.front or s.chosen) and label_of(look, s))
     end
     known = known or s.error ~= nil
   end

@@ -86,14 +86,15 @@ function Writer:frame(plot, panel)
   self:out("set bmargin at screen %.4f; set tmargin at screen %.4f", f.bottom / plot.height, f.top / plot.height)
 end
 
--- The marks 1, 2, 5 of a logarithmic axis that is shorter than two decades, and marks without a number between.
+-- The marks 1, 2, 5 of a logarithmic axis that is shorter than two decades, and marks without a number between. All
+-- have a number where the axis is so short that it could have one of 1, 2, 5 alone.
 local function log_marks(range)
-  local list = {}
+  local list, all = {}, range[2] / range[1] < 5
   for power = math.floor(math.log(range[1], 10)), math.ceil(math.log(range[2], 10)) do
     for digit = 1, 9 do
       local v = digit * 10.0 ^ power
       if v >= range[1] and v <= range[2] then
-        list[#list + 1] = ((digit == 1 or digit == 2 or digit == 5) and "%.6g" or "'' %.6g 1"):format(v)
+        list[#list + 1] = ((all or digit == 1 or digit == 2 or digit == 5) and "%.6g" or "'' %.6g 1"):format(v)
       end
     end
   end

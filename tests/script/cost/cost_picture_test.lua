@@ -67,4 +67,38 @@ case("the picture of chaotic answers has means with bars", function()
   equal(panel.lines[1].y, 11, "the mean of the finest")
 end)
 
+case("the picture of hinge run --within has every setting once, and names the front and the chosen one", function()
+  local Ladders = require "hinge.accuracy.ladders"
+  local knobs = { { name = "dt", theory = 2, ratio = 2, least = 0, most = 4 },
+    { name = "elements", theory = 2, ratio = 2, least = 0, most = 3 } }
+  local ladders = Ladders.new(knobs, { dt = 0, elements = 0 }, 0.01)
+  local function keep(dt, elements, seconds, v, w, vary)
+    local levels = { dt = dt, elements = elements }
+    ladders:keep(levels, vary or 0, { levels = levels, seconds = seconds, answers = { v = v, w = w },
+      runs = { { dt = 1e-3 / 2 ^ dt, steps = 5, elements = 20 * 2 ^ elements, members = 10 } } })
+  end
+  keep(0, 0, 1, 1.16, 5)
+  keep(0, 1, 5, 1.15, 5)
+  keep(1, 0, 2, 1.04, 5)
+  keep(2, 0, 4, 1.01, 5)
+  keep(1, 1, 3, 1.04, 7)
+  for vary = 1, 2 do keep(1, 1, 3, 1.04, 7 + vary, vary) end
+  ladders.chaotic = { w = true }
+  local told = { asked = 0.02, estimated = 0.015, levels = { dt = 1, elements = 1 }, knobs = knobs,
+    answers = { { name = "v", value = 1.04 }, { name = "w", value = 7, chaotic = true } },
+    search = { ladders = ladders, names = { "v" } } }
+  told.search.ladders.worst = Ladders.worst
+  local of = require "hinge.accuracy.picture".of(told)
+  require "hinge.cost.plot".draw(of, { plot = function(_, what) drawn = what end })
+  local seen, means = {}, drawn.panels[2].series
+  for _, s in ipairs(drawn.panels[1].series) do
+    for i, x in ipairs(s.x) do seen[#seen + 1] = ("%s %g %s"):format(s.name, x, s.labels[i]) end
+  end
+  table.sort(seen)
+  equal(table.concat(seen, "; "), "2 elements 1 1 ms, 2 elements; 2 elements 2 500 us, 2 elements; "
+    .. "2 elements 4 ; 4 elements 3 chosen: 500 us, 4 elements; 4 elements 5 ", "settings")
+  equal(("%g %g %g %s"):format(means[1].low[1], means[1].y[1], means[1].high[1], means[1].labels[1]),
+    "7 8 9 chosen: 500 us, 4 elements", "mean and scatter of the chaotic answer")
+end)
+
 checks.done()
