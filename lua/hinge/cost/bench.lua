@@ -11,7 +11,6 @@ local Bench = {}
 Bench.__index = Bench
 local perturbations = 3
 local few = 4         -- runs of a setting that are changed to see its scatter, beside the unchanged one
-local enough = 0.1 -- s; what takes less is timed more often, until all its times together are that long
 local most_repeats = 21
 
 --- base: the scenario's parameters; options: see hinge.cost.
@@ -129,8 +128,9 @@ end
 function Bench:keep(setting) self.store:put(self:key(setting, 0), self:record(setting)) end
 
 --- Times settings again, one after the other so that a slow moment of the machine affects all of them. Returns the
--- names of answers that differed from one time to the next.
-function Bench:time_alternately(compared, repeats)
+-- names of answers that differed from one time to the next. enough: s; what takes less is timed more often, until all
+-- its times together are that long; default 0.1.
+function Bench:time_alternately(compared, repeats, enough)
   local moving = {}
   for _, s in ipairs(compared) do
     for name in pairs(s.record.moving or {}) do moving[name] = true end
@@ -139,7 +139,7 @@ function Bench:time_alternately(compared, repeats)
   for round = 2, repeats > 1 and most_repeats or 1 do
     for i, s in ipairs(compared) do
       local seconds = s.record.seconds
-      if #seconds < round and (round <= repeats or compare.median(seconds) * #seconds < enough)
+      if #seconds < round and (round <= repeats or compare.median(seconds) * #seconds < (enough or 0.1))
         and self:fits(seconds[1] + s.record.outside) then
         self:progress(("timing %d, %s"):format(round, s.label), i - 1, #compared,
           math.max(1, repeats - round + 1) * seconds[1])

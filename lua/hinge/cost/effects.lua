@@ -1,5 +1,5 @@
--- What effects and laws of sections cost: a scenario is run without one of its effects at a time, and with another law
--- in the place of one. The change of its answers and of its time is measured.
+-- What effects and laws of sections change and cost: a scenario is run without one of its effects at a time, and with
+-- another law in the place of one.
 --
 -- The script does not change. While it runs, the engine removes the declarations of the effect from its models, or the
 -- law (core.leave_out).
@@ -7,10 +7,12 @@ local check = require "hinge.library.check"
 local core = require "hinge.core"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
-local laws = require "hinge.cost.laws"
 
 local effects = {}
 local where = "hinge.cost"
+local enough = 0.5 -- s: of all times of a run together, so that differences of some percent are seen
+
+local function least(seconds) return math.min(table.unpack(seconds)) end
 
 local function same_bits(a, b, changes)
   local same = #a.hashes == #b.hashes
@@ -19,13 +21,21 @@ local function same_bits(a, b, changes)
   return same
 end
 
--- Median of the part of the time that is saved, round by round, and half the width of the middle half of them.
+-- Part of the time that is saved, by the shortest time of each: whatever disturbs a run makes it longer. Second, how
+-- far that may be off: half the width of the middle half of the parts round by round; nil if there is one round.
 local function saved(all, rest)
   local parts = {}
   for i = 1, math.min(#all, #rest) do parts[i] = 1 - rest[i] / all[i] end
   table.sort(parts)
   local n = #parts
-  return compare.median(parts), (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2
+  return 1 - least(rest) / least(all), n > 1 and (parts[n - (n - 1) // 4] - parts[1 + (n - 1) // 4]) / 2 or nil
+end
+
+-- What is run in the place of the scenario as it is, by the name of the law that is left out (core.optional_laws).
+local function with_law(name)
+  return name == "eq 14" and "exact in the place of eq 14"
+    or name == "exact" and "eq 14 in the place of exact"
+    or "without " .. name
 end
 
 -- The answer that changes most, of those that change by more than their scatter. If there are none, it is the one of
@@ -72,7 +82,7 @@ local function compare_one(s, all, moving, scatter, o)
   row.worst, row.lost = worst(row.changes, scatter, o.quantity)
   row.change = row.worst and row.changes[row.worst]
   row.saves, row.spread = saved(all.record.seconds, r.seconds)
-  row.seconds, row.times = compare.median(r.seconds), r.seconds
+  row.seconds, row.times = least(r.seconds), r.seconds
   row.energy_error, row.answers = r.energy_error, r.answers
   return row
 end
@@ -98,7 +108,7 @@ function effects.compare(bench, inputs, o)
     else absent[#absent + 1] = name end
   end
   for _, name in ipairs(check.keys(all.record.laws or {})) do
-    optional[#optional + 1] = without(name, laws.change(name))
+    optional[#optional + 1] = without(name, with_law(name))
     optional[#optional].is_law = true
   end
   for i, s in ipairs(optional) do
@@ -116,7 +126,7 @@ function effects.compare(bench, inputs, o)
   local errors, unknown, finer = own_error(bench, inputs, all)
   notes[#notes + 1] = unknown
   table.insert(measured, 1, all)
-  local moving = bench:time_alternately(measured, o.repeats)
+  local moving = bench:time_alternately(measured, o.repeats, enough)
   local answers = {}
   for name in pairs(all.record.answers) do
     if not moving[name] then
@@ -129,13 +139,18 @@ function effects.compare(bench, inputs, o)
   local rows, of_laws = {}, {}
   for _, s in ipairs(settings) do
     local row = compare_one(s, all, moving, scatter or {}, o)
-    if s.is_law then of_laws[#of_laws + 1] = laws.row(row, all) else rows[#rows + 1] = row end
+    if s.is_law then
+      row.law, row.name = s.without, s.label
+      of_laws[#of_laws + 1] = row
+    else
+      rows[#rows + 1] = row
+    end
   end
   local result = {
     effects = rows, laws = of_laws, values = all.record.answers, absent = absent, left_out = left_out,
     answers = answers, finer = finer, notes = notes,
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,
-    seconds = compare.median(all.record.seconds), times = all.record.seconds, energy_error = all.record.energy_error,
+    seconds = least(all.record.seconds), times = all.record.seconds, energy_error = all.record.energy_error,
     complete = #left_out == 0, elapsed = bench:elapsed(),
   }
   if o.out then require "hinge.cost.effects_report".write(result, o.out) end

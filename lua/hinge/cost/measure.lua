@@ -48,10 +48,7 @@ end
 local function harvest(result, histories, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
-  local brought = math.abs(run.energy.initial) + math.abs(run.energy.work)
-  if brought ~= 0 then
-    result.energy_error = compare.larger(result.energy_error, math.abs(run.worst_energy_error) / brought)
-  end
+  result.energy_error = compare.larger(result.energy_error, math.abs(run.energy_error))
   for _, probe in ipairs(run.probes) do
     histories[#histories + 1] = { name = probe.name, x = probe.time, y = probe.value }
   end
@@ -74,12 +71,13 @@ end
 
 --- Calls f, which runs a scenario or a script, with what core.change_runs takes in `changes`, or without the effect or
 -- the law of sections `without`. Returns { answers = { name = number or { x =, y = } }, seconds = in the steps of all
--- its runs, outside = of the rest, stages = { name = seconds }, memory = bytes, energy_error = the largest as a part of
--- the energy brought in, effects = { name = true } that were in a step, laws = { name = true } of sections that can be
--- left out, hashes = of the states at the end, warnings = { text, ... } of all its runs, longest = { steps =, time = }
--- of the dynamic run with the most steps, runs = { { kind =, ended = time or load factor, dt =, steps =, elements =,
--- members =, broken = numbers of members, groups = { number = group } }, ... }, strain_limits = true if fracture has
--- limits of strain, failed = why it has no answer }; nil when `deadline` (of core.clock) came first.
+-- its runs, without what other programs took of the processor, outside = of the rest, stages = { name = seconds },
+-- memory = bytes, energy_error = the largest of its runs' (run.energy_error), effects = { name = true } in a step, laws
+-- = { name = true } of sections that can be left out, hashes = of the states at the end, warnings = { text, ... } of
+-- all its runs, longest = { steps =, time = } of the dynamic run with the most steps, runs = { { kind =, ended = time
+-- or load factor, dt =, steps =, elements =, members =, broken = numbers of members, groups = { number = group } }, ...
+-- }, strain_limits = true if fracture has limits of strain, failed = why it has no answer }; nil when `deadline` (of
+-- core.clock) came first.
 function measure.watch(f, deadline, without, changes)
   local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, laws = {}, hashes = {},
     warnings = {}, runs = {}, strain_limits = false }
@@ -101,9 +99,10 @@ function measure.watch(f, deadline, without, changes)
   end)
   core.leave_out(without)
   core.change_runs(changes)
-  local start = core.clock()
+  local start, used = core.clock(), os.clock()
   local ok, returned = pcall(f)
   local all = core.clock() - start
+  used = os.clock() - used
   core.on_run(nil)
   core.leave_out(nil)
   core.change_runs(nil)
@@ -118,6 +117,8 @@ function measure.watch(f, deadline, without, changes)
   result.memory = held and math.max(0, core.peak() - held)
   for _, run in ipairs(runs) do harvest(result, histories, run) end
   if result.seconds == 0 then result.seconds = all end -- a scenario without a run, or without a step
+  -- Other programs took the processor meanwhile, or the scenario waited, which it does outside the steps.
+  if result.seconds > all / 2 then result.seconds = result.seconds * math.min(1, used / all) end
   result.outside = all - result.seconds
   flatten(result.answers, returned, "", 0)
   add_histories(result.answers, histories)

@@ -63,7 +63,7 @@ function hinge.cost(scenario, options) end
 ---@field perturbation? number
 ---@field progress? boolean prints lines on stderr; default false
 ---true: leave out effects instead; default false. `accuracy` then serves only for one finer run, to show the error of
----the setting itself. `out` gets effects.csv and laws.csv in place of cost.csv and cost.png
+---the setting itself. `out` gets effects.csv in place of cost.csv and cost.png
 ---@field effects? boolean
 
 ---@class hinge.cost_result
@@ -141,7 +141,7 @@ function hinge.cost(scenario, options) end
 ---difference from the answer of a setting twice as fine
 ---@field answers table<string, { scatter?: number, error?: number }>
 ---@field finer? string the setting twice as fine; nil: `notes` says why
----@field seconds number with all effects: time of the steps of all runs, the median of `times`
+---@field seconds number with all effects: time of the steps of all runs, the least of `times`
 ---@field times number[]
 ---@field energy_error number the energy error, as in hinge.cost_setting
 ---@field notes string[]
@@ -161,32 +161,20 @@ function hinge.cost(scenario, options) end
 ---@field changes table<string, number> by answer; math.huge: there is no answer without the effect
 ---@field same boolean the effect has no influence: states and answers are the same to the bit without it
 ---@field lost boolean the answer changes, but not by more than its scatter
----part of the time that the effect takes, the median over the rounds; negative: the scenario takes longer without it
+---part of the time that the effect takes, from the shortest time with and without it; negative: the scenario takes
+---longer without it
 ---@field saves? number
----@field spread? number half the width of the middle half of the rounds, for `saves`
----@field seconds? number without it, the median of `times`
+---@field spread? number half the width of the middle half of the rounds, for `saves`; nil: there is one round
+---@field seconds? number without it, the least of `times`
 ---@field times? number[]
 ---@field energy_error? number the energy error without it
 ---@field answers? table<string, number|{ x: number[], y: number[] }> without it
 ---@field failed? string why the scenario has no answer without it: the error's first line
 
----As hinge.effect_cost, with the change of the law in the place of the effect that is left out.
----@class hinge.law_cost
----"exact in the place of eq 14", "eq 14 in the place of exact", "without hardening", "without strain rate"
----@field name string
+---The change of a law in the place of the effect that is left out. name: "exact in the place of eq 14", "eq 14 in the
+---place of exact", "without hardening", "without strain rate".
+---@class hinge.law_cost : hinge.effect_cost
 ---@field law "eq 14"|"exact"|"hardening"|"strain rate" the law that is left out
----@field change? number
----@field worst? string
----@field changes table<string, number>
----@field same boolean
----@field lost boolean
----@field slower? number time over that of the scenario as it is, less 1; negative: it is faster
----@field spread? number half the width of the middle half of the rounds, for `slower`
----@field seconds? number
----@field times? number[]
----@field energy_error? number
----@field answers? table<string, number|{ x: number[], y: number[] }>
----@field failed? string
 
 ---@class hinge.cost_setting
 ---@field values table<string, any>
@@ -215,7 +203,7 @@ function hinge.cost(scenario, options) end
 ---@field outside number s outside the steps: making models, and the code of the script
 ---@field stages table<string, number> s by stage of a step, of the fastest run
 ---@field memory? number bytes, the most memory that it used
----@field energy_error number the largest energy error of its runs over the energy at the start and the work at the end
+---@field energy_error number the largest of its runs, without its sign: run.energy_error
 ---@field front boolean
 ---@field meets boolean
 ---@field failed? string
