@@ -147,6 +147,7 @@ local function problem_of(o, runs, tell, first, all, corner)
       record = runs:measure(set, factors, vary)
     end
     if not record then return nil end
+    if first.failed and not record.failed then first = record end
     if not record.failed and not Runs.ends_alike(record, first) then
       record.failed = "the run ends at another time with another dt, as the script counts its steps"
     end

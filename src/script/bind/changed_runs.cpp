@@ -140,7 +140,8 @@ void change_model(lua_State* L, Model& copy) {
 }
 
 void change_automatic_step(lua_State* L, DynamicSettings& s) {
-    const double factor = change(L, "step", 1);
+    double factor = change(L, "step", 1);
+    if (s.explicit_steps()) factor = std::min(factor, 1.0);  // longer ones are not stable
     if (!s.chosen || factor == 1) return;
     s.dt = s.duration / std::max(1.0, std::ceil(s.duration / (s.dt * factor) - 1e-9));
 }

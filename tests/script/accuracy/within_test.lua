@@ -44,8 +44,7 @@ local run = model:dynamic { dt = 5e-3, duration = 1 }
 local roof = run:probe { node = n[4], "ux", name = "roof" }
 run:finish()
 print "shaken"
-local most = roof.max > -roof.min and roof.max or -roof.min
-return { roof_mm = 1000 * most, my_energy_error = run.energy_error }
+return { roof_mm = 1000 * (roof.max > -roof.min and roof.max or -roof.min), my_energy_error = run.energy_error }
 ]],
   lost = frame:gsub("STRESS", "325e6") .. [[
 local model, n, columns = build()

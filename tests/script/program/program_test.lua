@@ -62,7 +62,7 @@ end)
 
 -- Wrong input: status 2, a message on stderr, nothing written ---------------------------------------------------------
 
-local plain = script("plain.lua", "return { given = (...).number }")
+local plain = script("plain.lua", "return { given = (...).total }")
 case("wrong arguments end with status 2 and a message, and write nothing", function()
   local in_si = "a number in SI units, without its unit, is "
   for words, message in pairs {
@@ -160,7 +160,7 @@ local function lines(name)
 end
 
 case("a run writes summary.json into the folder of its script and case", function()
-  for how, given in pairs { ["number=6*7"] = 42, ["--number 6*8"] = 48, ["--number=6*8"] = 48 } do
+  for how, given in pairs { ["total=6*7"] = 42, ["--total 6*8"] = 48, ["--total=6*8"] = 48 } do
     ended(0, "", hinge(plain .. " " .. how .. " --out plain"))
     equal(summary "plain".results.given, given, how)
   end
@@ -205,7 +205,7 @@ case("a run with other parameters goes to a folder named by them", function()
   end
   writes(parametric .. " speed=111.1111", "out/parametric-speed=111.111")
   writes(parametric .. " speed=111.11111", "out/parametric-speed=111.111-2") -- a name that is taken
-  writes(plain .. " number=6*7", "out/plain-number=42")
+  writes(plain .. " total=6*7", "out/plain-total=42")
   support.run("mkdir " .. quote(path "beside"))
   local namesake = script("beside/parametric.lua", study_of)
   for _ = 1, 2 do writes(namesake, "out/parametric-2") end
@@ -222,7 +222,7 @@ case("hinge history lists the runs of a folder", function()
   ended(0, { "out/parametric\n  parametric.lua, default parameters\n  completed; hinge 0.",
     "out/parametric-2\n  beside/parametric.lua, default parameters\n",
     "out/parametric-II-speed=100\n  parametric.lua, case II, speed = 100\n",
-    "out/plain-number=42\n  plain.lua, number = 42\n", "out/two_nodes\n" }, hinge "history")
+    "out/plain-total=42\n  plain.lua, total = 42\n", "out/two_nodes\n" }, hinge "history")
   local printed = ended(0, "", hinge "history out/parametric-speed=150")
   local told = "out/parametric-speed=150\n  parametric.lua, speed = 150\n  script " .. path "parametric.lua"
     .. "\n  parameters dt = 0.0001, list = { 1, 2 }, name = a, on = true, speed = 150\n  completed; hinge "
