@@ -6,7 +6,9 @@
 -- `changed` replaces options of the model (p_delta, interaction, elements_per_member, plasticity) and of the run (dt,
 -- integrator, ...); part = 0.4 takes that part of the budget. To find causes: dt_times, a factor of its own step, auto
 -- steps too; contact = "none", fracture = "none" or "hinges" (limits of rotation and elongation). ground = "points":
--- elastic points (restitution = 1) in place of the layer that is the default.
+-- elastic points (restitution = 1) in place of the layer that is the default. For tests/hard/within.lua: ends, a
+-- function of a member's nodes and options that returns its joints; plan, a function of what was made that returns the
+-- options of the run in place of the scene's own.
 local vectors = require "hinge.library.vectors"
 local scenes = {}
 
@@ -113,7 +115,8 @@ local function note(s, text, ...) s.words[#s.words + 1] = select("#", ...) > 0 a
 
 -- A member; keeps count of elements and of the shortest wave time.
 local function member(s, a, b, o)
-  local m = s.model:member { a, b, section = o.section, material = o.material, group = o.group, up = o.up }
+  local m = s.model:member { a, b, section = o.section, material = o.material, group = o.group, up = o.up,
+    ends = s.changed.ends and s.changed.ends(a, b, o) }
   local count = s.per_member
   s.elements = s.elements + count
   local wave = m.length / count / math.sqrt(o.material.E / o.material.density)
@@ -816,6 +819,7 @@ function scenes.scene(seed, class)
       end
     end
     for _, rule in ipairs(s.later) do s.model:fracture(rule) end
+    if changed.plan then return s.model, with(changed.plan(s), { from = more.from, record = false }) end
     -- So long that it is worth looking at, within the budget of the scene's own settings (not of changed ones). Auto
     -- steps are up to eight times longer while nothing happens.
     local step = more.dt

@@ -1,0 +1,137 @@
+-- Scenes for tests/hard/within.lua: those of random_scenes.lua, as scenarios of a user who asks for an accuracy. They
+-- are small, have time steps that a user would write, and return two to four numbers.
+--
+-- A sixth of the scenes has semi-rigid joints, a tenth hardening or strain rate, a quarter another interaction. Limits
+-- of fracture are hinge rotations and elongation, which converge with the elements; one in five has what was drawn,
+-- most of which goes with the length of the elements.
+local hinge = require "hinge"
+local core = require "hinge.core"
+local random = require "random_scenes"
+local vectors = require "hinge.library.vectors"
+local within_scenes = {}
+
+local most_elements = 90  -- of two a member: larger structures are left out of the population
+local updates = 9000      -- elements times steps of the script's own run, about
+local few, many = 60, 400 -- steps of a run
+
+local struck = { ["struck frame"] = true, ["hit frame"] = true, fall = true, bin = true, ["pressed column"] = true }
+
+-- Joints of a stiffness and a strength between those of a nominal pin and of a rigid end.
+local function joints_of(d)
+  if not d.chance(0.17) then return nil end
+  local stiffness, strength, which = d.log(1, 30), d.number(0.4, 1.2), d.pick { "a", "b", "both" }
+  return function(a, b, o)
+    if not (math.abs(a.z - b.z) < 1e-6) then return nil end -- beams have them
+    local length = vectors.length(vectors.minus(vectors.of_node(b), vectors.of_node(a)))
+    local s, fy = o.section, o.material.yield_stress
+    local joint = hinge.joint { My = "rigid", Mx = { stiffness = stiffness * o.material.E * s.Ix / length,
+      strength = fy and fy < math.huge and fy > 0 and strength * fy * s.Zx or nil } }
+    return { a = which ~= "b" and joint or nil, b = which ~= "a" and joint or nil }
+  end
+end
+
+-- The library with materials that harden or depend on the rate.
+local function laws_of(d, words)
+  local what = d.weighted { { 90, false }, { 4, "hardening" }, { 3, "mixed" }, { 3, "rate" } }
+  if not what then return hinge end
+  words[#words + 1] = "material with " .. (what == "mixed" and "mixed hardening" or what)
+  local tangent = d.log(5e8, 5e9)
+  return setmetatable({ material = function(o)
+    local all = {}
+    for k, v in pairs(o) do all[k] = v end
+    if o.yield_stress then
+      if what == "rate" then all.rate = { D = 40.4, q = 5 }
+      else all.hardening = { tangent = tangent, kinematic = what == "mixed" and 0.5 or 1 } end
+    end
+    return hinge.material(all)
+  end }, { __index = hinge })
+end
+
+-- Options of the run: a step that a user would write, and so many of them that the scene stays small. A quarter leaves
+-- the step to hinge, a sixth takes explicit steps.
+local function plan_of(seed, class, keep)
+  return function(s)
+    local d = random.draws(seed, 4)
+    local setting = d.weighted { { 60, "dt" }, { 22, "auto" }, { 18, "explicit" } }
+    local steps = math.floor(math.max(few, math.min(many, updates / math.max(10, s.elements))))
+    local options = {}
+    local step
+    if setting == "dt" then
+      step = d.pick(struck[class] and { 2e-5, 5e-5, 1e-4, 2e-4 } or s.contact and { 1e-4, 2e-4, 5e-4 }
+        or { 5e-4, 1e-3, 2e-3, 5e-3 })
+      while s.speed * step > 5e-3 do step = step / 2 end -- nothing flies farther in a step than 5 mm
+      options.dt = step
+    else
+      options.dt = "auto"
+      step = s.wave / (setting == "explicit" and 2 or s.contact and 12 or 4)
+      if setting == "explicit" then options.integrator, steps = "explicit", 3 * steps end
+    end
+    options.duration = steps * step
+    keep.s, keep.words = s, ("%s, dt %s for %.3g s"):format(setting, options.dt, options.duration)
+    return options
+  end
+end
+
+local function displacement(node, run)
+  local x, y, z = node:displacement(run)
+  return math.sqrt(x * x + y * y + z * z)
+end
+
+-- The numbers that a scene returns, and what has to be watched for them: peak and last displacement of a node, in mm,
+-- plastic work and kinetic energy in kJ, members that broke.
+local function answers_of(seed, s, run)
+  local d = random.draws(seed, 5)
+  local nodes = #s.joints > 0 and s.joints or {}
+  local candidates = {}
+  for _, node in ipairs(nodes) do
+    if not node.fixed or node.fixed == "y,rx,rz" then candidates[#candidates + 1] = node end
+  end
+  local node = #candidates > 0 and d.pick(candidates) or s.members[#s.members].b
+  local peak = 0
+  run:on_step(function(r) peak = math.max(peak, displacement(node, r)) end)
+  local wants_end, wants_kinetic = d.chance(0.4), d.chance(0.5)
+  return function()
+    local answers = { peak_mm = 1e3 * peak, plastic_kJ = run.energy.plastic / 1e3 }
+    if wants_end then answers.end_mm = 1e3 * displacement(node, run) end
+    if s.breaks then answers.broken_members = #core.facts(run).broken
+    elseif wants_kinetic then answers.kinetic_kJ = run.energy.kinetic / 1e3 end
+    return answers
+  end
+end
+
+--- The scene of a seed: seed, class, words (complete after a run), scenario; nil where its structure is too large or
+-- cannot be made.
+function within_scenes.scene(seed)
+  local scene = random.scene(seed)
+  local d = random.draws(seed, 3)
+  local laws = {}
+  local library = laws_of(d, laws)
+  local interaction = d.weighted { { 75, false }, { 15, "paper" }, { 10, "exact with shear" } } or nil
+  local keep = {}
+  local ends = joints_of(d)
+  local changed = { elements_per_member = 2, interaction = interaction, ends = ends,
+    plan = plan_of(seed, scene.class, keep) }
+  if not d.chance(0.2) then changed.fracture = "hinges" end
+  local function run()
+    for i = #scene.words, 1, -1 do scene.words[i] = nil end
+    local model, options = scene.make(library, changed)
+    local s = keep.s
+    for _, word in ipairs(scene.words) do s.breaks = s.breaks or word:find "^fracture" ~= nil end
+    for _, word in ipairs(laws) do scene.words[#scene.words + 1] = word end
+    if interaction then scene.words[#scene.words + 1] = "interaction " .. interaction end
+    if ends then scene.words[#scene.words + 1] = "joints" end
+    scene.words[#scene.words + 1] = keep.words
+    local r = model:dynamic(options)
+    local result = answers_of(seed, s, r)
+    r:finish()
+    return result()
+  end
+  local ok = pcall(function()
+    -- What it is made of is known once it has been made; a run that is only planned costs nothing.
+    scene.make(library, changed)
+  end)
+  if not ok or not keep.s or keep.s.elements > most_elements then return nil end
+  return { seed = seed, class = scene.class, words = scene.words, scenario = hinge.scenario { run = run } }
+end
+
+return within_scenes
