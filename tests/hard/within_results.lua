@@ -71,10 +71,11 @@ function results.open(path)
   return rows
 end
 
--- What an answer is: "chaotic"; "open" where the reference itself still changes by more than half of what was asked;
--- "none" without a reference; else "clear".
+-- What an answer is: "none" without a reference; "zero" in the run and in the reference; "chaotic"; "open" where the
+-- reference itself still changes by more than half of what was asked; else "clear".
 local function kind_of(row, a)
   if a.distance == nil then return "none" end
+  if a.value == 0 and a.reference == 0 then return "zero" end
   if a.chaotic then return "chaotic" end
   if a.open == nil or not (a.open <= row.asked / 2) then return "open" end
   return "clear"
@@ -149,12 +150,12 @@ end
 function results.markdown(groups)
   local lines = { "| asked | scenes | reached | within what was asked | within the estimate | estimate over error | "
     .. "chaotic: in the band | mean and reference alike | within the estimate | cost of asking, median, 90 % | "
-    .. "reference open (near) | no reference | not told |", "|" .. ("---|"):rep(13) }
+    .. "reference open (near) | zero | no reference | not told |", "|" .. ("---|"):rep(14) }
   for _, g in ipairs(groups) do
-    lines[#lines + 1] = ("| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s, %s | %d (%s) | %d | %d |"):format(g.name,
-      g.scenes, share(g.reached), share(g.within), share(g.bounded), quantile(g.sharp, 0.5), share(g.alone),
+    lines[#lines + 1] = ("| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s, %s | %d (%s) | %d | %d | %d |"):format(
+      g.name, g.scenes, share(g.reached), share(g.within), share(g.bounded), quantile(g.sharp, 0.5), share(g.alone),
       share(g.holds), share(g.told), quantile(g.costs, 0.5), quantile(g.costs, 0.9), g.open or 0, share(g.open_near),
-      g.none or 0, g.untold)
+      g.zero or 0, g.none or 0, g.untold)
   end
   return table.concat(lines, "\n")
 end

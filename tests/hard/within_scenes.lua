@@ -10,7 +10,7 @@ local random = require "random_scenes"
 local vectors = require "hinge.library.vectors"
 local within_scenes = {}
 
-local most_elements = 90  -- of two a member: larger structures are left out of the population
+local most_elements = 60  -- of two a member: larger structures are left out of the population
 local updates = 9000      -- elements times steps of the script's own run, about
 local few, many = 60, 400 -- steps of a run
 
@@ -30,29 +30,32 @@ local function joints_of(d)
   end
 end
 
--- The library with materials that harden or depend on the rate.
+-- The library with materials that yield at a part of the stress for which the loads were drawn, so that more scenes
+-- yield, and that may harden or depend on the rate.
 local function laws_of(d, words)
+  local part = d.pick { 1, 0.6, 0.4, 0.25 }
   local what = d.weighted { { 90, false }, { 4, "hardening" }, { 3, "mixed" }, { 3, "rate" } }
-  if not what then return hinge end
-  words[#words + 1] = "material with " .. (what == "mixed" and "mixed hardening" or what)
+  words[1] = ("%g of the yield stress"):format(part)
+  if what then words[2] = "material with " .. (what == "mixed" and "mixed hardening" or what) end
   local tangent = d.log(5e8, 5e9)
   return setmetatable({ material = function(o)
     local all = {}
     for k, v in pairs(o) do all[k] = v end
     if o.yield_stress then
+      all.yield_stress = part * o.yield_stress
       if what == "rate" then all.rate = { D = 40.4, q = 5 }
-      else all.hardening = { tangent = tangent, kinematic = what == "mixed" and 0.5 or 1 } end
+      elseif what then all.hardening = { tangent = tangent, kinematic = what == "mixed" and 0.5 or 1 } end
     end
     return hinge.material(all)
   end }, { __index = hinge })
 end
 
--- Options of the run: a step that a user would write, and so many of them that the scene stays small. A quarter leaves
--- the step to hinge, a sixth takes explicit steps.
+-- Options of the run: a step that a user would write, and so many of them that the scene stays small. One in eight
+-- leaves the step to hinge, a sixth takes explicit steps.
 local function plan_of(seed, class, keep)
   return function(s)
     local d = random.draws(seed, 4)
-    local setting = d.weighted { { 60, "dt" }, { 22, "auto" }, { 18, "explicit" } }
+    local setting = d.weighted { { 70, "dt" }, { 13, "auto" }, { 17, "explicit" } }
     local steps = math.floor(math.max(few, math.min(many, updates / math.max(10, s.elements))))
     local options = {}
     local step
@@ -62,9 +65,9 @@ local function plan_of(seed, class, keep)
       while s.speed * step > 5e-3 do step = step / 2 end -- nothing flies farther in a step than 5 mm
       options.dt = step
     else
-      options.dt = "auto"
+      options.dt, steps = "auto", 3 * steps
       step = s.wave / (setting == "explicit" and 2 or s.contact and 12 or 4)
-      if setting == "explicit" then options.integrator, steps = "explicit", 3 * steps end
+      if setting == "explicit" then options.integrator = "explicit" end
     end
     options.duration = steps * step
     keep.s, keep.words = s, ("%s, dt %s for %.3g s"):format(setting, options.dt, options.duration)
