@@ -11,7 +11,7 @@ local vectors = require "hinge.library.vectors"
 local within_scenes = {}
 
 local most_elements = 60  -- of two a member: larger structures are left out of the population
-local updates = 9000      -- elements times steps of the script's own run, about
+local updates = 5000      -- elements times steps of the script's own run, about
 local few, many = 60, 400 -- steps of a run
 
 local struck = { ["struck frame"] = true, ["hit frame"] = true, fall = true, bin = true, ["pressed column"] = true }
