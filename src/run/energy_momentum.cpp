@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cayley.h"
 #include "effects/all_effects.h"
 #include "run/yield_tangents.h"
 #include "state/node_mass.h"
@@ -25,20 +26,6 @@ constexpr double least_way = 1e-14;
 constexpr double near_enough = 1e-16, lost = 1e12;
 /// Newton that goes slowly gets every element's stiffness anew after so many iterations.
 constexpr int all_anew = 6;
-
-/// By the Cayley vector c = 2 tan(angle/2): R' n - R n = c x (R n + R' n)/2.
-Quat turned(const Vec3& c, const Quat& q) {
-    Quat r = Quat(1, 0.5 * c.x(), 0.5 * c.y(), 0.5 * c.z()) * q;
-    r.normalize();
-    return r;
-}
-
-/// The vector that the same rotation makes of v: v' = v + c x (v + v')/2.
-Vec3 turned(const Vec3& c, const Vec3& v) {
-    const double h = 0.25 * c.squaredNorm();
-    const Vec3 once = c.cross(v);
-    return v + (once + 0.5 * c.cross(once)) / (1 + h);
-}
 
 }  // namespace
 
@@ -257,7 +244,7 @@ void EnergyMomentum::predict(const Step& step) {
     for (std::size_t i = 0; i < w_.rotation_step.size(); ++i) {
         w_.trial.displacement[i] = s.displacement[i] + step.dt * s.velocity[i].head<3>();
         w_.rotation_step[i] = step.dt * s.velocity[i].tail<3>();
-        w_.trial.rotation[i] = turned(w_.rotation_step[i], s.rotation[i]);
+        w_.trial.rotation[i] = cayley_turned(w_.rotation_step[i], s.rotation[i]);
         w_.trial.velocity[i] = s.velocity[i];
         w_.trial.acceleration[i].setZero();
         momentum_[i] = momentum_of(int(i), s.velocity, s.rotation[i]);
@@ -386,10 +373,10 @@ bool EnergyMomentum::correct(Step& step) {
         w_.trial.displacement[i] += move;
         w_.rotation_step[i] += part * change_[i].tail<3>();
         const Vec3& c = w_.rotation_step[i];
-        w_.trial.rotation[i] = turned(c, s.rotation[i]);
+        w_.trial.rotation[i] = cayley_turned(c, s.rotation[i]);
         w_.trial.velocity[i].head<3>() =
             2 / dt * (w_.trial.displacement[i] - s.displacement[i]) - s.velocity[i].head<3>();
-        w_.trial.velocity[i].tail<3>() = 2 / dt * c - turned(c, Vec3(s.velocity[i].tail<3>()));
+        w_.trial.velocity[i].tail<3>() = 2 / dt * c - cayley_turned(c, Vec3(s.velocity[i].tail<3>()));
         for (int k = 3; k < 6; ++k)
             if (s.held[i] >> k & 1) w_.trial.velocity[i][k] = 0;
     }

@@ -42,6 +42,21 @@ FingerprintPart part(const char* name, const List& list, Add add) {
     return {name, list.size(), sum.value()};
 }
 
+void add_section(Sum& a, const Section& section) {
+    a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
+      section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.given.N0, section.given.Mx0,
+      section.given.My0, section.given.Mz0, section.width, section.depth, section.interaction, section.shape);
+    for (const auto& walls : section.walls)
+        for (const Section::Wall& w : walls) a(w.x0, w.x1, w.y0, w.y1);
+    if (section.outline) add_outline(a, section.outline->outline());
+    if (!section.outline || !section.outline->concrete()) return;
+    a(section.outline->concrete()->concrete);
+    if (const auto& strains = section.outline->concrete()->strains)
+        a(strains->peak, strains->ultimate, strains->exponent, strains->block, strains->bars);
+    for (const auto& bar : section.outline->concrete()->bars)
+        a(bar.centre.x(), bar.centre.y(), bar.area, bar.tension, bar.compression);
+}
+
 }  // namespace
 
 std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
@@ -65,22 +80,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
         if (m.backbone) add(*m.backbone);
         if (m.law) add(*m.law);
     }));
-    parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) {
-        const Section& section = *m.section;
-        a(section.area, section.Ix, section.Iy, section.J, section.shear_area_x, section.shear_area_y, section.mass_Ix,
-          section.mass_Iy, section.plastic_area, section.Zx, section.Zy, section.Zz, section.given.N0,
-          section.given.Mx0, section.given.My0, section.given.Mz0, section.width, section.depth, section.interaction,
-          section.shape);
-        for (const auto& walls : section.walls)
-            for (const Section::Wall& w : walls) a(w.x0, w.x1, w.y0, w.y1);
-        if (section.outline) add_outline(a, section.outline->outline());
-        if (!section.outline || !section.outline->concrete()) return;
-        a(section.outline->concrete()->concrete);
-        if (const auto& strains = section.outline->concrete()->strains)
-            a(strains->peak, strains->ultimate, strains->exponent, strains->block, strains->bars);
-        for (const auto& bar : section.outline->concrete()->bars)
-            a(bar.centre.x(), bar.centre.y(), bar.area, bar.tension, bar.compression);
-    }));
+    parts.push_back(part("sections", model.members(), [](Sum& a, const MemberData& m) { add_section(a, *m.section); }));
     parts.push_back(part("groups", model.members(), [](Sum& a, const MemberData& m) { a(m.groups); }));
     parts.back().count = model.groups().size();
     parts.push_back(part("velocities", model.velocities(), [](Sum& a, const Vec6& v) { a(v); }));

@@ -16,7 +16,7 @@ local exceptions = {
   arrows = {},
   lua = {},
   lines = {
-    "algebra/condensed.cpp", "run/energy_momentum.cpp",
+    "algebra/condensed.cpp",
   },
   members = {
     "algebra/effective_stiffness.h EffectiveStiffness", "contact/member_contacts.h Contact",
@@ -24,7 +24,7 @@ local exceptions = {
     "run/integrator.h Integrator", "run/run.h Run", "run/step_size.h StepSize",
     "section/section_law.h SectionLaw",
   },
-  functions = { "run/fingerprint.cpp fingerprint" },
+  functions = {},
 }
 
 -- Reading -------------------------------------------------------------------------------------------------------------
