@@ -14,8 +14,8 @@ local room = 0.9     -- part of the accepted error that the ladders may take bef
 local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
--- Times the work of the chosen run: a check that would make the search cost more is left out. With what runs take beside
--- their steps, asking then costs about four times the chosen run.
+-- Times the work of the chosen run: a check that would make the search cost more is left out. Runs take more than their
+-- steps; asking then costs about four times the chosen run.
 local dearest = 3.5
 local restless = 4   -- values of a ladder after which an answer should come to rest
 local rounding = 1e-12
