@@ -6,7 +6,7 @@
 --         seed=N               this scene alone, with every answer; seeds=N,N,...: these
 --         asked=10,5,2,1       accuracies, %
 --         most=40              s of the processor for a scene: half for the asking, the rest for the reference. A
---                              process that takes ten times as long on the clock is ended
+--                              process that takes forty times as long on the clock is ended
 --         jobs=1               processes at a time; each scene has a process of its own
 --         out=FILE.csv         a line for each scene and accuracy is added; seeds that it has are not run again
 --         table                the summary of `out` alone
@@ -74,9 +74,7 @@ local function ended(process, how, code)
   local task = running[process]
   if not task then return end
   running[process], count = nil, count - 1
-  local file = io.open(task.output)
-  local text = file and file:read "a" or ""
-  if file then file:close() end
+  local text = core.read_text(task.output) or "" -- io.open would make it a file that the next scenes have read
   os.remove(task.output)
   for _, name in ipairs { "/accuracy/finished.lua", "/accuracy/.lock", "/accuracy", "" } do
     os.remove(task.place .. name)
@@ -135,7 +133,7 @@ while not options.table do
   end
   if process then ended(process, how, code) end
   for left, task in pairs(running) do
-    if not task.late and core.clock() - task.began > 10 * options.most + 10 then
+    if not task.late and core.clock() - task.began > 40 * options.most then
       task.late = true
       core.kill(left, false)
     end

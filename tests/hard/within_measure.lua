@@ -10,11 +10,11 @@ local measured = {}
 local finer = 4        -- the reference, in time steps and elements
 local least_runs = 3   -- of a reference whose answers are chaotic
 local for_asking = 0.5 -- part of the scene's time
-local slowest = 10     -- the clock over the processor
+local slowest = 40     -- the clock over the processor
 local rounding = 1e-12
 
 -- What a run took and answered, with factors on the script's own steps and elements. nil where the time is over:
--- `until_then` is of the processor, and the clock may take ten times as long on a machine that others use.
+-- `until_then` is of the processor, and the clock may take forty times as long on a machine that others use.
 local function run_once(scenario, factors, vary, until_then)
   local began = os.clock()
   local deadline = core.clock() + slowest * (until_then - began)

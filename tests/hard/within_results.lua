@@ -1,4 +1,5 @@
 -- Results of tests/hard/within.lua: its file, its table, and the answers that miss.
+local core = require "hinge.core"
 local values = require "hinge.library.values"
 local results = {}
 
@@ -60,14 +61,9 @@ end
 
 --- The rows of a file, which is begun where there is none.
 function results.open(path)
-  local rows, file = {}, io.open(path)
-  if file then
-    for line in file:lines() do rows[#rows + 1] = results.read(line) end
-  else
-    file = assert(io.open(path, "w"))
-    file:write(table.concat(columns, ","), "\n")
-  end
-  file:close()
+  local rows, whole = {}, core.read_text(path)
+  for line in (whole or ""):gmatch "[^\n]+" do rows[#rows + 1] = results.read(line) end
+  if not whole then core.write_text(path, table.concat(columns, ",") .. "\n") end
   return rows
 end
 

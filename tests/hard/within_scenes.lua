@@ -14,7 +14,13 @@ local most_elements = 60  -- of two a member: larger structures are left out of 
 local updates = 5000      -- elements times steps of the script's own run, about
 local few, many = 60, 400 -- steps of a run
 
-local struck = { ["struck frame"] = true, ["hit frame"] = true, fall = true, bin = true, ["pressed column"] = true }
+local flies = { ["struck frame"] = true, fall = true, bin = true }
+
+-- The largest of 1, 2, 5 times a power of 10 that is not above x.
+local function round(x)
+  local power = 10.0 ^ math.floor(math.log(x, 10) + 1e-9)
+  return (x >= 5 * power and 5 or x >= 2 * power and 2 or 1) * power
+end
 
 -- Joints of a stiffness and a strength between those of a nominal pin and of a rigid end.
 local function joints_of(d)
@@ -60,9 +66,10 @@ local function plan_of(seed, class, keep)
     local options = {}
     local step
     if setting == "dt" then
-      step = d.pick(struck[class] and { 2e-5, 5e-5, 1e-4, 2e-4 } or s.contact and { 1e-4, 2e-4, 5e-4 }
-        or { 5e-4, 1e-3, 2e-3, 5e-3 })
-      while s.speed * step > 5e-3 do step = step / 2 end -- nothing flies farther in a step than 5 mm
+      -- nothing flies farther in a step than 5 mm
+      if flies[class] or s.speed > 1 and class ~= "pressed column" then
+        step = round(math.min(5e-4, d.log(2e-3, 5e-3) / s.speed))
+      else step = d.pick(class == "pressed column" and { 5e-5, 1e-4, 2e-4 } or { 5e-4, 1e-3, 2e-3, 5e-3 }) end
       options.dt = step
     else
       options.dt, steps = "auto", 3 * steps
