@@ -10,9 +10,9 @@ local random = require "random_scenes"
 local vectors = require "hinge.library.vectors"
 local within_scenes = {}
 
-local most_elements = 60  -- of two a member: larger structures are left out of the population
-local updates = 5000      -- elements times steps of the script's own run, about
-local few, many = 60, 400 -- steps of a run
+local most_elements = 48  -- of two a member: larger structures are left out of the population
+local updates = 2500      -- elements times steps of the script's own run, about
+local few, many = 50, 300 -- steps of a run
 
 local flies = { ["struck frame"] = true, fall = true, bin = true }
 
