@@ -85,7 +85,7 @@ local function ended(process, how, code)
   local why = task.late and "took too long on the clock" or ("process ended by %s %s"):format(how, code)
   for _, part in ipairs(asked) do
     keep(results.line { seed = task.seed, class = "", asked = part, status = "lost",
-      why = (why .. " " .. text:gsub("%s+", " ")):sub(1, 300), answers = {}, scene = "" })
+      why = why .. ": " .. text:gsub("%s+", " "):sub(-200), answers = {}, scene = "" })
   end
 end
 

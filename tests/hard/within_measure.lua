@@ -115,15 +115,15 @@ function measured.scene(scene, o)
     rows[i] = row
     if os.clock() - began > for_asking * o.most then row.status, row.why = "not told", "the scene's time is over"
     else
-      local ok, told = pcall(accuracy.run, { script = o.script, scenario = scene.scenario, overrides = {},
+      local ok, told, why = pcall(accuracy.run, { script = o.script, scenario = scene.scenario, overrides = {},
         parameters = {}, out = o.folder, out_given = true, within = asked, measured_only = true })
-      row.status = ok and "told" or "not told"
-      if ok then
+      row.status = ok and told and "told" or "not told"
+      if ok and told then
         row.told, told_all[#told_all + 1] = told, told
         row.reached, row.estimated, row.setting = told.reached, told.estimated, told.setting
         row.own, row.asking, row.runs, row.named = told.own, told.seconds, told.runs, is_named(told)
         row.why = not told.reached and told.why or nil
-      else row.why = tostring(told) end
+      else row.why = tostring(told or why) end
     end
   end
   local reference, why

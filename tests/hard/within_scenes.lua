@@ -13,6 +13,7 @@ local within_scenes = {}
 local most_elements = 48  -- of two a member: larger structures are left out of the population
 local updates = 2500      -- elements times steps of the script's own run, about
 local few, many = 50, 300 -- steps of a run
+local longer = 4          -- times as many where something flies, so that it hits and bounces
 
 local flies = { ["struck frame"] = true, fall = true, bin = true }
 
@@ -65,10 +66,11 @@ local function plan_of(seed, class, keep)
     local steps = math.floor(math.max(few, math.min(many, updates / math.max(10, s.elements))))
     local options = {}
     local step
+    if flies[class] then steps = longer * steps end
     if setting == "dt" then
-      -- nothing flies farther in a step than 5 mm
+      -- nothing flies farther in a step than 8 mm
       if flies[class] or s.speed > 1 and class ~= "pressed column" then
-        step = round(math.min(5e-4, d.log(2e-3, 5e-3) / s.speed))
+        step = round(math.min(5e-4, d.log(3e-3, 8e-3) / s.speed))
       else step = d.pick(class == "pressed column" and { 5e-5, 1e-4, 2e-4 } or { 5e-4, 1e-3, 2e-3, 5e-3 }) end
       options.dt = step
     else
