@@ -47,7 +47,7 @@ local function cost_in_words(row)
   if in_its_place(row) then
     return ("takes %s %s time"):format(short(math.abs(row.saves)), row.saves > 0 and "less" or "more")
   end
-  return row.saves > 0 and ("costs %s"):format(short(row.saves))
+  return row.saves > 0 and ("costs %s of the time"):format(short(row.saves))
     or ("saves time: without it the run takes %s longer"):format(short(-row.saves))
 end
 
