@@ -122,8 +122,14 @@ public:
                 if (!fresh) at->second = std::min(at->second, most);
             }
             // half of the old one keeps it above zero, and from swinging
+            bool changes = false;
             for (auto& [node, value] : x)
-                if (const double most = bound[find(node)]; most > 0) value = 0.5 * (value + y[node] / most);
+                if (const double most = bound[find(node)]; most > 0) {
+                    const double next = 0.5 * (value + y[node] / most);
+                    changes = changes || next != value;
+                    value = next;
+                }
+            if (!changes) break;  // as where no node is joined to another: ground, dashpots on supports
         }
         std::map<int, double> of_nodes;
         for (const auto& [node, unused] : group_) of_nodes[node] = least[find(node)];
