@@ -1,14 +1,12 @@
 // Position and velocity of the ends of bars.
 #pragma once
 
-#include <limits>
 
 #include "contact/member_contacts.h"
 #include "contact/gap_rule.h"
 
 namespace hinge::contact {
 
-inline constexpr double never = std::numeric_limits<double>::infinity();  ///< a distance that no end travels
 
 inline bool has_arm(const End& end) { return !end.arm.isZero(0); }
 

@@ -6,8 +6,11 @@
 // the candidate pairs.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <tuple>
 #include <vector>
 
@@ -45,6 +48,8 @@ struct Motion {
     const std::vector<Quat>& rotation;  ///< of each node since it was declared, of unit length
     const std::vector<Vec6>& velocity;  ///< m/s and rad/s, in space: the predicted mean over the step
 };
+
+inline constexpr double never = std::numeric_limits<double>::infinity();  ///< a distance that no end travels
 
 /// Kinds of contact rule: gap elements of the paper, or surfaces that press on each other.
 enum class ContactRuleKind : int { gap, surface };
@@ -156,6 +161,11 @@ public:
     int detect(const std::vector<Bar>& bars, bool changed, const Motion& motion, double dt, double time,
                const PairRule& rule_of = {});
 
+    /// detect for a step in which nothing can come into contact, where that is known without looking at pairs: true.
+    /// False: detect must be called. Of a node: place, m, and its mean velocity over the step, m/s and rad/s.
+    template <class Place, class Velocity>
+    bool passes(Place place, Velocity velocity, double dt, double time);
+
     /// Removes the ties of an element that broke. Returns the energy released, J.
     double drop(int element);
 
@@ -252,8 +262,15 @@ private:
         }
     };
 
+    /// The longest way of some ends: m^2 since the last step, m^2/s^2 ahead; `never` where one is not finite.
+    struct SquaredWay {
+        double gone = 0, fast = 0;
+    };
+
     void list_ends(const std::vector<Bar>& bars, const Motion& motion);
-    double advance(const Motion& motion, double dt);
+    template <class Place, class Velocity>
+    double advance(Place place, Velocity velocity, const SquaredWay& of_arms, double dt);
+    SquaredWay follow_arms(const Motion& motion);
     void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
                     const PairRule& rule_of);
     std::vector<Box> boxes_with_margin(const std::vector<Bar>& bars, const std::vector<int>& order,
@@ -319,5 +336,36 @@ private:
     bool noting_ = false;
     Before before_;
 };
+
+// Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
+template <class Place, class Velocity>
+double Contact::advance(Place place, Velocity velocity, const SquaredWay& of_arms, double dt) {
+    // by turns: in a single one each comparison waits for the one before
+    double gone[2] = {of_arms.gone, 0}, fast[2] = {of_arms.fast, 0};
+    bool wild = !(of_arms.gone + of_arms.fast < never);
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        const Vec3 x = place(nodes_[i]);
+        const Vec6 v = velocity(nodes_[i]);
+        const double way = (x - last_[i]).squaredNorm(), speed = v.head<3>().squaredNorm();
+        wild = wild || !(way + speed < never);
+        gone[i % 2] = std::max(gone[i % 2], way);
+        fast[i % 2] = std::max(fast[i % 2], speed);
+        last_[i] = x;
+    }
+    if (wild) return never;
+    travelled_ += std::sqrt(std::max(gone[0], gone[1]));
+    return std::sqrt(std::max(fast[0], fast[1])) * dt;
+}
+
+template <class Place, class Velocity>
+bool Contact::passes(Place place, Velocity velocity, double dt, double time) {
+    const auto sleeps = [](const ContactSettings& r) { return r.sleep; };
+    if (!seen_ || !idle() || !arms_.empty() || !std::all_of(rules_.begin(), rules_.end(), sleeps)) return false;
+    const double foreseen = advance(place, velocity, {}, dt), horizon = travelled_ + foreseen;
+    if (!(travelled_ - listed_at_ + foreseen <= margin_)) return false;
+    if (std::any_of(test_at_.begin(), test_at_.end(), [&](double at) { return at <= horizon; })) return false;
+    nearest_ = {}, now_ = time;
+    return true;
+}
 
 }  // namespace hinge::contact

@@ -62,28 +62,16 @@ void Contact::list_ends(const std::vector<Bar>& bars, const Motion& motion) {
     for (int node : nodes_) last_.push_back(motion.position[node]);
 }
 
-// Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
-double Contact::advance(const Motion& motion, double dt) {
-    double gone = 0, fast = 0;
-    bool wild = false;
-    const auto note = [&](double gone_squared, double fast_squared) {
-        wild = wild || !(gone_squared + fast_squared < never);
-        gone = std::max(gone, gone_squared);
-        fast = std::max(fast, fast_squared);
-    };
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const Vec3& x = motion.position[nodes_[i]];
-        note((x - last_[i]).squaredNorm(), motion.velocity[nodes_[i]].head<3>().squaredNorm());
-        last_[i] = x;
-    }
+Contact::SquaredWay Contact::follow_arms(const Motion& motion) {
+    SquaredWay most;
     for (ArmEnd& arm : arms_) {
         const Vec3 x = point(arm.end, motion);
-        note((x - arm.last).squaredNorm(), velocity(arm.end, motion).squaredNorm());
+        const double way = (x - arm.last).squaredNorm(), speed = velocity(arm.end, motion).squaredNorm();
+        if (!(way + speed < never)) most = {never, never};
+        most = {std::max(most.gone, way), std::max(most.fast, speed)};
         arm.last = x;
     }
-    if (wild) return never;
-    travelled_ += std::sqrt(gone);
-    return std::sqrt(fast) * dt;
+    return most;
 }
 
 // All pairs whose bars could come into contact before anything has travelled a margin. What is known of a pair that

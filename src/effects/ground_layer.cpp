@@ -31,7 +31,8 @@ constexpr double near_depths = 4;
 
 /// Contact of a strip at a pose.
 struct StripTouch {
-    bool touches = false;    ///< nothing below counts where neither it nor the last step did
+    bool touches = false;
+    bool counts = false;     ///< it touches, or did where the step begins: else all below is zero
     Vec3 at = Vec3::Zero();  ///< where the first end is, m
     contact::LayerPlace place;
     contact::LayerPress press;
@@ -233,7 +234,11 @@ private:
 
     void find_touches() {
         if (touches_.empty() || !is_listed(w_.trial)) list_near(w_.trial);
-        for (int i : near_) touches_[i] = touch(strips()[i], w_.trial);
+        for (int i : near_) {
+            const GroundStrip& s = strips()[i];
+            if (s.touches || !is_apart(s, w_.trial)) touches_[i] = touch(s, w_.trial);
+            else if (touches_[i].counts) touches_[i] = {};
+        }
     }
     void forget() { touches_.clear(), near_.clear(); }
 
@@ -263,15 +268,30 @@ private:
     }
     template <class At>
     bool is_listed(const At& at) const {
-        double most = 0;
+        double most[4] = {0, 0, 0, 0};  // by turns: in a single one each comparison waits for the one before
         for (std::size_t n = 0; n < listed_at_.size(); ++n)
-            most = std::max(most, (at.displacement[n] - listed_at_[n]).squaredNorm());
-        return most < margin_ * margin_;
+            most[n % 4] = std::max(most[n % 4], (at.displacement[n] - listed_at_[n]).squaredNorm());
+        return std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) < margin_ * margin_;
     }
     std::vector<int> all_strips() const {
         std::vector<int> all(strips().size());
         std::iota(all.begin(), all.end(), 0);
         return all;
+    }
+
+    /// o of an end at such a place, m: none of its own where it is left out, held or at rest, but the other end of its
+    /// strip may lie on the ground.
+    double overlap_at(const GroundEnd& end, const GroundPlane& plane, const Vec3& place) const {
+        const double o = overlap_of(end, plane, place);
+        return end.left_out || is_held(end.node) || w_.rests(end.node) ? std::min(0.0, o) : o;
+    }
+    /// Whether neither end is within reach of the ground.
+    template <class At>
+    bool is_apart(const GroundStrip& s, const At& at) const {
+        const double touching = w_.touches_within(s.end[0].radius);
+        return std::none_of(s.end, s.end + 2, [&](const GroundEnd& end) {
+            return overlap_at(end, plane(s), place_of(end, at, arm_of(end, at))) > -touching;
+        });
     }
 
     /// Contact of a strip at a pose, on the way from where the step began.
@@ -286,13 +306,11 @@ private:
             const GroundEnd& end = s.end[e];
             t.arm[e] = arm_of(end, at);
             place[e] = place_of(end, at, t.arm[e]);
-            double& o = t.place.overlap[e];
-            o = overlap_of(end, plane(s), place[e]);
-            // none of its own, but the other end may lie on the ground
-            if (end.left_out || is_held(end.node) || w_.rests(end.node)) o = std::min(0.0, o);
+            t.place.overlap[e] = overlap_at(end, plane(s), place[e]);
         }
         t.touches = t.place.overlap[0] > -touching || t.place.overlap[1] > -touching;
-        if (!t.touches && !s.touches) return t;
+        t.counts = t.touches || s.touches;
+        if (!t.counts) return t;
 
         t.at = place[0];
         const Vec3 chord = place[1] - place[0];
