@@ -400,8 +400,7 @@ EffectKind contact_kind() {
                 if (!laws_call_functions(model)) return {};
                 return {{1, "a function in model:contact", true, model.asked_at(contact_effect)}};
             }},
-            .part_of_stable_step = part_of_stable_step,
-            .stages = {"contact", "contact ends", "events"}};
+            .part_of_stable_step = part_of_stable_step};
 }
 
 EffectKind friction_kind() {

@@ -436,7 +436,7 @@ EffectKind fracture_kind() {
             [](const Model& model, int member) {
                 return built::fracture && fracture_rule_of(fracture_rules(model), model.members()[member]) >= 0;
             },
-        .stages = {"restart", fracture_effect}};
+        .stages = {"restart"}};
 }
 
 }  // namespace hinge

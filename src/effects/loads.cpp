@@ -300,8 +300,7 @@ EffectKind loads_kind() {
                                  if (any([](const NodalLoad& l) { return bool(l.history); }))
                                      list.push_back({3, "a load's history", false, asked_at});
                                  return list;
-                             }},
-            .stages = {"loads"}};
+                             }}};
 }
 
 }  // namespace hinge

@@ -174,8 +174,7 @@ EffectKind removal_kind() {
             },
             .dynamic_only = true,
             .leave_out = leave_out_declared<removal_effect>,
-            .may_break = [](const Model& model, int member) { return built::fracture && is_removed(model, member); },
-            .stages = {removal_effect}};
+            .may_break = [](const Model& model, int member) { return built::fracture && is_removed(model, member); }};
 }
 
 }  // namespace hinge

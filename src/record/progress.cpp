@@ -7,6 +7,7 @@
 #include "core/text.h"
 #include "record/chain.h"
 #include "advice/adviser.h"
+#include "advice/idle_effects.h"
 #include "record/events.h"
 #include "record/recording.h"
 #include "record/told_warnings.h"
@@ -151,6 +152,14 @@ void tell_instability(const Context& c, RunRecord& r) {
         std::fprintf(stderr, "%sstatic: %s\n", line_start(), r.run->instability_text().c_str());
 }
 
+void tell_idle_effects(const Context& c, const RunRecord& r) {
+    if (!c.messages.progress && !c.messages.events) return;
+    const std::string text = idle_effects(*r.run, r.wall);
+    if (text.empty()) return;
+    if (c.messages.events) write_event(c, "idle", {{"run", r.number}, {"text", text}});
+    else std::fprintf(stderr, "%s%s\n", line_start(), text.c_str());
+}
+
 }  // namespace
 
 void tell_step(Context& c, RunRecord& r, bool over) {
@@ -159,7 +168,7 @@ void tell_step(Context& c, RunRecord& r, bool over) {
         tell(c, list[r.progress.warnings_seen]);
     if (over) tell_findings(c, r);
     tell_instability(c, r);
-    if (over) show_progress(c, r, true);
+    if (over) tell_idle_effects(c, r), show_progress(c, r, true);
     else show_if_due(c, r, false);
 }
 

@@ -18,8 +18,8 @@ void DynamicForces::recover(double time) {
     find_fixed_ends(w_, effects_, 1);
     w_.assembly.run(w_.state, w_.trial, w_.resisting, w_.force, w_.yielding);
     integrator_->recovered(step_);
-    for (const auto& load : effects_.loads) load->subtract_following_loads(w_.resisting);
-    for (const auto& force : effects_.forces) force->add_forces(time, w_.resisting);
+    times_.each(effects_.loads, [&](Load& load) { load.subtract_following_loads(w_.resisting); });
+    times_.each(effects_.forces, [&](Force& force) { force.add_forces(time, w_.resisting); });
     if (any_of(effects_.forces, &Force::blocks_follow)) host_.blocks_changed(w_.trial);
     if (w_.constraints) w_.constraints->balance([this](int n) { return w_.external[n]; });
     for (int e : w_.assembly.rotated()) host_.stiffness_changed(e);

@@ -5,6 +5,7 @@
 
 #include "effects/effect_list.h"
 #include "run/constraints.h"
+#include "run/effect_times.h"
 #include "run/integrator.h"
 #include "run/notice.h"
 
@@ -14,8 +15,8 @@ class DynamicForces {
 public:
     /// `step`: the one that is tried; its failure is set. `integrator` is made later.
     DynamicForces(Workspace& w, const EffectList& effects, KeptMass& mass,
-                  const std::unique_ptr<Integrator>& integrator, Host& host, Step& step)
-        : w_(w), effects_(effects), mass_(mass), integrator_(integrator), host_(host), step_(step) {}
+                  const std::unique_ptr<Integrator>& integrator, Host& host, Step& step, EffectTimes& times)
+        : w_(w), effects_(effects), mass_(mass), integrator_(integrator), host_(host), step_(step), times_(times) {}
 
     /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
     void recover(double time);
@@ -47,6 +48,7 @@ private:
     const std::unique_ptr<Integrator>& integrator_;
     Host& host_;
     Step& step_;
+    EffectTimes& times_;
 };
 
 }  // namespace hinge

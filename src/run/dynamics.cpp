@@ -28,7 +28,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
       energy_check_(*structure_, settings_.energy_tolerance.value_or(default_energy_tolerance(*structure_, settings_)),
                     own_steps()),
       mass_(w_),
-      forces_(w_, *effects_, mass_, integrator_, *this, step_),
+      forces_(w_, *effects_, mass_, integrator_, *this, step_, times_),
       element_breaks_(w_, *effects_, mass_, integrator_, forces_, *this),
       sleepers_(*effects_),
       has_contacts_(!effects_->contact_laws.empty()),
@@ -89,6 +89,7 @@ void Dynamics::stage(int stage, F f) {
 
 /// One step in the paper's order; [what a scene may not call for].
 void Dynamics::take_step() {
+    times_.begin_step(state_.step, planned_steps());
     choose_length();
     step_ = {state_.time, dt(), length_.size().longer(), 0, {}, {}};
     stage(at_.loads, [&] { begin_step(); });                            // F at the end of the step
@@ -113,7 +114,7 @@ void Dynamics::choose_length() {
 }
 
 void Dynamics::begin_step() {
-    for (const auto& e : effects_->all) e->begin(step_);
+    times_.each(effects_->all, [this](Effect& e) { e.begin(step_); });
 }
 
 void Dynamics::predict() {
@@ -132,13 +133,14 @@ void Dynamics::keep_constraints(bool moved) {
 
 /// A step too long for what comes is begun again as a shorter one.
 void Dynamics::detect_contacts() {
-    for (const auto& law : effects_->contact_laws) {
-        if (law->detect_contacts(step_)) continue;
-        take_steps_of(length_.size().own_length());
-        step_.dt = dt(), step_.longer = false;
-        begin_step();
-        return detect_contacts();
-    }
+    bool short_enough = true;
+    times_.each(effects_->contact_laws,
+                [&](ContactLaw& law) { short_enough = short_enough && law.detect_contacts(step_); });
+    if (short_enough) return;
+    take_steps_of(length_.size().own_length());
+    step_.dt = dt(), step_.longer = false;
+    begin_step();
+    detect_contacts();
 }
 
 void Dynamics::restart() {
@@ -153,11 +155,13 @@ bool Dynamics::correct() {
     for (const auto& p : effects_->prescribers) p->corrected(step_, integrator_->change());
     if (constraints_) keep_constraints(!explicit_steps());
     if (again) return true;
-    if (integrator_->may_go_on(step_))
-        for (const auto& law : effects_->contact_laws)
-            if (!law->has_converged()) return true;
+    if (integrator_->may_go_on(step_)) {
+        bool converged = true;
+        times_.each(effects_->contact_laws, [&](ContactLaw& law) { converged = converged && law.has_converged(); });
+        if (!converged) return true;
+    }
     integrator_->solved(step_);
-    for (const auto& e : effects_->all) e->solved(step_, integrator_->change());
+    times_.each(effects_->all, [this](Effect& e) { e.solved(step_, integrator_->change()); });
     if (constraints_) constraints_->set_velocities();
     return false;
 }
@@ -173,25 +177,25 @@ void Dynamics::recover_last() {
 }
 
 void Dynamics::end_contacts() {
-    for (const auto& law : effects_->contact_laws) law->end(step_);
+    times_.each(effects_->contact_laws, [this](ContactLaw& law) { law.end(step_); });
 }
 
 void Dynamics::decide_breaks() {
-    for (const auto& breaker : effects_->breakers) breaker->find_breaks(step_);
+    times_.each(effects_->breakers, [this](Breaker& breaker) { breaker.find_breaks(step_); });
 }
 
 /// What was tried becomes the state.
 void Dynamics::commit() {
-    for (const auto& e : effects_->all) e->accumulate_energy(step_, state_.accumulated);
+    times_.each(effects_->all, [this](Effect& e) { e.accumulate_energy(step_, state_.accumulated); });
     state_.accumulated["numerical"] += integrator_->dissipated(step_);
-    for (const auto& e : effects_->all) e->before_commit(step_);
+    times_.each(effects_->all, [this](Effect& e) { e.before_commit(step_); });
     integrator_->before_commit();
     std::swap(static_cast<Configuration&>(state_), w_.trial);
     state_.force.swap(w_.force);
     for (int e : assembly_.save_turns(state_, w_.trial)) stiffness_changed(e);
     integrator_->after_commit();
     if (constraints_) constraints_->commit();
-    for (const auto& e : effects_->all) e->after_commit(step_);
+    times_.each(effects_->all, [this](Effect& e) { e.after_commit(step_); });
     call_watches(step_);
     if (element_breaks_.constraints_due) element_breaks_.rebuild_constraints();
     length_.note_skipped();

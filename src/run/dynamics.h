@@ -7,6 +7,7 @@
 #pragma once
 
 #include "run/element_breaks.h"
+#include "run/effect_times.h"
 #include "run/energy_check.h"
 #include "run/sleepers.h"
 #include "run/step_length.h"
@@ -113,6 +114,7 @@ private:
 
     const DynamicSettings settings_;
     Stages stages_;
+    EffectTimes times_;
     struct {
         int loads, contact, restart, predict, recover, correct, ends, control, decide, commit;
     } at_;  ///< places of the stages

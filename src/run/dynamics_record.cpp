@@ -54,7 +54,7 @@ std::vector<PlanLine> Dynamics::effects() const {
                       settings_.rho_infinity),
             because += how;
     list.front().because = because;
-    stages_.add_to(list);
+    stages_.add_to(list), times_.add_to(list);
     return list;
 }
 
@@ -64,8 +64,8 @@ std::vector<PlanLine> Dynamics::effects() const {
 template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
-    a(s.length_, s.stages_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported, s.w_.yielding, s.w_.weighted,
-      s.forces_.acceleration_due, s.sleepers_);
+    a(s.length_, s.stages_, s.times_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported, s.w_.yielding,
+      s.w_.weighted, s.forces_.acceleration_due, s.sleepers_);
     if constexpr (A::reading) s.energy_check_.make_room(s.state_);
     a(s.energy_check_);
     for (const auto& e : s.effects_->all)

@@ -29,6 +29,37 @@ local function events(printed)
   return list
 end
 
+-- Effects that did nothing --------------------------------------------------------------------------------------------
+
+-- A bar falls on the ground and nothing else happens. Long enough that there is time to be saved: above a second.
+local falling = [[
+local hinge = require "hinge"
+local model = hinge.model()
+local bar = hinge.section.solid { width = 0.05, depth = 0.05 }
+local a, b = model:node { 0, 0, 0.03 }, model:node { 1, 0, 0.03 }
+model:member { a, b, section = bar, material = hinge.material { E = 206e9, density = 7850 } }
+model:gravity { 0, 0, -9.80665 }
+model:contact { rule = "surface" }
+model:fracture { curvature_x = 1e9 }
+model:ground {}
+model:dynamic { dt = 1e-7, duration = %g, record = false, step_control = 0 }:finish()
+]]
+case("a run names effects that did nothing and cost much, not those that acted, nor where there is no time to save",
+  function()
+    local _, complaint = ended(0, "", hinge_run(falling:format(0.05)))
+    local names, all, fracture, contact = complaint:match
+      "([%l ]+) did nothing in this run and took (%S+) %% of its time: fracture (%S+) %%, contact (%S+) %%\n"
+    equal(names, "fracture and contact", "what did nothing:\n" .. complaint)
+    local wall, seconds = summary().wall_seconds, {}
+    for _, e in ipairs(summary().effects) do seconds[e.name] = e.seconds end
+    for name, part in pairs { contact = contact, fracture = fracture } do
+      checks.near(tonumber(part) / 100 / (seconds[name] / wall), 1, 0.06, "part of " .. name)
+    end
+    checks.near(tonumber(all) / (tonumber(contact) + tonumber(fracture)), 1, 0.06, "both together")
+    _, complaint = ended(0, "", hinge_run(falling:format(1e-4)))
+    expect(not complaint:find "did nothing", "a short run:\n%s", complaint)
+  end)
+
 -- Changes of state: the first of each kind is told, the others are counted --------------------------------------------
 
 local bouncing = [[
