@@ -1,12 +1,10 @@
 // Position and velocity of the ends of bars.
 #pragma once
 
-
 #include "contact/member_contacts.h"
 #include "contact/gap_rule.h"
 
 namespace hinge::contact {
-
 
 inline bool has_arm(const End& end) { return !end.arm.isZero(0); }
 
