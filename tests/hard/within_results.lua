@@ -185,11 +185,11 @@ function results.misses(rows, everything)
 end
 
 --- Whether the quick scenes keep the bounds: parts of answers within what was asked, and of bands that hold; and that
---- nothing is left out.
+--- no scene and no reference is left out.
 function results.keeps(groups, bounds)
   for _, g in ipairs(groups) do
     if g.name == "all" then
-      return g.untold == 0 and g.within.n > 0 and g.within.yes >= bounds.within * g.within.n
+      return g.untold == 0 and (g.none or 0) == 0 and g.within.n > 0 and g.within.yes >= bounds.within * g.within.n
         and (g.holds.n == 0 or g.holds.yes >= bounds.holds * g.holds.n)
     end
   end
