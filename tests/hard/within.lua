@@ -31,10 +31,10 @@ for _, word in ipairs(arg) do
 end
 
 -- What `check` asks for in the quick scenes, as parts of their answers.
-local bounds = { within = 0.95, holds = 0.8 }
+local bounds = { within = 0.95, bounded = 0.95, holds = 0.8 }
 
 -- The population's seeds with the least time, as they were measured.
-local quickest = { 1, 12, 14, 17, 23, 24, 28, 38, 49, 50, 53, 62, 64, 67, 69, 75 }
+local quickest = { 1, 12, 14, 17, 18, 23, 24, 38, 49, 50, 53, 62, 64, 67, 69, 75, 101, 103, 106, 28 }
 
 if options.quick then options.asked = 5 end
 local asked = {}

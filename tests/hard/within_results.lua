@@ -184,12 +184,13 @@ function results.misses(rows, everything)
   return lines
 end
 
---- Whether the quick scenes keep the bounds: parts of answers within what was asked, and of bands that hold; and that
---- no scene and no reference is left out.
+--- Whether the quick scenes keep the bounds: parts of answers within what was asked and within the estimate, and of
+--- bands that hold; and that no scene and no reference is left out.
 function results.keeps(groups, bounds)
   for _, g in ipairs(groups) do
     if g.name == "all" then
       return g.untold == 0 and (g.none or 0) == 0 and g.within.n > 0 and g.within.yes >= bounds.within * g.within.n
+        and g.bounded.yes >= bounds.bounded * g.bounded.n
         and (g.holds.n == 0 or g.holds.yes >= bounds.holds * g.holds.n)
     end
   end
