@@ -162,7 +162,7 @@ local function pushed(p)
   local held = model:static { loads = { axial = 1 } }:finish()
   local run = model:static { from = held, loads = { push = 1 }, steps = 10, control = { node = b, "uz", to = reach } }
   run:finish()
-  local own_error = math.max(math.abs(held.energy_error), math.abs(run.energy_error))
+  local own_error = support.largest_of(math.abs(held.energy_error), math.abs(run.energy_error))
   return { m = math.abs(member:forces(run).Mx) / (of.Zx * fy) }, own_error
 end
 local function compared(parameters)
