@@ -5,6 +5,7 @@ local accuracy = require "hinge.accuracy"
 local changes = require "hinge.accuracy.changes"
 local measure = require "hinge.cost.measure"
 local statistics = require "hinge.accuracy.statistics"
+local support = require "support"
 local measured = {}
 
 local finer = 4        -- the reference, in time steps and elements
@@ -29,8 +30,8 @@ end
 local function factors_of(all, times)
   local f = { dt = math.huge, elements = 0 }
   for _, told in ipairs(all) do
-    f.dt = math.min(f.dt, (told.values.dt or 1) / times)
-    f.elements = math.max(f.elements, (told.values.elements or 1) * times)
+    f.dt = support.smallest_of(f.dt, (told.values.dt or 1) / times)
+    f.elements = support.largest_of(f.elements, (told.values.elements or 1) * times)
     if told.setting:find "^explicit" then f.integrator = "explicit" end
   end
   return f
@@ -40,7 +41,7 @@ end
 -- with changed physical numbers as the largest family that was told. nil and why where there is none.
 local function reference_of(scenario, all, deadline)
   local own = 0
-  for _, told in ipairs(all) do own = math.max(own, told.own) end
+  for _, told in ipairs(all) do own = support.largest_of(own, told.own) end
   if finer ^ 2 * own > deadline - os.clock() then return nil, "too slow" end
   local first = run_once(scenario, factors_of(all, finer), 0, deadline)
   if not first then return nil, "too slow" end
@@ -50,7 +51,7 @@ local function reference_of(scenario, all, deadline)
   if half and not half.failed then reference.half = half end
   local most = 0
   for _, told in ipairs(all) do
-    for _, a in ipairs(told.answers) do if a.chaotic then most = math.max(most, a.runs or 0) end end
+    for _, a in ipairs(told.answers) do if a.chaotic then most = support.largest_of(most, a.runs or 0) end end
   end
   for vary = 1, most - 1 do
     local record = run_once(scenario, factors_of(all, finer), vary, deadline)

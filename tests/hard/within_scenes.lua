@@ -7,6 +7,7 @@
 local hinge = require "hinge"
 local core = require "hinge.core"
 local random = require "random_scenes"
+local support = require "support"
 local vectors = require "hinge.library.vectors"
 local within_scenes = {}
 
@@ -63,7 +64,8 @@ local function plan_of(seed, class, keep)
   return function(s)
     local d = random.draws(seed, 4)
     local setting = d.weighted { { 70, "dt" }, { 13, "auto" }, { 17, "explicit" } }
-    local steps = math.floor(math.max(few, math.min(many, updates / math.max(10, s.elements))))
+    local each = updates / support.largest_of(10, s.elements)
+    local steps = math.floor(support.largest_of(few, support.smallest_of(many, each)))
     local options = {}
     local step
     if flies[class] then steps = longer * steps end
@@ -100,7 +102,7 @@ local function answers_of(seed, s, run)
   end
   local node = #candidates > 0 and d.pick(candidates) or s.members[#s.members].b
   local peak = 0
-  run:on_step(function(r) peak = math.max(peak, displacement(node, r)) end)
+  run:on_step(function(r) peak = support.largest_of(peak, displacement(node, r)) end)
   local wants_end, wants_kinetic = d.chance(0.4), d.chance(0.5)
   return function()
     local answers = { peak_mm = 1e3 * peak, plastic_kJ = run.energy.plastic / 1e3 }

@@ -32,11 +32,8 @@ local function saved(all, rest)
 end
 
 -- What is run in the place of the scenario as it is, by the name of the law that is left out (core.optional_laws).
-local function with_law(name)
-  return name == "eq 14" and "exact in the place of eq 14"
-    or name == "exact" and "eq 14 in the place of exact"
-    or "without " .. name
-end
+local others = { ["eq 14"] = "exact in the place of eq 14", exact = "eq 14 in the place of exact" }
+local function with_law(name) return others[name] or "without " .. name end
 
 -- The answer that changes most, of those that change by more than their scatter. If there are none, it is the one of
 -- all that changes most, and true if its scatter is larger.
@@ -140,7 +137,7 @@ function effects.compare(bench, inputs, o)
   for _, s in ipairs(settings) do
     local row = compare_one(s, all, moving, scatter or {}, o)
     if s.is_law then
-      row.law, row.name = s.without, s.label
+      row.law, row.name, row.instead = s.without, s.label, others[s.without] ~= nil
       of_laws[#of_laws + 1] = row
     else
       rows[#rows + 1] = row

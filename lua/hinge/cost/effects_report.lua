@@ -35,16 +35,14 @@ local function change_in_words(row, within)
   return ("changes %s by %s"):format(row.worst, short(row.change))
 end
 
--- Another law in the place of one: not only something left out.
-local function in_its_place(row) return row.law and row.name:find " in the place of " end
-
-local function name_of(row) return row.law and not in_its_place(row) and row.law or row.name end
+-- row.instead: another law is in the place of one, not only something left out.
+local function name_of(row) return row.law and not row.instead and row.law or row.name end
 
 local function cost_in_words(row)
   if math.abs(row.saves) <= math.max(measurable, row.spread or 0) then
-    return in_its_place(row) and "takes the same time" or "costs nothing"
+    return row.instead and "takes the same time" or "costs nothing"
   end
-  if in_its_place(row) then
+  if row.instead then
     return ("takes %s %s time"):format(short(math.abs(row.saves)), row.saves > 0 and "less" or "more")
   end
   return row.saves > 0 and ("costs %s of the time"):format(short(row.saves))
