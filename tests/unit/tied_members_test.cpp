@@ -119,6 +119,6 @@ TEST_CASE("tied members: conjugate gradients find what factors find, in few iter
                 INFO((p_delta ? "member" : "chord")
                      << ", floors " << floors << ", " << count << " elements: " << iterations << " iterations");
                 CHECK(off < 1e-7 * most);  // factors of nearly rigid springs have 1e-16 times 1e9 / 1e2
-                CHECK(iterations < 40);
+                CHECK(iterations < 60);    // 23 to 37; 161 where members of eight elements were not condensed
             }
 }
