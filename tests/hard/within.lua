@@ -8,6 +8,7 @@
 --         most=40              s of the processor for a scene: half for the asking, the rest for the reference. A
 --                              process that takes forty times as long on the clock is ended
 --         jobs=1               processes at a time; each scene has a process of its own
+--         kept=FOLDER          the runs of each scene are kept there, and taken from there by the next call
 --         out=FILE.csv         a line for each scene and accuracy is added; seeds that it has are not run again
 --         table                the summary of `out` alone
 --         misses               also a line for each answer that is farther off than was asked or estimated
@@ -44,8 +45,8 @@ for word in tostring(options.asked):gmatch "[%d.]+" do asked[#asked + 1] = tonum
 local running, count, rows = {}, 0, {}
 
 local function start(seed)
-  local output, place = os.tmpname(), os.tmpname()
-  os.remove(place)
+  local output = os.tmpname()
+  local place = options.kept and ("%s/%d"):format(options.kept, seed) or output .. ".runs"
   local process = core.start(function()
     local scene = scenes.scene(seed)
     local lines = { "RESULT\n" }
@@ -78,7 +79,7 @@ local function ended(process, how, code)
   local text = core.read_text(task.output) or "" -- io.open would make it a file that the next scenes have read
   os.remove(task.output)
   for _, name in ipairs { "/accuracy/finished.lua", "/accuracy/.lock", "/accuracy", "" } do
-    os.remove(task.place .. name)
+    if not options.kept then os.remove(task.place .. name) end
   end
   local lines = text:match "RESULT\n(.*)"
   for line in (lines or ""):gmatch "[^\n]+" do keep(line) end

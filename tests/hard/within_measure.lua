@@ -2,8 +2,7 @@
 -- finer in everything than the finest setting that was chosen.
 local core = require "hinge.core"
 local accuracy = require "hinge.accuracy"
-local changes = require "hinge.accuracy.changes"
-local measure = require "hinge.cost.measure"
+local Runs = require "hinge.accuracy.runs"
 local statistics = require "hinge.accuracy.statistics"
 local support = require "support"
 local measured = {}
@@ -16,14 +15,9 @@ local rounding = 1e-12
 
 -- What a run took and answered, with factors on the script's own steps and elements. nil where the time is over:
 -- `until_then` is of the processor, and the clock may take forty times as long on a machine that others use.
-local function run_once(scenario, factors, vary, until_then)
-  local began = os.clock()
-  local deadline = core.clock() + slowest * (until_then - began)
-  local change = changes.of { dt = factors.dt, elements = factors.elements, vary = vary,
-    integrator = factors.integrator }
-  local record = measure.once(scenario, scenario:values(nil, {}), nil, deadline, nil, change)
-  if record then record.seconds = os.clock() - began end
-  return record
+local function run_once(runs, factors, vary, until_then)
+  local record = runs:measure({}, factors, vary, core.clock() + slowest * (until_then - os.clock()))
+  return record.failed ~= Runs.late and record or nil
 end
 
 -- Factors `times` finer than the finest of several settings.
@@ -39,22 +33,22 @@ end
 
 -- The reference of the settings that have been told, { runs = { record, ... }, half = record or nil }: as many runs
 -- with changed physical numbers as the largest family that was told. nil and why where there is none.
-local function reference_of(scenario, all, deadline)
+local function reference_of(runs, all, deadline)
   local own = 0
   for _, told in ipairs(all) do own = support.largest_of(own, told.own) end
   if finer ^ 2 * own > deadline - os.clock() then return nil, "too slow" end
-  local first = run_once(scenario, factors_of(all, finer), 0, deadline)
+  local first = run_once(runs, factors_of(all, finer), 0, deadline)
   if not first then return nil, "too slow" end
   if first.failed then return nil, first.failed end
   local reference = { runs = { first } }
-  local half = run_once(scenario, factors_of(all, finer / 2), 0, deadline)
+  local half = run_once(runs, factors_of(all, finer / 2), 0, deadline)
   if half and not half.failed then reference.half = half end
   local most = 0
   for _, told in ipairs(all) do
     for _, a in ipairs(told.answers) do if a.chaotic then most = support.largest_of(most, a.runs or 0) end end
   end
   for vary = 1, most - 1 do
-    local record = run_once(scenario, factors_of(all, finer), vary, deadline)
+    local record = run_once(runs, factors_of(all, finer), vary, deadline)
     if not record then break end
     if not record.failed then reference.runs[#reference.runs + 1] = record end
   end
@@ -67,9 +61,11 @@ local function values_of(records, name)
   return values
 end
 
-local function part(a, b)
+-- The difference as a part of b, or of `least` where b is smaller.
+local function part(a, b, least)
   if math.abs(a - b) == 0 then return 0 end
   local size = math.abs(b) > rounding and math.abs(b) or math.abs(a)
+  size = support.largest_of(size, least)
   return size > rounding and math.abs(a - b) / size or 0
 end
 
@@ -77,23 +73,24 @@ end
 -- open = part by which the reference itself changed with its last refinement, chaotic }; of means also alone = whether
 -- the reference is in the 95 % band, holds = they differ by no more than their scatter explains (Welch's test), told =
 -- they differ by no more than the estimated error and the band of the reference's mean }.
-local function judged(a, reference)
+local function judged(a, reference, least)
   local row = { name = a.name, chaotic = a.chaotic, estimated = a.error, value = a.mean or a.value }
   if not row.value or not reference then return row end
   if a.chaotic and a.runs then
     local mean, deviation, runs = statistics.mean(values_of(reference.runs, a.name))
     if not mean or runs < least_runs then return row end
-    row.reference, row.distance = mean, part(a.mean, mean)
+    row.reference, row.distance = mean, part(a.mean, mean, least)
     row.alone = math.abs(a.mean - mean) <= a.band
     row.holds = not statistics.apart({ mean = a.mean, deviation = a.scatter, runs = a.runs },
       { mean = mean, deviation = deviation, runs = runs })
-    row.told = math.abs(a.mean - mean) <= a.error * math.abs(a.mean) + statistics.band(deviation, runs)
+    row.told = math.abs(a.mean - mean) <= a.error * support.largest_of(math.abs(a.mean), least)
+      + statistics.band(deviation, runs)
   else
     local value = reference.runs[1].answers[a.name]
     if value ~= value or not value then return row end
-    row.reference, row.distance = value, part(row.value, value)
+    row.reference, row.distance = value, part(row.value, value, least)
     local half = reference.half and reference.half.answers[a.name]
-    row.open = half and part(half, value) or nil
+    row.open = half and part(half, value, least) or nil
   end
   return row
 end
@@ -128,8 +125,9 @@ function measured.scene(scene, o)
     end
   end
   local reference, why
+  local runs = Runs.open { script = o.script, scenario = scene.scenario, overrides = {}, out = o.folder }
   while #told_all > 0 do -- without the most accurate setting, where the time does not suffice for its reference
-    reference, why = reference_of(scene.scenario, told_all, began + o.most)
+    reference, why = reference_of(runs, told_all, began + o.most)
     if reference or why ~= "too slow" or os.clock() - began > o.most then break end
     table.remove(told_all)
   end
@@ -141,7 +139,7 @@ function measured.scene(scene, o)
       row.why = ("%sreference: %s"):format(row.why and row.why .. "; " or "", why or "?")
     end
     for k, a in ipairs(row.told and row.told.answers or {}) do
-      row.answers[k] = judged(a, row.reference and reference)
+      row.answers[k] = judged(a, row.reference and reference, (scene.least[a.name] or 0) / row.asked)
     end
   end
   return rows

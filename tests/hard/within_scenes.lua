@@ -14,6 +14,8 @@ local within_scenes = {}
 local most_elements = 48  -- of two a member: larger structures are left out of the population
 local updates = 2500      -- elements times steps of the script's own run, about
 local few, many = 50, 300 -- steps of a run
+-- Differences that do not matter: 0.05 mm, 10 J.
+local least = { peak_mm = 0.05, end_mm = 0.05, plastic_kJ = 0.01, kinetic_kJ = 0.01 }
 local longer = 4          -- times as many where something flies, so that it hits and bounces
 
 local flies = { ["struck frame"] = true, fall = true, bin = true }
@@ -103,14 +105,27 @@ local function answers_of(seed, s, run)
   local node = #candidates > 0 and d.pick(candidates) or s.members[#s.members].b
   local peak = 0
   run:on_step(function(r) peak = support.largest_of(peak, displacement(node, r)) end)
-  local wants_end, wants_kinetic = d.chance(0.4), d.chance(0.5)
   return function()
-    local answers = { peak_mm = 1e3 * peak, plastic_kJ = run.energy.plastic / 1e3 }
-    if wants_end then answers.end_mm = 1e3 * displacement(node, run) end
-    if s.breaks then answers.broken_members = #core.facts(run).broken
-    elseif wants_kinetic then answers.kinetic_kJ = run.energy.kinetic / 1e3 end
-    return answers
+    return { peak_mm = 1e3 * peak, plastic_kJ = run.energy.plastic / 1e3, end_mm = 1e3 * displacement(node, run),
+      broken_members = #core.facts(run).broken, kinetic_kJ = run.energy.kinetic / 1e3 }
   end
+end
+
+-- The answers that count: peak and plastic work always, the others in a part of the scenes.
+local function wanted_of(seed, breaks)
+  local d = random.draws(seed, 6)
+  local wanted = { peak_mm = least.peak_mm, plastic_kJ = least.plastic_kJ }
+  local wants_end, wants_kinetic = d.chance(0.4), d.chance(0.5)
+  if wants_end then wanted.end_mm = least.end_mm end
+  if breaks then wanted[1] = "broken_members" elseif wants_kinetic then wanted.kinetic_kJ = least.kinetic_kJ end
+  return wanted
+end
+
+local function has_fracture(words)
+  for _, word in ipairs(words) do
+    if word:find "^fracture" then return true end
+  end
+  return false
 end
 
 --- The scene of a seed: seed, class, words (complete after a run), scenario; nil where its structure is too large or
@@ -130,7 +145,6 @@ function within_scenes.scene(seed)
     for i = #scene.words, 1, -1 do scene.words[i] = nil end
     local model, options = scene.make(library, changed)
     local s = keep.s
-    for _, word in ipairs(scene.words) do s.breaks = s.breaks or word:find "^fracture" ~= nil end
     for _, word in ipairs(laws) do scene.words[#scene.words + 1] = word end
     if interaction then scene.words[#scene.words + 1] = "interaction " .. interaction end
     if ends then scene.words[#scene.words + 1] = "joints" end
@@ -145,7 +159,9 @@ function within_scenes.scene(seed)
     scene.make(library, changed)
   end)
   if not ok or not keep.s or keep.s.elements > most_elements then return nil end
-  return { seed = seed, class = scene.class, words = scene.words, scenario = hinge.scenario { run = run } }
+  local wanted = wanted_of(seed, has_fracture(scene.words))
+  return { seed = seed, class = scene.class, words = scene.words, least = least,
+    scenario = hinge.scenario { run = run, answers = wanted } }
 end
 
 return within_scenes

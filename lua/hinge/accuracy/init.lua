@@ -1,5 +1,6 @@
 -- hinge run SCRIPT --within 2%: a script is run so that its answers have a given error at most.
 local core = require "hinge.core"
+local answers = require "hinge.accuracy.answers"
 local broken = require "hinge.accuracy.broken"
 local check = require "hinge.library.check"
 local forecast = require "hinge.accuracy.forecast"
@@ -12,7 +13,6 @@ local status_line = require "hinge.library.status_line"
 local text = require "hinge.cost.text"
 
 local accuracy = {}
-local own_error = "energy_error" -- in the name of a number: a measure of the run, and no answer
 local where = "--within"
 
 local most_runs = 20         -- of chaotic answers, where no budget is given
@@ -28,24 +28,6 @@ function accuracy.load(options)
   if not chunk then check.fail("%s", problem) end
   if not code:find "scenario%s*[{(]" then return nil end
   return (require "hinge.program.runner".load(options.script, options.overrides))
-end
-
--- The answers that count: those that are named; else the numbers that the script returns; without these, histories.
-local function names_of(record, wanted)
-  if wanted then
-    for _, name in ipairs(wanted) do
-      if record.answers[name] == nil then
-        check.unknown(where .. ": answers", "answer", name, check.keys(record.answers))
-      end
-    end
-    return wanted
-  end
-  local numbers, histories = {}, {}
-  for _, name in ipairs(check.keys(record.answers)) do
-    local list = type(record.answers[name]) == "number" and numbers or histories
-    if not name:find(own_error) then list[#list + 1] = name end
-  end
-  return #numbers > 0 and numbers or histories
 end
 
 -- A function that shows progress: what runs now, how many have been made, and the time.
@@ -96,7 +78,7 @@ local function notes_of(search, record)
     end
   end
   for name in pairs(record.answers) do
-    if name:find(own_error) then notes[#notes + 1] = name .. " is not counted: it is an error itself" end
+    if answers.is_error(name) then notes[#notes + 1] = name .. " is not counted: it is an error itself" end
   end
   for name, spread in pairs(search.sensitive) do
     if search.ladders.chaotic[name] then
@@ -130,9 +112,10 @@ local function records_for_broken(search, found)
 end
 
 local function problem_of(o, runs, tell, first, all, corner)
+  local wanted = o.answers or o.scenario and o.scenario.answers
   local problem = { knobs = all, corner = corner, within = o.within, economic = o.economic,
-    most_runs = o.budget and math.huge or most_runs }
-  function problem.names(record) return names_of(record, o.answers or o.scenario and o.scenario.answers) end
+    least = answers.least(wanted), most_runs = o.budget and math.huge or most_runs }
+  function problem.names(record) return answers.names(where, record, wanted) end
   function problem.fits(seconds) return runs:fits(seconds) end
   function problem.run(levels, vary, chosen)
     local set, factors = knobs.apply(all, levels)

@@ -16,9 +16,10 @@ local longest = 4      -- values of a ladder that count, the finest ones
 
 --- knobs: { { name =, theory = order, ratio =, work = exponent of the work over the ratio (1), least = level, most =
 -- level }, ... }; corner: their coarsest levels.
--- accepted: the part by which answers may change and pass for settled.
-function Ladders.new(knobs, corner, accepted)
-  return setmetatable({ accepted = accepted, knobs = knobs, corner = corner, coarse = corner, records = {},
+-- accepted: the part by which answers may change and pass for settled. least: by name, the size below which errors are
+-- parts of this size, and no longer of the answer itself (default: none).
+function Ladders.new(knobs, corner, accepted, least)
+  return setmetatable({ accepted = accepted, least = least or {}, knobs = knobs, corner = corner, coarse = corner, records = {},
     chaotic = {} }, Ladders)
 end
 
@@ -82,11 +83,14 @@ function Ladders:levels(knob)
   return levels
 end
 
--- Size of an answer, of which errors are parts: that of its finest value; where this is 0, of its largest.
-local function size_of(answers)
+--- Size of an answer with these values, of which errors are parts: that of its finest value; where this is 0, of its
+--- largest.
+function Ladders:size(name, answers)
   local size = compare.size(answers[#answers])
-  if size > rounding then return size end
-  for _, a in ipairs(answers) do size = compare.larger(size, compare.size(a)) end
+  if not (size > rounding) then
+    for _, a in ipairs(answers) do size = compare.larger(size, compare.size(a)) end
+  end
+  size = compare.larger(size, self.least[name] or 0)
   return size > rounding and size or 0
 end
 
@@ -106,9 +110,10 @@ function Ladders:along(knob, name)
     answers[#answers + 1] = self:answer(Ladders.with(self:place(knob), knob.name, all[i]), name)
   end
   if #answers == 0 or #answers < #levels then return { by = "open", error = math.huge, size = 0, levels = levels } end
+  local size, finest = self:size(name, answers), compare.size(answers[#answers])
   local found = self.chaotic[name] and self:along_means(knob, name, answers)
-    or estimate.along(h, answers, knob.theory, self.accepted)
-  found.levels, found.answers, found.size = levels, answers, size_of(answers)
+    or estimate.along(h, answers, knob.theory, self.accepted * (finest > 0 and size / finest or 1))
+  found.levels, found.answers, found.size = levels, answers, size
   if found.size == 0 and found.by ~= "open" then found.by, found.error = "exact", 0 end
   local whole = not self.chaotic[name] and is_whole(answers)
   if whole and found.by ~= "exact" then found.error = math.max(1, math.ceil(found.error)) end
@@ -135,7 +140,8 @@ local function error_at(found, level)
   return math.huge
 end
 
-local function part_of(error, size) return size > 0 and error / size or error > 0 and math.huge or 0 end
+local function part_of(error, size) return size > 0 and error / size or not (error <= rounding) and math.huge or 0 end
+Ladders.part_of = part_of
 
 --- The error of an answer at the finest level of a knob, as a part of it; 0 where means do not differ beyond scatter.
 function Ladders:part(knob, name)
@@ -200,7 +206,7 @@ function Ladders:interplay(levels, name)
     return value
   end, table.unpack(parts))
   if not sum then return math.huge end
-  return part_of(compare.distance(own, sum), size_of { own })
+  return part_of(compare.distance(own, sum), self:size(name, { own }))
 end
 
 return Ladders

@@ -1,5 +1,6 @@
 -- hinge run SCRIPT --within 2%: reads the command line, searches, makes the chosen run, prints and writes.
 local accuracy = require "hinge.accuracy"
+local answers = require "hinge.accuracy.answers"
 local check = require "hinge.library.check"
 local files = require "hinge.study.files"
 local report = require "hinge.accuracy.report"
@@ -32,7 +33,7 @@ function program.main(options)
     local told, why = accuracy.run { script = options.script, scenario = scenario, case = options.case,
       overrides = options.overrides, parameters = parameters, out = runner.folder(options, parameters),
       out_given = options.out_given ~= nil, within = within, budget = budget,
-      answers = values.names("--answers", options.answers), progress = options.quiet == nil }
+      answers = answers.read("--answers", options.answers), progress = options.quiet == nil }
     if not told then return runner.status("failed", why) end
     io.stdout:write(told.printed)
     for _, line in ipairs(report.lines(told)) do print(line) end

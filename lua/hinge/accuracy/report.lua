@@ -16,6 +16,12 @@ end
 local function time(seconds) return words.seconds(seconds, 2) end
 local function number(value) return ("%.4g"):format(value) end
 
+-- An estimated error: a part of the answer, or in its unit where the answer is smaller than what errors are parts of.
+local function error_of(a)
+  if a.least and a.size <= a.least and a.error < math.huge then return ("%.2g"):format(a.error * a.size) end
+  return percent(a.error)
+end
+
 -- "order 1.98 in dt", "change of 0.4 % in elements".
 local function basis_of_knob(knob, found, part)
   if found.by == "order" then return ("order %.2g in %s"):format(found.order, knob.name) end
@@ -41,13 +47,15 @@ local function basis(all, e)
   return table.concat(parts, "; ")
 end
 
---- Answers as they are told: { { name =, value =, error =, basis =, chaotic = }, ... } by name.
+--- Answers as they are told: { { name =, value =, error = part of size, size =, least = the smallest size, basis =,
+--- chaotic = }, ... } by name.
 function report.answers(all, found, search)
   local list = {}
   for _, name in ipairs(check.keys(found.errors)) do
     local e = found.errors[name]
     local value = search.ladders:answer(found.chosen, name)
     list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
+      size = search.ladders:size(name, { e.mean or value }), least = search.ladders.least[name],
       chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e),
       mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
       parts = e.parts }
@@ -73,7 +81,7 @@ function report.lines(told)
   local widest, rows = 0, {}
   for i, a in ipairs(told.answers) do
     rows[i] = { a.name .. (a.chaotic and " (chaotic)" or ""), a.chaotic and a.mean and number(a.mean)
-      or a.value and number(a.value) or "history", "+- " .. percent(a.error), a.basis }
+      or a.value and number(a.value) or "history", "+- " .. error_of(a), a.basis }
     widest = math.max(widest, #rows[i][1])
   end
   for _, row in ipairs(rows) do

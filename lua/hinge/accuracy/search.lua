@@ -18,14 +18,20 @@ local least_runs = 5 -- of a chaotic answer at the chosen setting
 -- steps; asking then costs about four times the chosen run.
 local dearest = 3.5
 local restless = 4   -- values of a ladder after which an answer should come to rest
-local rounding = 1e-12
 
---- problem: knobs and corner (see Ladders.new), within, names(record) of the answers that count, run(levels, vary,
+-- Sizes at which the differences that do not matter are the accepted part.
+local function sizes_of(problem)
+  local sizes = {}
+  for name, least in pairs(problem.least or {}) do sizes[name] = least / problem.within end
+  return sizes
+end
+
+--- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter, names(record) of the answers that count, run(levels, vary,
 -- chosen), which returns { answers =, seconds =, work = steps times elements or nil, failed = } or nil where the budget
 -- ends; foretell(levels) and fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
 function Search.new(problem)
   return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
-    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2), seconds = 0, work = 0, runs = 0,
+    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2, sizes_of(problem)), seconds = 0, work = 0, runs = 0,
     stuck = {}, sensitive = {}, names = {} }, Search)
 end
 
@@ -172,8 +178,7 @@ function Search:add_spread(place, names, spread)
     if not record and why == "budget" then break end
     for _, name in ipairs(names) do
       local a, b = base.answers[name], record and record.answers[name]
-      local apart = b == nil and math.huge or compare.error(b, a)
-      if b and compare.size(a) <= rounding and compare.size(b) <= rounding then apart = 0 end
+      local apart = b == nil and math.huge or Ladders.part_of(compare.distance(b, a), self.ladders:size(name, { a }))
       spread[name] = compare.larger(spread[name] or 0, apart)
     end
   end
@@ -237,10 +242,10 @@ function Search:add_scatter(chosen, name, e)
     e.total = math.huge
     return
   end
-  local size = compare.size(mean)
+  local size = self.ladders:size(name, { mean })
   e.mean, e.deviation, e.runs = mean, deviation, runs
   e.band = statistics.band(deviation, runs)
-  e.band_part = size > 0 and e.band / size or e.band > 0 and math.huge or 0
+  e.band_part = Ladders.part_of(e.band, size)
   e.total = e.total + e.band_part
 end
 
@@ -278,9 +283,8 @@ function Search:shown_by(checked, chosen, name)
       expected = compare.combined(function(a, b, c) return c + a - b end, there, here, own) or own
     end
   end
-  local change, size = compare.distance(other, expected), compare.size(own)
   local rest = 4 / 3 -- of a series of the second order with halved steps
-  return size > rounding and rest * change / size or change > rounding and math.huge or 0
+  return Ladders.part_of(rest * compare.distance(other, expected), self.ladders:size(name, { own }))
 end
 
 -- The check of a setting: the first knob a level coarser, so that it costs no more than the setting, all others a level

@@ -77,7 +77,7 @@ end
 -- all its runs, longest = { steps =, time = } of the dynamic run with the most steps, runs = { { kind =, ended = time
 -- or load factor, dt =, steps =, elements =, members =, broken = numbers of members, groups = { number = group } }, ...
 -- }, strain_limits = true if fracture has limits of strain, failed = why it has no answer }; nil when `deadline` (of
--- core.clock) came first.
+-- core.clock, or a function that is asked in each step and returns true when it is over) came first.
 function measure.watch(f, deadline, without, changes)
   local result = { answers = {}, seconds = 0, stages = {}, energy_error = 0, effects = {}, laws = {}, hashes = {},
     warnings = {}, runs = {}, strain_limits = false }
@@ -92,7 +92,9 @@ function measure.watch(f, deadline, without, changes)
     runs[#runs + 1] = run
     if not deadline then return end
     run:on_step(function()
-      if core.clock() < deadline then return end
+      if type(deadline) == "function" and not deadline() or type(deadline) == "number" and core.clock() < deadline then
+        return
+      end
       expired = true
       error(late)
     end)

@@ -49,12 +49,7 @@ function scenario.new(options, ...)
     accuracy = { "table", default = {} }, proposals = { "table", default = {} }, vary = { "table", default = {} },
     run = { "function" }, answers = { "table", optional = true },
   })
-  for i, name in ipairs(o.answers or {}) do
-    if type(name) ~= "string" then
-      check.fail("%s: answers: item %d is %s; must be the name of a number that run returns, or of a probe", where, i,
-        check.show(name))
-    end
-  end
+  if o.answers then require "hinge.accuracy.answers".check(where .. ": answers", o.answers) end
   each_parameter(o.parameters)
   local parameters = {}
   for name, value in pairs(o.parameters) do parameters[name] = value end

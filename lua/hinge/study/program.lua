@@ -1,5 +1,6 @@
 -- hinge study: reads the command line, runs the cases, prints and writes.
 local core = require "hinge.core"
+local answers = require "hinge.accuracy.answers"
 local case = require "hinge.study.case"
 local check = require "hinge.library.check"
 local files = require "hinge.study.files"
@@ -145,7 +146,7 @@ local function within_of(options, what)
   end
   return { within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
     "a part above 0, such as 2% or 0.02"), budget = values.time("--budget", options.budget),
-    answers = values.names("--answers", options.answers) }
+    answers = answers.read("--answers", options.answers) }
 end
 
 --- options: script, words, and the options of the command line as text. Returns the program's exit status: 0 all cases
