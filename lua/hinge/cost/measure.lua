@@ -45,7 +45,7 @@ local function add_histories(answers, histories)
 end
 
 -- The results of a finished run. The run is then freed, so that its memory does not count for the next run.
-local function harvest(result, histories, run)
+local function harvest(result, histories, facts, run)
   result.seconds = result.seconds + run.wall_seconds
   for _, stage in ipairs(run.stages) do result.stages[stage.name] = (result.stages[stage.name] or 0) + stage.seconds end
   result.energy_error = compare.larger(result.energy_error, math.abs(run.energy_error))
@@ -61,12 +61,16 @@ local function harvest(result, histories, run)
   if run.kind == "dynamic" and run.planned_steps > (result.longest and result.longest.steps or 0) then
     result.longest = { steps = run.planned_steps, time = run.time }
   end
-  local facts = core.facts(run)
   result.runs[#result.runs + 1] = { kind = run.kind, ended = run.kind == "dynamic" and run.time or run.factor,
     dt = run.dt, steps = run.index, elements = facts.elements, members = facts.members, broken = facts.broken,
     groups = facts.groups }
   result.strain_limits = result.strain_limits or facts.strain_limits
-  if run.verdict == "failed" then result.failed = run.reason end
+end
+
+-- The runs of a script that it never asked for their verdict fail all of it, if they failed; so does the last one, and
+-- one that goes on from a run that did.
+local function judge(result, facts, reason, is_last)
+  if facts.verdict == "failed" and (is_last or not facts.asked) then result.failed = result.failed or reason end
 end
 
 --- Calls f, which runs a scenario or a script, with what core.change_runs takes in `changes`, or without the effect or
@@ -87,7 +91,12 @@ function measure.watch(f, deadline, without, changes)
   local held = core.forget_peak()
   core.on_run(function(run)
     for i = #runs, 1, -1 do
-      if runs[i].verdict ~= "running" then harvest(result, histories, table.remove(runs, i)) end
+      local facts = core.facts(runs[i])
+      if facts.verdict ~= "running" then
+        harvest(result, histories, facts, runs[i])
+        judge(result, facts, runs[i].reason, false)
+        table.remove(runs, i)
+      end
     end
     runs[#runs + 1] = run
     if not deadline then return end
@@ -117,7 +126,11 @@ function measure.watch(f, deadline, without, changes)
     return result
   end
   result.memory = held and math.max(0, core.peak() - held)
-  for _, run in ipairs(runs) do harvest(result, histories, run) end
+  for i, run in ipairs(runs) do
+    local facts = core.facts(run)
+    harvest(result, histories, facts, run)
+    judge(result, facts, run.reason, i == #runs)
+  end
   if result.seconds == 0 then result.seconds = all end -- a scenario without a run, or without a step
   -- Other programs took the processor meanwhile, or the scenario waited, which it does outside the steps.
   if result.seconds > all / 2 then result.seconds = result.seconds * math.min(1, used / all) end
