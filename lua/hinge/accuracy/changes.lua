@@ -25,6 +25,10 @@ local function copy(o)
   return new
 end
 
+-- What step control may accept, over what it does with the script's own step: where it divides steps, a shorter one
+-- alone changes nothing.
+local function control_of(dt) return math.min(1, dt) ^ 2 end
+
 -- Options of a dynamic run with steps of another length. Explicit steps that are given must also follow the elements'
 -- length.
 local function of_dynamics(o, dt, elements, integrator)
@@ -34,6 +38,7 @@ local function of_dynamics(o, dt, elements, integrator)
     for _, name in ipairs(of_newmark) do o[name] = nil end
     o.dt, o.step_control = "auto", nil
   end
+  if o.step_control then o.step_control = o.step_control * control_of(dt) end
   if type(o.dt) ~= "number" or type(o.duration) ~= "number" then return o end
   local factor = o.integrator == "explicit" and dt / math.max(1, elements) or dt
   if factor ~= 1 then fitted(o, factor) end
@@ -54,7 +59,7 @@ end
 -- steps of its own, and `damps` where it asks for numerical damping. Explicit steps are not made longer.
 function changes.of(o, asked)
   local dt = (o.dt or 1) / (1 + 1e-3 * (o.shorten or 0))
-  return { elements = o.elements, step = dt, strength = o.vary and o.vary ~= 0 and changes.part * o.vary or nil,
+  return { elements = o.elements, step = dt, control = control_of(dt), strength = o.vary and o.vary ~= 0 and changes.part * o.vary or nil,
     options = function(kind, options)
       if type(options) ~= "table" and options ~= nil then return options end
       if kind == "static" then return of_statics(options, o.steps or 1) end

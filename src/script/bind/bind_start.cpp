@@ -270,7 +270,7 @@ int dynamic_run(lua_State* L) {
     require_density(*structure);
     refuse_massless(*structure, integrator);
     DynamicSettings s = read_dynamic_settings(o, *m, *structure, integrator);
-    change_automatic_step(L, s);
+    change_steps(L, s);
     State start = start_state(o, *structure, before);
     refuse_lost_loads(structure->model(), *structure, start, "model:dynamic");
     try {

@@ -56,7 +56,7 @@ std::vector<Vec3> offsets_anew(const std::vector<Vec3>& inner, int elements) {
 /// A member of the run's own copy of a model, which nobody else has.
 MemberData& member_of_copy(Model& copy, int i) { return const_cast<MemberData&>(copy.members()[std::size_t(i)]); }
 
-/// core.change_runs{ elements =, step =, strength =, options = function(kind, options) } or (nil).
+/// core.change_runs{ elements =, step =, control =, strength =, options = function(kind, options) } or (nil).
 int change_runs(lua_State* L) {
     lua_settop(L, 1);
     lua_setfield(L, LUA_REGISTRYINDEX, changes);
@@ -143,7 +143,8 @@ void change_model(lua_State* L, Model& copy) {
     }
 }
 
-void change_automatic_step(lua_State* L, DynamicSettings& s) {
+void change_steps(lua_State* L, DynamicSettings& s) {
+    if (s.controlled_by_default) s.step_control *= change(L, "control", 1);
     double factor = change(L, "step", 1);
     if (s.explicit_steps()) factor = std::min(factor, 1.0);  // longer ones are not stable
     if (!s.chosen || factor == 1) return;

@@ -20,8 +20,8 @@ bool models_change(lua_State* L);
 /// Multiplies the elements of each member, and the stiffness and the strength of its material. `copy`: the run's own.
 void change_model(lua_State* L, Model& copy);
 
-/// Multiplies the step that dt = "auto" has chosen.
-void change_automatic_step(lua_State* L, DynamicSettings& settings);
+/// Multiplies the step that dt = "auto" has chosen, and what step control accepts by default.
+void change_steps(lua_State* L, DynamicSettings& settings);
 
 /// Adds core.change_runs and what is read from such runs to the module on top of the stack.
 void add_changed_runs(lua_State* L);
