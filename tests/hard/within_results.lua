@@ -94,7 +94,7 @@ local function add(group, row)
     local near = a.distance and a.distance <= row.asked
     if kind == "clear" then
       if row.reached then count(group.within, near) end
-      if a.estimated < 1 then count(group.bounded, a.distance <= a.estimated + 1e-9) end
+      if a.estimated < 1 and a.open <= a.estimated / 2 then count(group.bounded, a.distance <= a.estimated + 1e-9) end
       if a.estimated < 1 and a.distance > 0 then group.sharp[#group.sharp + 1] = a.estimated / a.distance end
     elseif kind == "open" and row.reached then count(group.open_near, near)
     elseif kind == "chaotic" then
@@ -170,7 +170,7 @@ function results.misses(rows, everything)
     for _, a in ipairs(row.answers) do
       local kind = kind_of(row, a)
       local far = kind == "clear" and (row.reached and not (a.distance <= row.asked) and "ASKED"
-        or a.estimated < 1 and not (a.distance <= a.estimated + 1e-9) and "estimate")
+        or a.estimated < 1 and a.open <= a.estimated / 2 and not (a.distance <= a.estimated + 1e-9) and "estimate")
         or kind == "open" and row.reached and not (a.distance <= row.asked) and "open"
         or kind == "chaotic" and not a.told and "BAND"
       if far or everything then

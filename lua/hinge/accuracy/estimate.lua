@@ -17,8 +17,8 @@ local rounding = 1e-9    -- of an answer: changes that are smaller say nothing
 
 local function rest(change, ratio, order) return change / (ratio ^ order - 1) end
 
--- The largest change between neighbours, each reduced to the last refinement by the order in theory: two values that
--- agree by chance do not hide a change before them.
+-- The largest change between neighbours, each reduced to the last refinement by this order: two values that agree by
+-- chance do not hide a change before them.
 local function largest_change(h, answers, order)
   local n, most = #answers, 0
   for i = 2, n do
@@ -43,7 +43,7 @@ function estimate.along(h, answers, theory, accepted)
   end
   if n < 2 then return { by = "open", error = math.huge, answer = finest } end
   local ratio = h[n - 1] / h[n]
-  local largest = largest_change(h, answers, theory)
+  local largest = largest_change(h, answers, math.min(1, theory)) -- nothing shows more than the first order yet
   local most = 0
   for i = 1, n - 1 do most = compare.larger(most, compare.distance(answers[i], finest)) end
   if not (most > rounding * compare.size(finest)) then return { by = "exact", error = most, answer = finest } end

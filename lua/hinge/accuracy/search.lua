@@ -14,10 +14,13 @@ local room = 0.9     -- part of the accepted error that the ladders may take bef
 local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
--- Times the work of the chosen run: a check that would make the search cost more is left out. Runs take more than their
--- steps; asking then costs about four times the chosen run.
+-- Times the work of the chosen run: where a check would make the search cost more, its first knob is coarser. Runs take
+-- more than their steps; asking then costs about four times the chosen run.
 local dearest = 3.5
-local restless = 4   -- values of a ladder after which an answer should come to rest
+local dear_check = 2 -- times the work of the chosen run: a check that takes more with any step is left out
+local rest = 4 / 3   -- of a series of the second order with halved steps
+local careful = 3    -- the factor of safety where nothing shows an order, see estimate.lua
+local restless = 6   -- values of a ladder after which an answer should come to rest
 
 -- Sizes at which the differences that do not matter are the accepted part.
 local function sizes_of(problem)
@@ -78,19 +81,26 @@ function Search:begin()
   end
 end
 
--- Whether refinements of a knob change an answer by no less each time: four values, of which the last change is as
--- large as the first, in an answer whose error is not accepted.
+-- The largest change of an answer between neighbours among these levels of a knob, from the a-th to the b-th.
+function Search:largest_change(knob, name, levels, a, b)
+  local most, place = 0, self.ladders:place(knob)
+  for i = a + 1, b do
+    most = compare.larger(most, compare.distance(self.ladders:answer(with(place, knob.name, levels[i - 1]), name),
+      self.ladders:answer(with(place, knob.name, levels[i]), name)))
+  end
+  return most
+end
+
+-- Whether refinements of a knob change an answer by no less each time: six values, of which the last three differ as
+-- much as the first three, in an answer whose error is not accepted.
 function Search:is_restless(knob)
   for _, name in ipairs(self.names) do
-    local found = self.ladders:along(knob, name)
-    local n = #found.levels
-    if self.ladders.chaotic[name] and n >= 3 and found.by == "change" then return true end
-    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2) then
-      local first = compare.distance(found.answers[n - 3], found.answers[n - 2])
-      local last = compare.larger(compare.distance(found.answers[n - 2], found.answers[n - 1]),
-        compare.distance(found.answers[n - 1], found.answers[n]))
-      if not (last < first) then return true end
-    end
+    local levels = self.ladders:levels(knob)
+    local n = #levels
+    if self.ladders.chaotic[name] and n >= 3 and self.ladders:along(knob, name).by == "change" then return true end
+    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2)
+      and not (self:largest_change(knob, name, levels, n - 2, n)
+        < self:largest_change(knob, name, levels, n - 5, n - 3)) then return true end
   end
   return false
 end
@@ -258,10 +268,11 @@ function Search:judge(chosen, checked)
     e.total = e.total + e.interplay
     if not self.ladders.chaotic[name] then e.total = e.total + 2 * (self.sensitive[name] or 0) end
     if self.ladders.chaotic[name] then self:add_scatter(chosen, name, e) end
-    local shown = checked and not self.ladders.chaotic[name] and self:shown_by(checked, chosen, name)
+    local other = first and checked and checked[first.name] ~= chosen[first.name] and e.parts[first.name] or 0
+    local shown = checked and not self.ladders.chaotic[name]
+      and self:shown_by(checked, chosen, name, e.total - other)
     if shown then
       e.shown = shown
-      local other = first and checked[first.name] ~= chosen[first.name] and e.parts[first.name] or 0
       if other + shown > e.total then e.total, e.by_check = other + shown, true end
     end
   end
@@ -269,8 +280,9 @@ function Search:judge(chosen, checked)
 end
 
 -- What the check shows of an answer's error: its change where all knobs but the first are finer, without what the first
--- knob explains, with the rest of the series in theory.
-function Search:shown_by(checked, chosen, name)
+-- knob explains, with the rest of the series in theory. Where that is more than the ladders expect (`expected_part`),
+-- the series is not that of the theory: the change has the factor of safety of two values.
+function Search:shown_by(checked, chosen, name, expected_part)
   local first = self.knobs[1]
   local own, other = self.ladders:answer(chosen, name), self.ladders:answer(checked, name)
   if own == nil or other == nil then return math.huge end
@@ -283,33 +295,38 @@ function Search:shown_by(checked, chosen, name)
       expected = compare.combined(function(a, b, c) return c + a - b end, there, here, own) or own
     end
   end
-  local rest = 4 / 3 -- of a series of the second order with halved steps
-  return Ladders.part_of(rest * compare.distance(other, expected), self.ladders:size(name, { own }))
+  local change = Ladders.part_of(compare.distance(other, expected), self.ladders:size(name, { own }))
+  return change * (rest * change <= expected_part and rest or careful)
 end
 
--- The check of a setting: the first knob a level coarser, so that it costs no more than the setting, all others a level
--- finer. With one knob alone it is a level finer.
-function Search:check_of(chosen)
+-- The check of a setting: all knobs but the first a level finer, and the first one that many levels coarser. With one
+-- knob alone it is a level finer. nil where no knob can be finer.
+function Search:check_of(chosen, coarser)
   local checked, finer = {}, false
   for i, knob in ipairs(self.knobs) do
     local level = chosen[knob.name]
-    if i == 1 and #self.knobs > 1 then checked[knob.name] = math.max(self.ladders.corner[knob.name], level - 1)
+    if i == 1 and #self.knobs > 1 then checked[knob.name] = math.max(self.ladders.corner[knob.name], level - coarser)
     else checked[knob.name], finer = math.min(knob.most, level + 1), finer or level < knob.most end
   end
   return finer and checked or nil
 end
 
--- Makes the check of a setting where it is cheap enough, by steps and elements: the same on every machine. Returns its
--- levels, nil where there is none.
+-- Makes the check of a setting, with the first knob as fine as its cost allows, by steps and elements: the same on
+-- every machine. Returns its levels, nil where there is none.
 function Search:run_check(chosen, own)
-  local checked = self:check_of(chosen)
-  if not checked then return nil end
-  local work = own.work or own.seconds
-  local more = work
-  for _, knob in ipairs(self.knobs) do
-    more = more * knob.ratio ^ ((knob.work or 1) * (checked[knob.name] - chosen[knob.name]))
+  local work, first = own.work or own.seconds, self.knobs[1]
+  local coarsest = #self.knobs > 1 and math.max(1, chosen[first.name] - self.ladders.coarse[first.name]) or 1
+  local checked
+  for coarser = 1, coarsest do
+    checked = self:check_of(chosen, coarser)
+    if not checked then return nil end
+    local more = work
+    for _, knob in ipairs(self.knobs) do
+      more = more * knob.ratio ^ ((knob.work or 1) * (checked[knob.name] - chosen[knob.name]))
+    end
+    if self.ladders:at(checked) or self.work + more <= dearest * work then break end
+    if coarser == coarsest and more > dear_check * work then return nil end
   end
-  if self.work + more > dearest * work and not self.ladders:at(checked) then return nil end
   return self:run(checked) and checked or nil
 end
 

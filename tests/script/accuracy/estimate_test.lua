@@ -52,8 +52,9 @@ case("two values have Roache's factor of safety of 3", function()
 end)
 
 case("two values that agree by chance do not make a narrow band", function()
-  near(estimate.along({ 4, 2, 1 }, { 102, 100, 100 }, 2).error, 0.5, 1e-12, "the change before, over 2^2")
-  near(estimate.along({ 4, 2, 1 }, { 5, 5.6, 5.5 }, 2).error, 0.15, 1e-12, "a change that turns back")
+  near(estimate.along({ 4, 2, 1 }, { 102, 100, 100 }, 2).error, 1, 1e-12,
+    "the change before, over 2")
+  near(estimate.along({ 4, 2, 1 }, { 5, 5.6, 5.5 }, 2).error, 0.3, 1e-12, "a change that turns back")
 end)
 
 case("what does not change is exact, what grows or is no number has no error", function()
@@ -126,7 +127,8 @@ local function search(answers, within, options)
   one = Search.new {
     knobs = { { name = "dt", theory = 2, ratio = 2, least = -6, most = options.most or 6 },
       { name = "elements", theory = 2, ratio = 2, work = growth, least = 0, most = options.most or 6 } },
-    corner = { dt = -2, elements = 0 }, within = within, most_runs = 20, economic = options.economic,
+    corner = { dt = -2, elements = 0 }, within = within, least = options.least,
+    most_runs = 20, economic = options.economic,
     names = function(record) return library.keys(record.answers) end,
     foretell = function(levels) return 2.0 ^ (levels.dt + growth * levels.elements) end,
     fits = function(seconds) return not options.budget or spent + seconds <= options.budget end,
@@ -195,10 +197,37 @@ end)
 case("a check that shows more than was told counts", function()
   -- elements finer than any ladder change the answer by 30 %
   local function later(dt, length) return { v = smooth(dt, length).v * (length < 0.3 and 1.3 or 1) } end
-  local found = search(later, 0.5)
+  local found = search(later, 0.99)
   local e = found.errors.v
   expect(found.checked and found.checked.elements > found.chosen.elements, "a check with more elements")
+  near(e.shown, 0.93, 0.01, "three times the change, where the ladder did not expect it")
   expect(e.by_check and e.total >= 0.29, "told %g, where the check shows 30 %%", e.total)
+end)
+
+case("two numbers of elements that agree by chance are found out by the check", function()
+  local function falls(dt, length) -- 4 elements as 2; with 8 and 16 the answer falls
+    local of = { [0] = 284, 284, 266, 255, 250, 248, 247, 247, 247 }
+    return { peak = of[math.floor(-math.log(length, 2) + 0.5)] * (1 + 1e-4 * dt) }
+  end
+  for _, within in ipairs { 0.02, 0.05, 0.1 } do
+    local found = search(falls, within)
+    local e = found.errors.peak
+    local truth = found.errors.peak.found.elements.answers[#found.errors.peak.found.elements.answers] / 247 - 1
+    expect(found.reached and e.total >= truth and truth <= within, "asked %g: told %g, in truth %g", within, e.total,
+      truth)
+  end
+end)
+
+case("an answer that is small may be wrong by what does not matter", function()
+  local function wiggles(dt, length)
+    return { v = smooth(dt, length).v, small = 0.02 + 0.004 * math.sin(1e6 * dt + 17 / length) }
+  end
+  local found = search(wiggles, 0.02)
+  expect(not found.reached and not (found.errors.small.total <= 0.02), "2 %% of a small answer")
+  found = search(wiggles, 0.02, { least = { small = 0.1 } })
+  expect(found.reached and found.errors.small.total <= 0.02 and found.errors.small.total * 0.1 / 0.02 >= 0.004,
+    "a tenth does not matter: told %g", found.errors.small.total)
+  expect(not search(wiggles, 0.02, { least = { small = 1e-4 } }).reached, "less than it wiggles")
 end)
 
 case("a dear check is left out, an answer that does not settle ends its ladder", function()
@@ -209,7 +238,7 @@ case("a dear check is left out, an answer that does not settle ends its ladder",
     return { v = 1 + 0.1 * math.sin(1e6 * dt) + 1e-4 * length ^ 2 }
   end, 0.01)
   equal(one.stuck.dt, "restless", "the reason")
-  expect(#made <= 8 and not restless.reached, "%d runs", #made)
+  expect(#made <= 12 and not restless.reached, "%d runs", #made)
 end)
 
 case("a chaotic answer is a mean with a band, and one beside it has an error", function()
