@@ -16,23 +16,25 @@ end
 local function time(seconds) return words.seconds(seconds, 2) end
 local function number(value) return ("%.4g"):format(value) end
 
--- An estimated error: a part of the answer, or in its unit where the answer is smaller than what errors are parts of.
-local function error_of(a)
-  if a.least and a.size <= a.least and a.error < math.huge then return ("%.2g"):format(a.error * a.size) end
-  return percent(a.error)
+-- An error of an answer, a part of `size`, in words: in its own unit where the answer is smaller than the size that
+-- errors are parts of (`least`).
+local function error_text(part, size, least)
+  if least and size <= least and part < math.huge then return ("%.2g"):format(part * size) end
+  return percent(part)
 end
 
 -- "order 1.98 in dt", "change of 0.4 % in elements".
-local function basis_of_knob(knob, found, part)
+local function basis_of_knob(knob, found, error)
   if found.by == "order" then return ("order %.2g in %s"):format(found.order, knob.name) end
   if found.by == "exact" then return "no change in " .. knob.name end
-  if found.by == "change" then return ("%s by changes in %s"):format(percent(part), knob.name) end
+  if found.by == "change" then return ("%s by changes in %s"):format(error, knob.name) end
   return knob.name .. " has one value"
 end
 
---- What the error of an answer rests on.
-local function basis(all, e)
+--- What the error of an answer rests on; size and least: see error_text.
+local function basis(all, e, size, least)
   local parts = {}
+  local function told(part) return error_text(part, size, least) end
   if e.mean ~= nil then
     parts[1] = ("%d runs, mean %s, scatter %s"):format(e.runs,
       type(e.mean) == "number" and number(e.mean) or "of a history", number(e.deviation))
@@ -41,9 +43,9 @@ local function basis(all, e)
     local found = e.found[knob.name]
     if found and found.by == "scatter" then
       parts[#parts + 1] = ("no change in %s beyond the scatter"):format(knob.name)
-    elseif found then parts[#parts + 1] = basis_of_knob(knob, found, e.parts[knob.name]) end
+    elseif found then parts[#parts + 1] = basis_of_knob(knob, found, told(e.parts[knob.name])) end
   end
-  if e.shown then parts[#parts + 1] = ("check %s"):format(percent(e.shown)) end
+  if e.shown then parts[#parts + 1] = ("check %s"):format(told(e.shown)) end
   return table.concat(parts, "; ")
 end
 
@@ -54,9 +56,10 @@ function report.answers(all, found, search)
   for _, name in ipairs(check.keys(found.errors)) do
     local e = found.errors[name]
     local value = search.ladders:answer(found.chosen, name)
+    local size, least = search.ladders:size(name, { e.mean or value }), search.ladders.least[name]
     list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
-      size = search.ladders:size(name, { e.mean or value }), least = search.ladders.least[name],
-      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e),
+      size = size, least = least,
+      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, size, least),
       mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
       parts = e.parts }
   end
@@ -81,7 +84,7 @@ function report.lines(told)
   local widest, rows = 0, {}
   for i, a in ipairs(told.answers) do
     rows[i] = { a.name .. (a.chaotic and " (chaotic)" or ""), a.chaotic and a.mean and number(a.mean)
-      or a.value and number(a.value) or "history", "+- " .. error_of(a), a.basis }
+      or a.value and number(a.value) or "history", "+- " .. error_text(a.error, a.size, a.least), a.basis }
     widest = math.max(widest, #rows[i][1])
   end
   for _, row in ipairs(rows) do

@@ -4,11 +4,11 @@
 -- Run: lua5.4 tests/script/accuracy/within_test.lua BUILD_FOLDER, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
-require "hinge"
+local hinge = require "hinge"
 local changes = require "hinge.accuracy.changes"
 local measure = require "hinge.cost.measure"
 local checks = support.checks "accuracy_within"
-local case, expect, equal = checks.case, checks.expect, checks.equal
+local case, expect, equal, near = checks.case, checks.expect, checks.equal, checks.near
 local build = arg[1]
 local folder = support.temporary_folder()
 
@@ -113,6 +113,13 @@ case("an elastic frame that is shaken is within 2 %, and the error that is told 
   holds("shaken", 0.02, told)
 end)
 
+case("what does not matter in an answer is accepted", function()
+  local r = hinge_run "run shaken.lua --within 1e-6 --answers roof_mm:3 --out shaken"
+  equal(r.status, 0, "status: " .. r.stdout)
+  local a = summary_of("shaken").accuracy.answers.roof_mm
+  expect(a.value < 3e6 and r.stdout:find "roof_mm +[%d.]+ +%+%- [%d.]+ +[%d.]+ by changes in dt", "in its own unit:\n%s", r.stdout)
+end)
+
 case("a second call takes the runs of the first", function()
   local r = hinge_run "run shaken.lua --within 1% --out shaken"
   equal(r.status, 0, "status: " .. r.stderr)
@@ -142,9 +149,45 @@ case("a mass that falls on a frame tells an error that holds, or that there is n
   end
 end)
 
+case("a failed run whose verdict the script reads leaves the answers, another one does not", function()
+  local function measured(reads)
+    return measure.watch(function()
+      local model = hinge.model {}
+      local foot, top = model:node { 0, 0, 0 }, model:node { 0, 0, 3 }
+      model:fix(foot)
+      model:member { foot, top, section = hinge.section.round { diameter = 0.05 },
+        material = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 } }
+      model:load { node = top, force = { 1e6, 0, 0 } }
+      local pushed = model:static { steps = 2 }:finish()
+      if reads then equal(pushed.verdict, "failed", "verdict of a load beyond the limit") end
+      local run = model:dynamic { dt = 1e-3, duration = 2e-3 }:finish()
+      return { top_mm = 1000 * top:displacement(run) }
+    end)
+  end
+  local read, unread = measured(true), measured(false)
+  expect(not read.failed and read.answers.top_mm > 0, "a verdict that was read: %s", read.failed)
+  expect(unread.failed, "a verdict that was not read")
+end)
+
+case("a shorter step is one of a stricter step control", function()
+  local function steps(change)
+    local path = folder .. "/struck.lua"
+    local record = measure.once({ run = function() return dofile(path) end }, {}, nil, nil, nil, change)
+    return record.runs[1].steps
+  end
+  equal(changes.of({ dt = 0.5 }).control, 0.25, "what it may accept at half the step")
+  equal(changes.of({ dt = 4 }).control, 1, "and at a longer one")
+  local given = changes.of({ dt = 0.5 }).options("dynamic", { dt = 1e-3, duration = 1, step_control = 0.01 })
+  near(given.step_control, 0.0025, 1e-12, "one that the script gives")
+  local usual, strict = steps { step = 1 }, steps { control = 1e-4 }
+  expect(strict > 1.2 * usual, "%d steps, %d where a ten thousandth is accepted", usual, strict)
+end)
+
 case("what is wrong on the command line is named", function()
   for words, complaint in pairs {
     ["run shaken.lua --within 2%% --answers top"] = "unknown answer 'top'",
+    ["run shaken.lua --within 2%% --answers roof_mm:much"] = "roof_mm:much must be NAME or NAME:DIFFERENCE",
+    ["run shaken.lua --within 2%% --answers roof_mm:-1"] = "a difference that does not matter",
     ["run shaken.lua --within much"] = "--within much: must be a part above 0",
     ["run shaken.lua --budget 5"] = "--within",
     ["study shaken.lua x=1,2 --within 2%% --list"] = "--list",
