@@ -45,8 +45,8 @@ void add_within(CLI::App& verb, Request& request, const std::string& help) {
     auto* within = verb.add_option("--within", request.within, help);
     verb.add_option_function<std::string>(
             "--answers", [&request](const std::string& names) { request.texts["answers"] = names; },
-            "With --within: the answers that count, such as peak_mm,broken_columns (default: the scenario's answers, "
-            "or all numbers that it returns)")
+            "With --within: the answers that count, such as peak_mm,plastic_kJ:0.1, where differences of 0.1 do not "
+            "matter (default: the scenario's answers, or all numbers that it returns)")
         ->needs(within);
     verb.add_option("--budget", request.budget,
                     "With --within: most time that the search may take, such as 60 (seconds), 60s, 5min or 1h")

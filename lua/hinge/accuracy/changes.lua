@@ -59,7 +59,8 @@ end
 -- steps of its own, and `damps` where it asks for numerical damping. Explicit steps are not made longer.
 function changes.of(o, asked)
   local dt = (o.dt or 1) / (1 + 1e-3 * (o.shorten or 0))
-  return { elements = o.elements, step = dt, control = control_of(dt), strength = o.vary and o.vary ~= 0 and changes.part * o.vary or nil,
+  local strength = o.vary and o.vary ~= 0 and changes.part * o.vary or nil
+  return { elements = o.elements, step = dt, control = control_of(dt), strength = strength,
     options = function(kind, options)
       if type(options) ~= "table" and options ~= nil then return options end
       if kind == "static" then return of_statics(options, o.steps or 1) end

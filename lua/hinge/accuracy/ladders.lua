@@ -19,8 +19,8 @@ local longest = 4      -- values of a ladder that count, the finest ones
 -- accepted: the part by which answers may change and pass for settled. least: by name, the size below which errors are
 -- parts of this size, and no longer of the answer itself (default: none).
 function Ladders.new(knobs, corner, accepted, least)
-  return setmetatable({ accepted = accepted, least = least or {}, knobs = knobs, corner = corner, coarse = corner, records = {},
-    chaotic = {} }, Ladders)
+  return setmetatable({ accepted = accepted, least = least or {}, knobs = knobs, corner = corner, coarse = corner,
+    records = {}, chaotic = {} }, Ladders)
 end
 
 --- These levels with another one of a knob.

@@ -29,13 +29,14 @@ local function sizes_of(problem)
   return sizes
 end
 
---- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter, names(record) of the answers that count, run(levels, vary,
--- chosen), which returns { answers =, seconds =, work = steps times elements or nil, failed = } or nil where the budget
--- ends; foretell(levels) and fits(seconds): what a run takes, and whether there is time for it; say(text, levels).
+--- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter, names(record)
+-- of the answers that count, run(levels, vary, chosen), which returns { answers =, seconds =, work = steps times
+-- elements or nil, failed = } or nil where the budget ends; foretell(levels) and fits(seconds): what a run takes, and
+-- whether there is time for it; say(text, levels).
 function Search.new(problem)
   return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
-    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2, sizes_of(problem)), seconds = 0, work = 0, runs = 0,
-    stuck = {}, sensitive = {}, names = {} }, Search)
+    ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2, sizes_of(problem)), seconds = 0,
+    work = 0, runs = 0, stuck = {}, sensitive = {}, names = {} }, Search)
 end
 
 --- The run of these levels; `chosen`: made in full, whatever is known of it. nil and why it is not there: "budget", or

@@ -40,8 +40,9 @@ function hinge.scenario(options) end
 ---@field vary? table<string, any>
 ---names of the answers that count for `hinge run SCRIPT --within 2%`: numbers that run returns, by name ("tip_mm",
 ---"damage.columns"), or probes, whose histories count. Default: all numbers that run returns, but for those with
----"energy_error" in their name; where there are none, all probes. A name that there is not is an error of that command
----@field answers? string[]
+---"energy_error" in their name; where there are none, all probes. A name that there is not is an error of that command.
+---{ "tip_mm", plastic_kJ = 0.1 }: an error of 0.1, in the answer's own unit and above 0, is accepted as well
+---@field answers? table<integer|string, string|number>
 ---@field run fun(p: table, job: hinge.job): any returns the results kept in summary.json
 
 ---@class hinge.scenario

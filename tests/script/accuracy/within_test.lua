@@ -117,7 +117,8 @@ case("what does not matter in an answer is accepted", function()
   local r = hinge_run "run shaken.lua --within 1e-6 --answers roof_mm:3 --out shaken"
   equal(r.status, 0, "status: " .. r.stdout)
   local a = summary_of("shaken").accuracy.answers.roof_mm
-  expect(a.value < 3e6 and r.stdout:find "roof_mm +[%d.]+ +%+%- [%d.]+ +[%d.]+ by changes in dt", "in its own unit:\n%s", r.stdout)
+  expect(a.value < 3e6 and r.stdout:find "roof_mm +[%d.]+ +%+%- [%d.]+ +[%d.]+ by changes in dt",
+    "in its own unit:\n%s", r.stdout)
 end)
 
 case("a second call takes the runs of the first", function()
