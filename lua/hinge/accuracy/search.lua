@@ -29,8 +29,8 @@ local function sizes_of(problem)
   return sizes
 end
 
---- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter, names(record)
--- of the answers that count, run(levels, vary, chosen), which returns { answers =, seconds =, work = steps times
+--- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter,
+-- names(record) of the answers that count, run(levels, vary, chosen), which returns { answers =, seconds =, work = steps times
 -- elements or nil, failed = } or nil where the budget ends; foretell(levels) and fits(seconds): what a run takes, and
 -- whether there is time for it; say(text, levels).
 function Search.new(problem)
