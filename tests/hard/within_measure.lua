@@ -114,7 +114,7 @@ function measured.scene(scene, o)
     if os.clock() - began > for_asking * o.most then row.status, row.why = "not told", "the scene's time is over"
     else
       local ok, told, why = pcall(accuracy.run, { script = o.script, scenario = scene.scenario, overrides = {},
-        parameters = {}, out = o.folder, out_given = true, within = asked, measured_only = true })
+        parameters = {}, out = o.folder, out_given = true, within = asked, measured_only = true, longest = o.most / 6 })
       row.status = ok and told and "told" or "not told"
       if ok and told then
         row.told, told_all[#told_all + 1] = told, told

@@ -28,14 +28,25 @@ local function largest_change(h, answers, order)
   return most
 end
 
+-- The order that the three values up to the n-th show; nil for none.
+local function order_of(h, answers, n)
+  return compare.order({ h[n - 2], h[n - 1], h[n] }, { answers[n - 2], answers[n - 1], answers[n] })
+end
+
+-- Whether the theory explains an order.
+local function is_explained(order, theory)
+  return order ~= nil and order >= least_order and order <= theory + beyond_theory
+end
+
 --- Along one refinement: answers at step sizes h that fall, the finest last; `theory`: the order in theory; `accepted`:
--- how far an answer may change and still pass for settled, as a part of it (default: 0).
+-- how far an answer may change and still pass for settled, as a part of it (default: 0). `twice`: of four values the
+-- first three must show an order, too.
 -- Returns { by =, error =, order =, answer = }. error: of the finest answer, in its unit. by: "exact" (no change),
 -- "order" (three values show one), "change" (they do not, or there are two: the largest change with a factor of
 -- safety), "grows" (three values change in one direction, by no less each time: the error is infinite), "open" (one
 -- value, or one that is not a number: infinite). answer: the best known one, which
 -- is extrapolated where an order is seen, else the finest.
-function estimate.along(h, answers, theory, accepted)
+function estimate.along(h, answers, theory, accepted, twice)
   local n = #answers
   local finest = answers[n]
   for _, a in ipairs(answers) do
@@ -49,10 +60,12 @@ function estimate.along(h, answers, theory, accepted)
   if not (most > rounding * compare.size(finest)) then return { by = "exact", error = most, answer = finest } end
   if n >= 3 then
     local last = { answers[n - 2], answers[n - 1], finest }
-    local order = compare.order({ h[n - 2], h[n - 1], h[n] }, last)
+    local order = order_of(h, answers, n)
     local one_way = compare.going_on(table.unpack(last)) > aligned
     local change = compare.distance(last[2], finest)
-    if one_way and order and order >= least_order and order <= theory + beyond_theory then
+    local before = order
+    if twice and n >= 4 then before = order_of(h, answers, n - 1) end
+    if one_way and is_explained(order, theory) and is_explained(before, theory) then
       local part = 1 / (ratio ^ order - 1)
       local better = compare.combined(function(b, c) return c + part * (c - b) end, last[2], finest)
       return { by = "order", order = order, answer = better or finest,

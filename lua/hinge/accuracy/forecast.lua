@@ -30,6 +30,18 @@ function forecast.seconds(search, levels)
   return seconds
 end
 
+-- Levels at which settings on a line have half of the error: all of its knobs finer, by the order that it shows.
+local function half_on_line(search, found, e)
+  local line, levels = found.line, found.chosen
+  for _, knob in ipairs(search.knobs) do
+    if line[1][knob.name] ~= line[#line][knob.name] then
+      local order = e.line.order and math.min(e.line.order, knob.theory) or 1
+      levels = search.ladders.with(levels, knob.name, levels[knob.name] + math.ceil(1 / order - 1e-9))
+    end
+  end
+  return levels
+end
+
 --- What half of the estimated error would cost: { error =, seconds = }. Knobs are refined by their orders until it is
 -- met; the search costs as many times the chosen run as this one did. nil where an answer has no order to go by.
 function forecast.half(search, found)
@@ -38,6 +50,10 @@ function forecast.half(search, found)
   local e, levels, parts = found.errors[name], found.chosen, {}
   if search.ladders.chaotic[name] then -- the band of a mean goes with the square root of the runs
     return { error = most / 2, seconds = 4 * found.seconds }
+  end
+  if found.line then
+    local longer = forecast.seconds(search, half_on_line(search, found, e)) / found.own
+    return { error = most / 2, seconds = math.max(1, longer) * found.seconds }
   end
   local rest = most
   for knob, part in pairs(e.parts) do parts[knob], rest = part, rest - part end

@@ -101,31 +101,57 @@ local function is_whole(answers)
   return true
 end
 
---- What the ladder of a knob says of an answer: see estimate.along; and levels, answers and size of the finest ones.
--- A number that counts something is wrong by 1 at least, where it changes at all.
-function Ladders:along(knob, name)
-  local all, h, answers, levels = self:levels(knob), {}, {}, {}
-  for i = math.max(1, #all - longest + 1), #all do
-    levels[#levels + 1], h[#h + 1] = all[i], knob.h and knob.h(all[i]) or knob.ratio ^ -all[i]
-    answers[#answers + 1] = self:answer(Ladders.with(self:place(knob), knob.name, all[i]), name)
-  end
-  if #answers == 0 or #answers < #levels then return { by = "open", error = math.huge, size = 0, levels = levels } end
+-- What settings say of an answer, the coarsest first: see estimate.along; and answers and size of them. h: their step
+-- sizes; twice: see there. A number that counts something is wrong by 1 at least, where it changes at all.
+function Ladders:along_settings(settings, h, theory, name, twice)
+  local answers = {}
+  for i, levels in ipairs(settings) do answers[i] = self:answer(levels, name) end
+  if #answers == 0 or #answers < #settings then return { by = "open", error = math.huge, size = 0 } end
   local size, finest = self:size(name, answers), compare.size(answers[#answers])
-  local found = self.chaotic[name] and self:along_means(knob, name, answers)
-    or estimate.along(h, answers, knob.theory, self.accepted * (finest > 0 and size / finest or 1))
-  found.levels, found.answers, found.size = levels, answers, size
+  local found = self.chaotic[name] and self:along_means(settings, name, answers)
+    or estimate.along(h, answers, theory, self.accepted * (finest > 0 and size / finest or 1), twice)
+  found.answers, found.size = answers, size
   if found.size == 0 and found.by ~= "open" then found.by, found.error = "exact", 0 end
   local whole = not self.chaotic[name] and is_whole(answers)
+  found.whole = whole
   if whole and found.by ~= "exact" then found.error = math.max(1, math.ceil(found.error)) end
   return found
 end
 
+local function step_of(knob, level) return knob.h and knob.h(level) or knob.ratio ^ -level end
+
+--- What the ladder of a knob says of an answer: see along_settings; and levels, of its finest values.
+function Ladders:along(knob, name)
+  local all, h, settings, levels = self:levels(knob), {}, {}, {}
+  for i = math.max(1, #all - longest + 1), #all do
+    levels[#levels + 1], h[#h + 1] = all[i], step_of(knob, all[i])
+    settings[#settings + 1] = Ladders.with(self:place(knob), knob.name, all[i])
+  end
+  local found = self:along_settings(settings, h, knob.theory, name)
+  found.levels = levels
+  return found
+end
+
+--- What settings say of which each is a level finer in several knobs, the coarsest first.
+function Ladders:along_line(line, name)
+  local h, theory = {}, math.huge
+  for _, knob in ipairs(self.knobs) do
+    if line[1][knob.name] ~= line[#line][knob.name] then
+      theory = math.min(theory, knob.theory)
+      for i, levels in ipairs(line) do h[i] = h[i] or step_of(knob, levels[knob.name]) end
+    end
+  end
+  return self:along_settings(line, h, theory, name, true)
+end
+
 -- Of a chaotic answer: means differ by scatter, so no order can be seen. The error is the last difference where it is
 -- beyond scatter, else none; the band of the mean counts beside it.
-function Ladders:along_means(knob, name, answers)
+function Ladders:along_means(settings, name, answers)
   local n = #answers
   if n < 2 then return { by = "open", error = math.huge, answer = answers[n] } end
-  if not self:apart(knob, name) then return { by = "scatter", error = 0, answer = answers[n] } end
+  if not self:apart(settings[n - 1], settings[n], name) then
+    return { by = "scatter", error = 0, answer = answers[n] }
+  end
   return { by = "change", error = compare.distance(answers[n - 1], answers[n]), answer = answers[n] }
 end
 
@@ -164,17 +190,15 @@ function Ladders:errors(levels, names)
   return all
 end
 
---- Whether the means of a chaotic answer at the finest two levels of a knob differ by more than their scatter (Welch's
---- test, 95 %).
-function Ladders:apart(knob, name)
-  local levels, sides = self:levels(knob), {}
-  for i = math.max(1, #levels - 1), #levels do
-    local values = self:values(Ladders.with(self:place(knob), knob.name, levels[i]), name)
-    local mean, deviation, runs = statistics.mean(values)
+--- Whether the means of a chaotic answer at two settings differ by more than their scatter (Welch's test, 95 %).
+function Ladders:apart(coarse, fine, name)
+  local sides = {}
+  for i, levels in ipairs { coarse, fine } do
+    local mean, deviation, runs = statistics.mean(self:values(levels, name))
     if not mean then return true end
-    sides[#sides + 1] = { mean = mean, deviation = deviation, runs = runs }
+    sides[i] = { mean = mean, deviation = deviation, runs = runs }
   end
-  return #sides < 2 or statistics.apart(sides[1], sides[2])
+  return statistics.apart(sides[1], sides[2])
 end
 
 --- The answer with the largest error, and that error; nil and 0 where no answer counts.

@@ -23,27 +23,37 @@ local function error_text(part, size, least)
   return percent(part)
 end
 
--- "order 1.98 in dt", "change of 0.4 % in elements".
-local function basis_of_knob(knob, found, error)
-  if found.by == "order" then return ("order %.2g in %s"):format(found.order, knob.name) end
-  if found.by == "exact" then return "no change in " .. knob.name end
-  if found.by == "change" then return ("%s by changes in %s"):format(error, knob.name) end
-  return knob.name .. " has one value"
+-- "order 1.98 in dt", "0.4 % by changes in elements". what: the knob, or several.
+local function basis_of(what, found, error)
+  if found.by == "order" then return ("order %.2g in %s"):format(found.order, what) end
+  if found.by == "exact" then return "no change in " .. what end
+  if found.by == "scatter" then return ("no change in %s beyond the scatter"):format(what) end
+  if found.by == "change" then return ("%s by changes in %s"):format(error, what) end
+  if found.by == "grows" then return ("changes in %s grow"):format(what) end
+  return what .. " has one value"
 end
 
---- What the error of an answer rests on; size and least: see error_text.
-local function basis(all, e, size, least)
+-- The knobs in which the settings of a line differ, in words.
+local function knobs_of_line(all, line)
+  local names = {}
+  for _, knob in ipairs(all) do
+    if line[1][knob.name] ~= line[#line][knob.name] then names[#names + 1] = knob.name end
+  end
+  return table.concat(names, " and ") .. (#names > 1 and " together" or "")
+end
+
+--- What the error of an answer rests on; line: the settings on it, or nil; size and least: see error_text.
+local function basis(all, e, line, size, least)
   local parts = {}
   local function told(part) return error_text(part, size, least) end
   if e.mean ~= nil then
     parts[1] = ("%d runs, mean %s, scatter %s"):format(e.runs,
       type(e.mean) == "number" and number(e.mean) or "of a history", number(e.deviation))
   end
-  for _, knob in ipairs(all) do
+  if e.line then parts[#parts + 1] = basis_of(knobs_of_line(all, line), e.line, told(e.line_part)) end
+  for _, knob in ipairs(e.line and {} or all) do
     local found = e.found[knob.name]
-    if found and found.by == "scatter" then
-      parts[#parts + 1] = ("no change in %s beyond the scatter"):format(knob.name)
-    elseif found then parts[#parts + 1] = basis_of_knob(knob, found, told(e.parts[knob.name])) end
+    if found then parts[#parts + 1] = basis_of(knob.name, found, told(e.parts[knob.name])) end
   end
   if e.shown then parts[#parts + 1] = ("check %s"):format(told(e.shown)) end
   return table.concat(parts, "; ")
@@ -59,7 +69,7 @@ function report.answers(all, found, search)
     local size, least = search.ladders:size(name, { e.mean or value }), search.ladders.least[name]
     list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
       size = size, least = least,
-      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, size, least),
+      chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, found.line, size, least),
       mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
       parts = e.parts }
   end

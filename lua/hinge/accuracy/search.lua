@@ -3,6 +3,7 @@
 -- in a table.
 local check = require "hinge.library.check"
 local compare = require "hinge.cost.compare"
+local judge = require "hinge.accuracy.judge"
 local statistics = require "hinge.accuracy.statistics"
 local Ladders = require "hinge.accuracy.ladders"
 local with = Ladders.with
@@ -14,13 +15,8 @@ local room = 0.9     -- part of the accepted error that the ladders may take bef
 local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
--- Times the work of the chosen run: where a check would make the search cost more, its first knob is coarser. Runs take
--- more than their steps; asking then costs about four times the chosen run.
-local dearest = 3.5
-local dear_check = 2 -- times the work of the chosen run: a check that takes more with any step is left out
-local rest = 4 / 3   -- of a series of the second order with halved steps
-local careful = 3    -- the factor of safety where nothing shows an order, see estimate.lua
-local restless = 6   -- values of a ladder after which an answer should come to rest
+local restless = 4   -- values of a ladder after which an answer should come to rest
+local small_part = 0.3 -- of the largest part of an error: a knob with less is left as it is
 
 -- Sizes at which the differences that do not matter are the accepted part.
 local function sizes_of(problem)
@@ -30,9 +26,9 @@ local function sizes_of(problem)
 end
 
 --- problem: knobs and corner (see Ladders.new), within, least = by name a difference that does not matter,
--- names(record) of the answers that count, run(levels, vary, chosen), which returns { answers =, seconds =, work = steps times
--- elements or nil, failed = } or nil where the budget ends; foretell(levels) and fits(seconds): what a run takes, and
--- whether there is time for it; say(text, levels).
+-- names(record) of the answers that count, run(levels, vary, chosen), which returns { answers =, seconds =, work =
+-- steps times elements or nil, failed = } or nil where the budget ends; foretell(levels) and fits(seconds): what a run
+-- takes, and whether there is time for it; say(text, levels).
 function Search.new(problem)
   return setmetatable({ problem = problem, economic = problem.economic, knobs = problem.knobs,
     ladders = Ladders.new(problem.knobs, problem.corner, problem.within / 2, sizes_of(problem)), seconds = 0,
@@ -82,26 +78,19 @@ function Search:begin()
   end
 end
 
--- The largest change of an answer between neighbours among these levels of a knob, from the a-th to the b-th.
-function Search:largest_change(knob, name, levels, a, b)
-  local most, place = 0, self.ladders:place(knob)
-  for i = a + 1, b do
-    most = compare.larger(most, compare.distance(self.ladders:answer(with(place, knob.name, levels[i - 1]), name),
-      self.ladders:answer(with(place, knob.name, levels[i]), name)))
-  end
-  return most
-end
-
--- Whether refinements of a knob change an answer by no less each time: six values, of which the last three differ as
--- much as the first three, in an answer whose error is not accepted.
+-- Whether a ladder tells no more: four values, of which the last change is as large as the first, in an answer whose
+-- error is not accepted; of chaotic means three that differ. Settings that are finer in all then go on.
 function Search:is_restless(knob)
   for _, name in ipairs(self.names) do
-    local levels = self.ladders:levels(knob)
-    local n = #levels
-    if self.ladders.chaotic[name] and n >= 3 and self.ladders:along(knob, name).by == "change" then return true end
-    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2)
-      and not (self:largest_change(knob, name, levels, n - 2, n)
-        < self:largest_change(knob, name, levels, n - 5, n - 3)) then return true end
+    local found = self.ladders:along(knob, name)
+    local n = #found.levels
+    if self.ladders.chaotic[name] and n >= 3 and found.by == "change" then return true end
+    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2) then
+      local first = compare.distance(found.answers[n - 3], found.answers[n - 2])
+      local last = compare.larger(compare.distance(found.answers[n - 2], found.answers[n - 1]),
+        compare.distance(found.answers[n - 1], found.answers[n]))
+      if not (last < first) then return true end
+    end
   end
   return false
 end
@@ -217,7 +206,7 @@ end
 
 -- The finest levels of the ladders. Where many runs follow (economic), the coarsest whose errors together are accepted:
 -- the dearest knob is coarsened first, which is the last.
-function Search:choose(floor)
+function Search:choose()
   local chosen = finest_of(self)
   if not self.economic then return chosen end
   for i = #self.knobs, 1, -1 do
@@ -226,7 +215,7 @@ function Search:choose(floor)
     for k = #levels - 1, 1, -1 do
       local trial = with(chosen, knob.name, levels[k])
       local _, most = Ladders.worst(self.ladders:errors(trial, self.names))
-      if levels[k] < (floor[knob.name] or levels[k]) or not (most <= room * self.problem.within) then break end
+      if not (most <= room * self.problem.within) then break end
       chosen = trial
     end
   end
@@ -246,96 +235,11 @@ function Search:best_known()
   return best
 end
 
--- Mean and band of a chaotic answer at the chosen setting, into its errors.
-function Search:add_scatter(chosen, name, e)
-  local mean, deviation, runs = statistics.mean(self.ladders:values(chosen, name))
-  if not mean then
-    e.total = math.huge
-    return
-  end
-  local size = self.ladders:size(name, { mean })
-  e.mean, e.deviation, e.runs = mean, deviation, runs
-  e.band = statistics.band(deviation, runs)
-  e.band_part = Ladders.part_of(e.band, size)
-  e.total = e.total + e.band_part
-end
-
--- Errors at the chosen setting, with what its own run and the check show.
-function Search:judge(chosen, checked)
-  local errors = self.ladders:errors(chosen, self.names)
-  local first = self.knobs[1]
-  for name, e in pairs(errors) do
-    e.interplay = self.ladders.chaotic[name] and 0 or self.ladders:interplay(chosen, name)
-    e.total = e.total + e.interplay
-    if not self.ladders.chaotic[name] then e.total = e.total + 2 * (self.sensitive[name] or 0) end
-    if self.ladders.chaotic[name] then self:add_scatter(chosen, name, e) end
-    local other = first and checked and checked[first.name] ~= chosen[first.name] and e.parts[first.name] or 0
-    local shown = checked and not self.ladders.chaotic[name]
-      and self:shown_by(checked, chosen, name, e.total - other)
-    if shown then
-      e.shown = shown
-      if other + shown > e.total then e.total, e.by_check = other + shown, true end
-    end
-  end
-  return errors
-end
-
--- What the check shows of an answer's error: its change where all knobs but the first are finer, without what the first
--- knob explains, with the rest of the series in theory. Where that is more than the ladders expect (`expected_part`),
--- the series is not that of the theory: the change has the factor of safety of two values.
-function Search:shown_by(checked, chosen, name, expected_part)
-  local first = self.knobs[1]
-  local own, other = self.ladders:answer(chosen, name), self.ladders:answer(checked, name)
-  if own == nil or other == nil then return math.huge end
-  local expected = own
-  if first and checked[first.name] ~= chosen[first.name] then
-    local place = self.ladders:place(first)
-    local there = self.ladders:answer(with(place, first.name, checked[first.name]), name)
-    local here = self.ladders:answer(with(place, first.name, chosen[first.name]), name)
-    if there ~= nil and here ~= nil then
-      expected = compare.combined(function(a, b, c) return c + a - b end, there, here, own) or own
-    end
-  end
-  local change = Ladders.part_of(compare.distance(other, expected), self.ladders:size(name, { own }))
-  return change * (rest * change <= expected_part and rest or careful)
-end
-
--- The check of a setting: all knobs but the first a level finer, and the first one that many levels coarser. With one
--- knob alone it is a level finer. nil where no knob can be finer.
-function Search:check_of(chosen, coarser)
-  local checked, finer = {}, false
-  for i, knob in ipairs(self.knobs) do
-    local level = chosen[knob.name]
-    if i == 1 and #self.knobs > 1 then checked[knob.name] = math.max(self.ladders.corner[knob.name], level - coarser)
-    else checked[knob.name], finer = math.min(knob.most, level + 1), finer or level < knob.most end
-  end
-  return finer and checked or nil
-end
-
--- Makes the check of a setting, with the first knob as fine as its cost allows, by steps and elements: the same on
--- every machine. Returns its levels, nil where there is none.
-function Search:run_check(chosen, own)
-  local work, first = own.work or own.seconds, self.knobs[1]
-  local coarsest = #self.knobs > 1 and math.max(1, chosen[first.name] - self.ladders.coarse[first.name]) or 1
-  local checked
-  for coarser = 1, coarsest do
-    checked = self:check_of(chosen, coarser)
-    if not checked then return nil end
-    local more = work
-    for _, knob in ipairs(self.knobs) do
-      more = more * knob.ratio ^ ((knob.work or 1) * (checked[knob.name] - chosen[knob.name]))
-    end
-    if self.ladders:at(checked) or self.work + more <= dearest * work then break end
-    if coarser == coarsest and more > dear_check * work then return nil end
-  end
-  return self:run(checked) and checked or nil
-end
-
 -- More runs with changed physical numbers at the chosen setting, until the bands of the means are accepted.
 function Search:repeat_chaotic(chosen)
   if not next(self.ladders.chaotic) then return end
   for vary = 1, self.problem.most_runs - 1 do
-    local errors = self:judge(chosen)
+    local errors = judge.errors(self, chosen)
     local _, most = Ladders.worst(errors)
     local others = 0 -- what more runs do not change
     for _, e in pairs(errors) do others = compare.larger(others, e.total - (e.band_part or 0)) end
@@ -344,9 +248,51 @@ function Search:repeat_chaotic(chosen)
   end
 end
 
---- Searches. Returns { chosen = levels, errors = by answer, checked = levels or nil, reached = whether all errors are
--- accepted, stuck = { knob = reason }, seconds =, runs =, own = seconds of the chosen run }; or nil and why there is no
--- answer at all.
+-- The setting after one whose errors are too large: the knobs with the largest parts in such an answer a level finer;
+-- all of them where no ladder tells. nil where none can be finer.
+function Search:finer_than(chosen, errors)
+  local parts, most = {}, 0
+  for _, name in ipairs(check.keys(errors)) do
+    if not (errors[name].total <= self.problem.within) then
+      for _, knob in ipairs(self.knobs) do
+        local part = errors[name].parts[knob.name]
+        parts[knob.name] = compare.larger(parts[knob.name] or 0, part < math.huge and part or 1)
+        most = compare.larger(most, parts[knob.name])
+      end
+    end
+  end
+  local next_one, finer = {}, false
+  for _, knob in ipairs(self.knobs) do
+    local level = chosen[knob.name]
+    local larger = not (parts[knob.name] < small_part * most) or most < small_part * self.problem.within
+    next_one[knob.name] = larger and math.min(knob.most, level + 1) or level
+    if larger and level >= knob.most then self.stuck[knob.name] = "finest" end
+    finer = finer or next_one[knob.name] > level
+  end
+  return finer and next_one or nil
+end
+
+-- The run of a setting in full, the runs beside it, and what they say. nil and why where the run has no answer.
+function Search:try(chosen, whatever)
+  local own, why = self:run(chosen, 0, whatever and "whatever it takes" or "chosen")
+  if not own then return nil, why end
+  self:repeat_chaotic(chosen)
+  local line = judge.line(self, chosen)
+  local checked = not line and judge.check(self, chosen, own) or nil
+  local errors = judge.errors(self, chosen, checked, line)
+  local _, most = Ladders.worst(errors)
+  return { chosen = chosen, errors = errors, checked = checked, line = line, reached = most <= self.problem.within,
+    stuck = self.stuck, own = own.seconds, most = most }
+end
+
+local function closed(self, result)
+  result.seconds, result.runs = self.seconds, self.runs
+  return result
+end
+
+--- Searches. Returns { chosen = levels, errors = by answer, checked = levels or nil, line = list of levels or nil,
+-- reached = whether all errors are accepted, stuck = { knob = reason }, seconds =, runs =, own = seconds of the chosen
+-- run }; or nil and why there is no answer at all.
 function Search:find()
   local record, why = self:begin()
   if not record then return nil, why end
@@ -357,30 +303,24 @@ function Search:find()
     local knob = self.knobs[i]
     while #self.ladders:levels(knob) < 2 and self:refine(knob) do end
   end
-  local floor, result = {}, nil
-  while true do
-    self:climb()
-    local chosen = self:choose(floor)
-    local own = self:run(chosen, 0, "chosen")
-    if not own then
-      if result then return result end
-      chosen = self:best_known()
-      own = self:run(chosen, 0, "whatever it takes")
-      if not own then return nil, "the chosen run failed" end
+  self:climb()
+  local result = self:try(self:choose()) or self:try(self:best_known(), true)
+  if not result then return nil, "the chosen run failed" end
+  while not result.reached do
+    local finer = self:finer_than(result.chosen, result.errors)
+    local better
+    if not finer then return closed(self, result) end
+    better, why = self:try(finer)
+    if not better then
+      for _, knob in ipairs(self.knobs) do
+        if finer[knob.name] > result.chosen[knob.name] then self.stuck[knob.name] = why end
+      end
+      if why ~= "budget" then self:run(result.chosen, 0, "whatever it takes") end -- its output counts
+      return closed(self, result)
     end
-    self:repeat_chaotic(chosen)
-    local checked = self:run_check(chosen, own)
-    local errors = self:judge(chosen, checked)
-    local _, most = Ladders.worst(errors)
-    result = { chosen = chosen, errors = errors, checked = checked, reached = most <= self.problem.within,
-      stuck = self.stuck, seconds = self.seconds, runs = self.runs, own = own.seconds, most = most }
-    if result.reached then return result end
-    local knob = self:next_knob(errors)
-    if not knob then return result end
-    floor[knob.name] = chosen[knob.name] + 1
-    local levels = self.ladders:levels(knob)
-    if levels[#levels] < floor[knob.name] and not self:refine(knob) then return result end
+    result = better
   end
+  return closed(self, result)
 end
 
 return Search
