@@ -4,7 +4,7 @@ local costs = require "hinge.cost.ladder"
 
 local knobs = {}
 local finer_than_own = 4     -- refinements beyond the script's own value or list
-local finer_elements = 3
+local finer_elements = 5
 local coarser_steps = 6      -- levels of dt below the script's own that may be tried
 local first_step = -2        -- the search begins with steps that are four times as long
 local least_elements = 2     -- a member: with fewer, pairs of asi-gauss cannot be

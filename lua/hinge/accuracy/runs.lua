@@ -156,6 +156,7 @@ end
 function Runs:in_full(set, factors)
   local folder, file = self.folder, self.o.out .. "/accuracy/chosen.lua"
   os.remove(file)
+  os.remove(self.o.out .. "/accuracy/output.txt") -- of a run before
   core.unlock(folder)
   local process = core.start(function() return in_full(self, set, factors, file, folder) end,
     self.o.out .. "/accuracy/output.txt", 0, false)

@@ -265,8 +265,11 @@ function Search:finer_than(chosen, errors)
   for _, knob in ipairs(self.knobs) do
     local level = chosen[knob.name]
     local larger = not (parts[knob.name] < small_part * most) or most < small_part * self.problem.within
+    if larger and level >= knob.most then
+      self.stuck[knob.name] = "finest"
+      if not (parts[knob.name] < most) then return nil end -- all else would be in vain
+    end
     next_one[knob.name] = larger and math.min(knob.most, level + 1) or level
-    if larger and level >= knob.most then self.stuck[knob.name] = "finest" end
     finer = finer or next_one[knob.name] > level
   end
   return finer and next_one or nil

@@ -121,6 +121,14 @@ case("what does not matter in an answer is accepted", function()
     "in its own unit:\n%s", r.stdout)
 end)
 
+case("what the script prints is that of the last chosen run, also in a later call", function()
+  for _, within in ipairs { "5%", "0.01%" } do
+    local r = hinge_run(("run shaken.lua --within %s --out shaken"):format(within))
+    equal(select(2, r.stdout:gsub("shaken\n", "")), 2, "once, and in the name of the folder:\n" .. r.stdout)
+    equal(summary_of("shaken").accuracy.asked, tonumber(within:match "[%d.]+") / 100, "of the last call")
+  end
+end)
+
 case("a second call takes the runs of the first", function()
   local r = hinge_run "run shaken.lua --within 1% --out shaken"
   equal(r.status, 0, "status: " .. r.stderr)
