@@ -16,7 +16,7 @@ local reserve = 2    -- the ladders of other knobs stand that many levels of the
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
 local restless = 4   -- values of a ladder after which an answer should come to rest
-local small_part = 0.3 -- of the largest part of an error: a knob with less is left as it is
+local small_part = 0.1 -- of the accepted error: a knob whose ladder shows that it has less is left as it is
 
 -- Sizes at which the differences that do not matter are the accepted part.
 local function sizes_of(problem)
@@ -248,31 +248,30 @@ function Search:repeat_chaotic(chosen)
   end
 end
 
--- The setting after one whose errors are too large: the knobs with the largest parts in such an answer a level finer;
--- all of them where no ladder tells. nil where none can be finer.
+-- Whether a knob's ladder shows, in all answers whose error is too large, that its part of it is small.
+function Search:is_small(knob, errors)
+  for _, e in pairs(errors) do
+    local found = e.found[knob.name]
+    if not (e.total <= self.problem.within) and found.by ~= "exact"
+      and not (found.by == "order" and e.parts[knob.name] <= small_part * self.problem.within) then return false end
+  end
+  return true
+end
+
+-- The setting after one whose errors are too large: all knobs a level finer, but for those that do little. nil where
+-- one of them cannot be finer.
 function Search:finer_than(chosen, errors)
-  local parts, most = {}, 0
-  for _, name in ipairs(check.keys(errors)) do
-    if not (errors[name].total <= self.problem.within) then
-      for _, knob in ipairs(self.knobs) do
-        local part = errors[name].parts[knob.name]
-        parts[knob.name] = compare.larger(parts[knob.name] or 0, part < math.huge and part or 1)
-        most = compare.larger(most, parts[knob.name])
-      end
-    end
-  end
-  local next_one, finer = {}, false
+  local finer, any = chosen, false
   for _, knob in ipairs(self.knobs) do
-    local level = chosen[knob.name]
-    local larger = not (parts[knob.name] < small_part * most) or most < small_part * self.problem.within
-    if larger and level >= knob.most then
-      self.stuck[knob.name] = "finest"
-      if not (parts[knob.name] < most) then return nil end -- all else would be in vain
+    if not self:is_small(knob, errors) then
+      if chosen[knob.name] >= knob.most then
+        self.stuck[knob.name] = "finest"
+        return nil
+      end
+      finer, any = with(finer, knob.name, chosen[knob.name] + 1), true
     end
-    next_one[knob.name] = larger and math.min(knob.most, level + 1) or level
-    finer = finer or next_one[knob.name] > level
   end
-  return finer and next_one or nil
+  return any and finer or nil
 end
 
 -- The run of a setting in full, the runs beside it, and what they say. nil and why where the run has no answer.
@@ -285,11 +284,11 @@ function Search:try(chosen, whatever)
   local errors = judge.errors(self, chosen, checked, line)
   local _, most = Ladders.worst(errors)
   return { chosen = chosen, errors = errors, checked = checked, line = line, reached = most <= self.problem.within,
-    stuck = self.stuck, own = own.seconds, most = most }
+    own = own.seconds, most = most }
 end
 
 local function closed(self, result)
-  result.seconds, result.runs = self.seconds, self.runs
+  result.seconds, result.runs, result.stuck = self.seconds, self.runs, self.stuck
   return result
 end
 
@@ -310,6 +309,7 @@ function Search:find()
   local result = self:try(self:choose()) or self:try(self:best_known(), true)
   if not result then return nil, "the chosen run failed" end
   while not result.reached do
+    self.stuck = {} -- ladders that told no more do not end the search
     local finer = self:finer_than(result.chosen, result.errors)
     local better
     if not finer then return closed(self, result) end

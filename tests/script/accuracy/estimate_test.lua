@@ -57,6 +57,15 @@ case("two values that agree by chance do not make a narrow band", function()
   near(estimate.along({ 4, 2, 1 }, { 5, 5.6, 5.5 }, 2).error, 0.3, 1e-12, "a change that turns back")
 end)
 
+case("of four values on a line the first three must show an order as well", function()
+  local h, lucky = { 8, 4, 2, 1 }, { 0.9328, 0.9642, 1.0081, 1.0162 }
+  equal(estimate.along(h, lucky, 2).by, "order", "of the last three")
+  local found = estimate.along(h, lucky, 2, 0, true)
+  equal(found.by, "change", "twice")
+  near(found.error, (1.0081 - 0.9642) / 2, 1e-9, "the change before, over 2")
+  near(estimate.along(h, powers(2, h), 2, 0, true).order, 2, 1e-6, "an order that is there")
+end)
+
 case("what does not change is exact, what grows or is no number has no error", function()
   equal(estimate.along({ 4, 2, 1 }, { 5, 5, 5 }, 2).by, "exact", "what does not change")
   for by, answers in pairs { grows = { 5, 5.1, 5.3 }, open = { 5, 0 / 0, 5 } } do
@@ -212,7 +221,7 @@ case("two numbers of elements that agree by chance are found out by the check", 
   for _, within in ipairs { 0.02, 0.05, 0.1 } do
     local found = search(falls, within)
     local e = found.errors.peak
-    local truth = found.errors.peak.found.elements.answers[#found.errors.peak.found.elements.answers] / 247 - 1
+    local truth = falls(2.0 ^ -found.chosen.dt, 2.0 ^ -found.chosen.elements).peak / 247 - 1
     expect(found.reached and e.total >= truth and truth <= within, "asked %g: told %g, in truth %g", within, e.total,
       truth)
   end
@@ -228,6 +237,32 @@ case("an answer that is small may be wrong by what does not matter", function()
   expect(found.reached and found.errors.small.total <= 0.02 and found.errors.small.total * 0.1 / 0.02 >= 0.004,
     "a tenth does not matter: told %g", found.errors.small.total)
   expect(not search(wiggles, 0.02, { least = { small = 1e-4 } }).reached, "less than it wiggles")
+end)
+
+case("where coarse steps disturb a ladder, settings on a line tell the error of all", function()
+  local function disturbed(dt, length)
+    return { v = smooth(dt, length).v + (dt > 0.2 and 0.4 * math.sin(17 / length) or 0) }
+  end
+  local found, _, one = search(disturbed, 0.01, { most = 8 })
+  local e = found.errors.v
+  local truth = disturbed(2.0 ^ -found.chosen.dt, 2.0 ^ -found.chosen.elements).v / 10 - 1
+  expect(not (e.parts.elements <= 0.01), "the ladder of elements alone: %g", e.parts.elements)
+  expect(found.reached and found.line and not found.checked, "on a line, without a check")
+  expect(e.total >= truth and truth <= 0.01, "told %g, in truth %g", e.total, truth)
+  for i = 2, #found.line do
+    for _, knob in ipairs(one.knobs) do
+      equal(found.line[i][knob.name], found.line[i - 1][knob.name] + 1, "each is a level finer in all")
+    end
+  end
+end)
+
+case("settings on a line that agree by chance do not hide what a ladder shows", function()
+  local function agrees(dt, length) -- the same on the line from the corner, and not beside it
+    local level, apart = -math.log(dt, 2) + 2, -math.log(length, 2)
+    return { v = 10 + (level ~= apart and 2 * math.sin(1e6 * dt + 17 / length) or 0) }
+  end
+  local found = search(agrees, 0.01)
+  expect(not found.reached or found.chosen.dt >= 3, "reached with dt level %d", found.chosen.dt)
 end)
 
 case("a dear check is left out, an answer that does not settle ends its ladder", function()
