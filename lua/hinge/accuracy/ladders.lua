@@ -12,6 +12,7 @@ local Ladders = {}
 Ladders.__index = Ladders
 
 local rounding = 1e-12 -- of the unit: an answer below it is 0
+local no_matter = 1e-9 -- of the unit: a difference that matters in no answer
 local longest = 4      -- values of a ladder that count, the finest ones
 
 --- knobs: { { name =, theory = order, ratio =, work = exponent of the work over the ratio (1), least = level, most =
@@ -19,8 +20,8 @@ local longest = 4      -- values of a ladder that count, the finest ones
 -- accepted: the part by which answers may change and pass for settled. least: by name, the size below which errors are
 -- parts of this size, and no longer of the answer itself (default: none).
 function Ladders.new(knobs, corner, accepted, least)
-  return setmetatable({ accepted = accepted, least = least or {}, knobs = knobs, corner = corner, coarse = corner,
-    records = {}, chaotic = {} }, Ladders)
+  return setmetatable({ accepted = accepted, least = least or {}, smallest = no_matter / (2 * accepted),
+    knobs = knobs, corner = corner, coarse = corner, records = {}, chaotic = {} }, Ladders)
 end
 
 --- These levels with another one of a knob.
@@ -91,8 +92,11 @@ function Ladders:size(name, answers)
     for _, a in ipairs(answers) do size = compare.larger(size, compare.size(a)) end
   end
   size = compare.larger(size, self.least[name] or 0)
-  return size > rounding and size or 0
+  return size > rounding and compare.larger(size, self.smallest) or 0
 end
+
+--- The size below which errors are no longer parts of an answer itself.
+function Ladders:smallest_of(name) return compare.larger(self.least[name] or 0, self.smallest) end
 
 local function is_whole(answers)
   for _, a in ipairs(answers) do

@@ -59,16 +59,16 @@ local function basis(all, e, line, size, least)
   return table.concat(parts, "; ")
 end
 
---- Answers as they are told: { { name =, value =, error = part of size, size =, least = the smallest size, basis =,
---- chaotic = }, ... } by name.
+--- Answers as they are told: { { name =, value =, error = part of size, size =, least = the smallest size, given = that
+--- of the user, basis =, chaotic = }, ... } by name.
 function report.answers(all, found, search)
   local list = {}
   for _, name in ipairs(check.keys(found.errors)) do
     local e = found.errors[name]
     local value = search.ladders:answer(found.chosen, name)
-    local size, least = search.ladders:size(name, { e.mean or value }), search.ladders.least[name]
+    local size, least = search.ladders:size(name, { e.mean or value }), search.ladders:smallest_of(name)
     list[#list + 1] = { name = name, value = type(value) == "number" and value or nil, error = e.total,
-      size = size, least = least,
+      size = size, least = least, given = search.ladders.least[name],
       chaotic = search.ladders.chaotic[name] or false, basis = basis(all, e, found.line, size, least),
       mean = type(e.mean) == "number" and e.mean or nil, scatter = e.deviation, runs = e.runs, band = e.band,
       parts = e.parts }
@@ -86,11 +86,31 @@ function report.line(told)
   return line
 end
 
+-- Names of the answers whose error is not accepted, and of all, as --answers takes them.
+local function names_of(told)
+  local missed, all = {}, {}
+  for _, a in ipairs(told.answers) do
+    local is_missed = not (a.error <= told.asked)
+    if is_missed then missed[#missed + 1] = a.name end
+    local matters = a.given and a.given * told.asked or is_missed and "DIFFERENCE"
+    if type(matters) == "number" then matters = ("%g"):format(matters) end
+    all[#all + 1] = a.name .. (matters and ":" .. matters or "")
+  end
+  return missed, all
+end
+
+-- What is not reached, and by which answers.
+local function not_reached(told)
+  local missed = names_of(told)
+  return ("%s is not reached for %s: with %s %s error is estimated at %s (%s)"):format(text.percent(told.asked),
+    #missed == #told.answers and #missed > 1 and "any answer" or table.concat(missed, ", "), told.setting,
+    #missed > 1 and "the largest" or "its", percent(told.estimated), told.why)
+end
+
 --- All lines that are printed.
 function report.lines(told)
   local lines = { told.reached and ("within %s: %s (%s)"):format(text.percent(told.asked), told.setting, time(told.own))
-    or ("%s is not reached: the error of %s is estimated at %s (%s)"):format(text.percent(told.asked), told.setting,
-      percent(told.estimated), told.why) }
+    or not_reached(told) }
   local widest, rows = 0, {}
   for i, a in ipairs(told.answers) do
     rows[i] = { a.name .. (a.chaotic and " (chaotic)" or ""), a.chaotic and a.mean and number(a.mean)
@@ -102,6 +122,11 @@ function report.lines(told)
   end
   for _, line in ipairs(broken.lines(told.broken)) do lines[#lines + 1] = line end
   for _, note in ipairs(told.notes) do lines[#lines + 1] = "note: " .. note end
+  local missed, all = names_of(told)
+  if #missed > 0 and #missed < #all then
+    lines[#lines + 1] = "to leave an answer out, or to say which difference does not matter: --answers "
+      .. table.concat(all, ",")
+  end
   lines[#lines + 1] = ("%s; %d runs, %.2g times the chosen one%s"):format(report.line(told), told.runs,
     told.seconds / told.own, told.checked and "; checked with " .. told.checked or "")
   return lines

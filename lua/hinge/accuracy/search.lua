@@ -16,7 +16,8 @@ local reserve = 2    -- the ladders of other knobs stand that many levels of the
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
 local restless = 4   -- values of a ladder after which an answer should come to rest
-local small_part = 0.1 -- of the accepted error: a knob whose ladder shows that it has less is left as it is
+-- Of the accepted error: a knob whose ladder shows that it has less is left as it is; and if it cannot be finer.
+local small_part, bearable_part = 0.1, 0.5
 
 -- Sizes at which the differences that do not matter are the accepted part.
 local function sizes_of(problem)
@@ -248,12 +249,13 @@ function Search:repeat_chaotic(chosen)
   end
 end
 
--- Whether a knob's ladder shows, in all answers whose error is too large, that its part of it is small.
-function Search:is_small(knob, errors)
+-- Whether a knob's ladder shows, in all answers whose error is too large, that its part of it is below `part` of the
+-- accepted error.
+function Search:is_small(knob, errors, part)
   for _, e in pairs(errors) do
     local found = e.found[knob.name]
     if not (e.total <= self.problem.within) and found.by ~= "exact"
-      and not (found.by == "order" and e.parts[knob.name] <= small_part * self.problem.within) then return false end
+      and not (found.by == "order" and e.parts[knob.name] <= part * self.problem.within) then return false end
   end
   return true
 end
@@ -263,8 +265,9 @@ end
 function Search:finer_than(chosen, errors)
   local finer, any = chosen, false
   for _, knob in ipairs(self.knobs) do
-    if not self:is_small(knob, errors) then
-      if chosen[knob.name] >= knob.most then
+    local is_finest = chosen[knob.name] >= knob.most
+    if not self:is_small(knob, errors, is_finest and bearable_part or small_part) then
+      if is_finest then
         self.stuck[knob.name] = "finest"
         return nil
       end
