@@ -12,6 +12,7 @@
 --         out=FILE.csv         a line for each scene and accuracy is added; seeds that it has are not run again
 --         table                the summary of `out` alone
 --         misses               also a line for each answer that is farther off than was asked or estimated
+--         chains               chaotic scenes in the place of the population: see within_chains.lua
 --         quick                the scenes that take least, asked 5 %, for the test
 --         check                the status is 1 where a bound in `bounds` is not kept
 --
@@ -23,6 +24,7 @@ package.path = folder .. "/?.lua;" .. folder .. "/../script/?.lua;" .. package.p
 local core = require "hinge.core"
 local results = require "within_results"
 local measured = require "within_measure"
+local chains = require "within_chains"
 local scenes = require "within_scenes"
 
 local options = { count = 200, first = 1, jobs = 1, most = 40, asked = "10,5,2,1" }
@@ -41,6 +43,8 @@ if options.quick then options.asked = 5 end
 local asked = {}
 for word in tostring(options.asked):gmatch "[%d.]+" do asked[#asked + 1] = tonumber(word) / 100 end
 
+local scene_of = options.chains and chains.scene or scenes.scene
+
 -- Every scene in a process of its own: what ends a process is one line of the table.
 local running, count, rows = {}, 0, {}
 
@@ -48,7 +52,7 @@ local function start(seed)
   local output = os.tmpname()
   local place = options.kept and ("%s/%d"):format(options.kept, seed) or output .. ".runs"
   local process = core.start(function()
-    local scene = scenes.scene(seed)
+    local scene = scene_of(seed)
     local lines = { "RESULT\n" }
     local told = measured.scene(scene, { folder = place, script = arg[0], asked = asked, most = options.most })
     for _, row in ipairs(told) do
@@ -106,12 +110,12 @@ local next_seed = coroutine.wrap(function()
   if listed then
     for word in tostring(listed):gmatch "%d+" do
       local seed = math.tointeger(word)
-      if not done[seed] and scenes.scene(seed) then coroutine.yield(seed) end
+      if not done[seed] and scene_of(seed) then coroutine.yield(seed) end
     end
   else
     local left, seed = options.count, options.first
     while left > 0 do
-      if scenes.scene(seed) then
+      if scene_of(seed) then
         left = left - 1
         if not done[seed] then coroutine.yield(seed) end
       end

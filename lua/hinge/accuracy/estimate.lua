@@ -4,14 +4,18 @@
 -- the largest change counts, over what a refinement leaves in theory, with a factor of safety of 3; of two values, the
 -- change itself with that factor. This is the grid convergence index of Roache (P. J. Roache, Perspective: a method for
 -- uniform reporting of grid refinement studies, Journal of Fluids Engineering 116, 1994, pp. 405-413). Three values
--- with an order have the factor 1.25 of the same index.
+-- with an order near the theory's have the factor 1.25 of the same index. An order that is lower may be seen by chance,
+-- or may fall further: it has the factor 3 (W. L. Oberkampf and C. J. Roy, Verification and Validation in Scientific
+-- Computing, 2010, section 8.6), or 2 where two triples of four values show one.
 local compare = require "hinge.cost.compare"
 
 local estimate = {}
 local least_order = 0.5  -- below it the rest of the series would be longer than what was seen
 local beyond_theory = 0.5 -- an order that is higher than the theory by more is chance
 local careful = 3        -- Roache's factor of safety without an observed order
-local usual = 1.25       -- and with one
+local usual = 1.25       -- and with one that is near the theory
+local repeated = 2       -- and with a lower one that is seen twice
+local near = 0.75        -- of the order in theory
 local aligned = 0.5      -- cosine of the angle between two changes of a history that are of one kind
 local rounding = 1e-9    -- of an answer: changes that are smaller say nothing
 
@@ -63,13 +67,13 @@ function estimate.along(h, answers, theory, accepted, twice)
     local order = order_of(h, answers, n)
     local one_way = compare.going_on(table.unpack(last)) > aligned
     local change = compare.distance(last[2], finest)
-    local before = order
-    if twice and n >= 4 then before = order_of(h, answers, n - 1) end
-    if one_way and is_explained(order, theory) and is_explained(before, theory) then
+    local seen_twice = n >= 4 and is_explained(order_of(h, answers, n - 1), theory)
+    if one_way and is_explained(order, theory) and (seen_twice or n < 4 or not twice) then
       local part = 1 / (ratio ^ order - 1)
       local better = compare.combined(function(b, c) return c + part * (c - b) end, last[2], finest)
+      local safety = order >= near * theory and usual or seen_twice and repeated or careful
       return { by = "order", order = order, answer = better or finest,
-        error = usual * rest(change, ratio, math.min(order, theory)) }
+        error = safety * rest(change, ratio, math.min(order, theory)) }
     end
     if one_way and order and order < least_order then -- so slow that the rest counts as that of the least order
       return { by = "change", error = compare.larger(usual * rest(change, ratio, least_order),

@@ -24,13 +24,20 @@ end
 case("three values that show an order have the rest of the series and a quarter of it as their error", function()
   for _, p in ipairs { 1, 2 } do
     for _, h in ipairs { { 0.4, 0.2, 0.1 }, { 0.5, 0.3, 0.1 } } do
-      local found = estimate.along(h, powers(p, h), 2)
+      local found = estimate.along(h, powers(p, h), p)
       equal(found.by, "order", "kind of order " .. p)
       near(found.order, p, 1e-6, "observed order")
       near(found.answer, 2, 1e-7, "extrapolated value, order " .. p)
       near(found.error, 1.25 * 3 * 0.1 ^ p, 1e-9, "error of order " .. p)
     end
   end
+end)
+
+case("an order below the theory's has a factor of 3, and of 2 where four values show it", function()
+  near(estimate.along({ 0.4, 0.2, 0.1 }, powers(1, { 0.4, 0.2, 0.1 }), 2).error, 3 * 3 * 0.1, 1e-9, "seen once")
+  near(estimate.along({ 0.8, 0.4, 0.2, 0.1 }, powers(1, { 0.8, 0.4, 0.2, 0.1 }), 2).error, 2 * 3 * 0.1, 1e-9, "twice")
+  near(estimate.along({ 0.4, 0.2, 0.1 }, powers(1.6, { 0.4, 0.2, 0.1 }), 2).error, 1.25 * 3 * 0.1 ^ 1.6, 1e-9,
+    "near the theory")
 end)
 
 case("an order beyond the theory, or below one half, is chance and not believed", function()
