@@ -46,7 +46,7 @@ end
 -- met; the search costs as many times the chosen run as this one did. nil where an answer has no order to go by.
 function forecast.half(search, found)
   local name, most = search.ladders.worst(found.errors)
-  if not name or not found.reached or most == 0 then return nil end
+  if not name or not found.reached or most < 1e-10 then return nil end
   local e, levels, parts = found.errors[name], found.chosen, {}
   if search.ladders.chaotic[name] then -- the band of a mean goes with the square root of the runs
     return { error = most / 2, seconds = 4 * found.seconds }

@@ -15,7 +15,8 @@ local room = 0.9     -- part of the accepted error that the ladders may take bef
 local reserve = 2    -- the ladders of other knobs stand that many levels of the first one before its finest
 local family = 3     -- runs with changed physical numbers at each setting, where answers are chaotic
 local least_runs = 5 -- of a chaotic answer at the chosen setting
-local restless = 4   -- values of a ladder after which an answer should come to rest
+-- Values of a ladder after which an answer should come to rest: of the first knob, and of others.
+local restless, restless_beside = 4, 3
 -- Of the accepted error: a knob whose ladder shows that it has less is left as it is; and if it cannot be finer.
 local small_part, bearable_part = 0.1, 0.5
 
@@ -79,14 +80,17 @@ function Search:begin()
   end
 end
 
--- Whether a ladder tells no more: four values, of which the last change is as large as the first, in an answer whose
--- error is not accepted; of chaotic means three that differ. Settings that are finer in all then go on.
+-- Whether a ladder tells no more, in an answer whose error is not accepted: four values of the first knob, of which the
+-- last change is as large as the first; three of another knob, which show no order; three chaotic means that differ.
+-- Settings that are finer in all then go on.
 function Search:is_restless(knob)
   for _, name in ipairs(self.names) do
     local found = self.ladders:along(knob, name)
     local n = #found.levels
     if self.ladders.chaotic[name] and n >= 3 and found.by == "change" then return true end
-    if n >= restless and not (self.ladders:part(knob, name) <= self.problem.within / 2) then
+    local accepted = self.ladders:part(knob, name) <= self.problem.within / 2
+    if knob ~= self.knobs[1] and n >= restless_beside and not accepted and found.by ~= "order" then return true end
+    if n >= restless and not accepted then
       local first = compare.distance(found.answers[n - 3], found.answers[n - 2])
       local last = compare.larger(compare.distance(found.answers[n - 2], found.answers[n - 1]),
         compare.distance(found.answers[n - 1], found.answers[n]))
