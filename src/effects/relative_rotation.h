@@ -1,4 +1,9 @@
 // Rotation of a node relative to another one, or to the ground, and the moments that resist it: connectors and joints.
+//
+// It is a rotation vector, whose derivatives become infinite at a full turn. Where one axis has turned by more than two
+// radians and the others by little, it is the twist about that axis, counted over any number of turns, and the swing
+// across it, seen from half way of the twist. Both agree up to the square of the swing where one takes the place of the
+// other.
 #pragma once
 
 #include "core/types.h"
@@ -8,9 +13,11 @@
 namespace hinge {
 
 struct RelativeRotation {
-    Mat3 axes;      ///< columns x y z, as they stand: those of a
-    Mat3 of_spin;   ///< d(rotation vector)/d(rotation on top of it)
-    Vec3 rotation;  ///< vector of the rotation of b relative to a, in the axes, rad
+    Mat3 axes;                         ///< columns x y z, as they stand: those of a
+    Mat3 of_spin;                      ///< d(rotation)/d(rotation on top of it)
+    Vec3 rotation;                     ///< of b relative to a, in the axes, rad
+    int about = -1;                    ///< the axis of the twist; -1: a rotation vector
+    Quat relative = Quat::Identity();  ///< with `about`: of b relative to a, in the axes
     /// d(rotation)/d(spin of b in space); with a minus, of a.
     Mat3 by_spin() const { return of_spin * axes.transpose(); }
 };
