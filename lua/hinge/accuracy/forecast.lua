@@ -1,7 +1,9 @@
 -- What runs will take, and what half of the error would cost.
 local forecast = {}
 
-local most_growth = 1.3 -- exponent of the time over a refinement: beyond it a time was measured badly
+-- Exponent of the time over a refinement: beyond it a time was measured badly. Explicit steps get shorter with the
+-- elements, by up to the square of their length.
+local most_growth, most_explicit = 1.3, 3
 
 --- Seconds of a run at these levels, from the run with the nearest levels and how the time has grown so far.
 function forecast.seconds(search, levels)
@@ -11,7 +13,8 @@ function forecast.seconds(search, levels)
     local place = search.ladders:place(knob)
     local a = search.ladders:at(search.ladders.with(place, knob.name, known[1]))
     local b = search.ladders:at(search.ladders.with(place, knob.name, known[#known]))
-    return math.min(most_growth, math.max(0, math.log(b.seconds / a.seconds, 2) / (known[#known] - known[1])))
+    local most = search.problem.explicit and knob.name ~= "dt" and most_explicit or most_growth
+    return math.min(most, math.max(0, math.log(b.seconds / a.seconds, 2) / (known[#known] - known[1])))
   end
   local best, nearest = nil, math.huge
   for _, family in pairs(search.ladders.records) do

@@ -114,7 +114,7 @@ end
 local function problem_of(o, runs, tell, first, all, corner)
   local wanted = o.answers or o.scenario and o.scenario.answers
   local problem = { knobs = all, corner = corner, within = o.within, economic = o.economic,
-    least = answers.least(wanted), most_runs = o.budget and math.huge or most_runs }
+    least = answers.least(wanted), explicit = runs.asked.explicit, most_runs = o.budget and math.huge or most_runs }
   function problem.names(record) return answers.names(where, record, wanted) end
   function problem.fits(seconds) return runs:fits(seconds) end
   function problem.run(levels, vary, chosen)
@@ -129,7 +129,7 @@ local function problem_of(o, runs, tell, first, all, corner)
     else
       record = runs:measure(set, factors, vary)
     end
-    if not record then return nil end
+    if not record or record.failed == Runs.late then return nil end
     if first.failed and not record.failed then first = record end
     if not record.failed and not Runs.ends_alike(record, first) then
       record.failed = "the run ends at another time with another dt, as the script counts its steps"

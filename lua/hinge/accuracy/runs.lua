@@ -14,6 +14,7 @@ Runs.__index = Runs
 local interrupted = 130 -- exit status, as after Ctrl-C
 -- Times the steps of Newmark's run: with more, explicit steps are not faster. They take a third to a half of the time.
 local worth_it = 1.4
+local late_part = 1.5 -- of the time that is left
 Runs.late = "it took too long"
 local same_end = 0.05 -- of its duration: a run that ends farther from where the first one ended was ended by the script
 
@@ -94,6 +95,13 @@ function Runs:once(set, factors, vary, until_then)
   return measure.once(plain, {}, nil, deadline, nil, change)
 end
 
+-- Where no budget is given: a run ends that takes far longer than what is left, since a forecast may be wrong.
+function Runs:time_left()
+  if self.o.budget or not self.most then return nil end
+  local until_then = os.clock() + late_part * math.max(0, self.most - self.seconds)
+  return function() return os.clock() > until_then end
+end
+
 --- The measurement of a setting: the kept one, or a new one; nil where the budget ended it.
 function Runs:measure(set, factors, vary, deadline)
   local key = key_of(self, set, factors, vary)
@@ -103,6 +111,7 @@ function Runs:measure(set, factors, vary, deadline)
     self.asked.damps = self.asked.damps or record.damps
   else
     local began = os.clock()
+    deadline = deadline or self:time_left()
     record = plain_record(self:once(set, factors, vary, deadline), began)
     if not record and deadline then record = { failed = Runs.late, seconds = os.clock() - began } end
     if not record then return nil end
