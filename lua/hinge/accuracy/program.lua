@@ -22,7 +22,9 @@ end
 function program.main(options)
   return runner.guard(function()
     if options.sandbox then
-      check.fail("--within %s: runs a script many times, and does not go with --sandbox", options.within)
+      check.fail("--within %s: the search runs a script many times, and in the sandbox a script runs once. Leave out "
+        .. "--sandbox if you trust the script; if not, run it in the sandbox with two values of a parameter, such as "
+        .. "dt=1e-3 and dt=5e-4, and compare the answers", options.within)
     end
     local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
       "a part above 0, such as 2% or 0.02")

@@ -199,6 +199,7 @@ case("what is wrong on the command line is named", function()
     ["run shaken.lua --within 2%% --answers roof_mm:-1"] = "a difference that does not matter",
     ["run shaken.lua --within much"] = "--within much: must be a part above 0",
     ["run shaken.lua --budget 5"] = "--within",
+    ["run shaken.lua --within 2%% --sandbox"] = "Leave out --sandbox",
     ["study shaken.lua x=1,2 --within 2%% --list"] = "--list",
   } do
     local r = hinge_run((words:gsub("%%%%", "%%")) .. " --out wrong")
