@@ -138,7 +138,7 @@ int with_lua(Request& request, const char* module, const char* function, bool pr
     context->mode.looks_over = progress;
     if (request.json) context->messages.events = events_alone_on_stdout();
     context->mode.sandbox = request.sandbox;
-    context->mode.resume = request.resume;
+    context->mode.resume = request.resume && one_run;  // cases go on in processes of their own
     const bool ends_on_signals = request.verb == "run" || request.verb == "study" || request.verb == "render";
     if (ends_on_signals) hinge::script::end_on_signals(L);
     std::unique_ptr<hinge::live::Live> live;
