@@ -260,7 +260,7 @@ void add_study(CLI::App& app, Request& request) {
     study_option("--timeout", "timeout", "Most time a case may take, such as 60s, 5min or 1h");
     add_within(*verb, request,
                "Choose dt, elements a member and integrator once, for answers with this error at most, such as 2%, and "
-               "check the choice in some of the cases");
+               "check the choice in some of the cases; --list and --slurm choose for --case and --collect");
     study_option("--memory", "memory", "Most memory a case may take, such as 500M or 2G");
     verb->add_option("--out", request.out,
                      "Folder for results.csv, summary.json, pictures and the cases' own folders (default "
@@ -271,7 +271,7 @@ void add_study(CLI::App& app, Request& request) {
     verb->add_flag("-q,--quiet", request.quiet, "Print the last lines only");
     verb->add_flag_callback(
         "--list", [&] { request.texts["list"] = "yes"; },
-        "Print all cases, a line each: number, case, parameters; runs nothing");
+        "Print all cases, a line each: number, case, parameters; runs none of them");
     study_option("--case", "number",
                  "Run this case alone, by its number, or several as 3-7: for GNU parallel or any other queue. Finished "
                  "ones are left alone; --collect gathers");

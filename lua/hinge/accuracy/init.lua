@@ -115,7 +115,7 @@ local function problem_of(o, runs, tell, first, all, corner)
   local wanted = o.answers or o.scenario and o.scenario.answers
   local problem = { knobs = all, corner = corner, within = o.within, economic = o.economic,
     least = answers.least(wanted), explicit = runs.asked.explicit, most_runs = o.budget and math.huge or most_runs }
-  function problem.names(record) return answers.names(where, record, wanted) end
+  function problem.names(record) return answers.names(o.where or where, record, wanted) end
   function problem.fits(seconds) return runs:fits(seconds) end
   function problem.run(levels, vary, chosen)
     local set, factors = knobs.apply(all, levels)
@@ -159,16 +159,21 @@ local function told_of(o, runs, search, found)
 end
 
 --- Runs a script within an accuracy. o: script, scenario, case, overrides, parameters, out, out_given, within, budget,
--- answers, progress, longest = s that the search may take without a budget (default 60). Returns what report.lines
--- takes, and folder and printed (what the script printed); nil and why where the script has no answer.
+-- answers, where (for messages), progress, longest = s that the search may take without a budget (default 60). Returns
+-- what report.lines takes, and folder and printed (what the script printed); nil and why where the script has no
+-- answer.
 function accuracy.run(o)
   local tell = teller(o.progress)
   local runs = Runs.open(o)
   tell.say "first run"
   local first, all, corner = runs:first()
-  if not first then check.fail("%s: the budget ended before the first run was finished; give a larger one", where) end
+  if not first then
+    check.fail("%s: the budget ended before the first run was finished; give a larger one", o.where or where)
+  end
   if first.failed and #first.runs == 0 then return nil, words_of(first.failed) end
-  if #all == 0 then check.fail("%s: the script makes no run of a model, so there is nothing to refine", where) end
+  if #all == 0 then
+    check.fail("%s: the script makes no run of a model, so there is nothing to refine", o.where or where)
+  end
   if not o.measured_only then runs:own_folder() end
   local problem = problem_of(o, runs, tell, first, all, corner)
   local search = Search.new(problem)

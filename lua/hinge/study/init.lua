@@ -49,8 +49,7 @@ end
 -- Opens the folder, and reads what has ended in it: self.found, by identity.
 function Study:open()
   local options = self.options
-  local owner = { script = options.script and core.whole_path(options.script), study = self.said }
-  self.folder = job.own_output(options.out, owner, options.out_given)
+  self.folder = job.own_output(options.out, options.owner, options.out_given)
   -- Tasks of a job array write to cases and journals of their own, so several may be at work, as may --collect.
   core.lock(self.folder, (options.only ~= nil or options.collect) and not options.restart)
   self.found = journal.read(self.folder)
@@ -222,12 +221,17 @@ end
 --- Runs a study. options: scenario or script (path; of plain statements), plan (list, cases, rows, row_names, samples,
 -- seed, method, said), propose and fixed (parameters that all cases have then), jobs, timeout, memory, out, out_given,
 -- resume, restart, progress, only (numbers of the cases to run, as a set) with journal (name), list (run nothing),
--- collect (run nothing, and take what has ended), setting (text: what else makes a case another one). Returns the study
--- as hinge.study does; all has all its cases.
+-- collect (run nothing, and take what has ended), within (see accuracy/study.lua). Returns the study as hinge.study
+-- does; all has all its cases.
 function study.go(options)
   files.watch()
   files.note(options.script)
+  options.owner = { script = options.script and core.whole_path(options.script), study = options.plan.said }
+  local accuracy = options.within and require "hinge.accuracy.study"
+  local _ <close> = accuracy and setmetatable({}, { __close = accuracy.leave })
+  local choice = accuracy and accuracy.choose(options)
   local of = new(options)
+  of.choice = choice and accuracy.line(options, choice)
   if options.list then return of end
   of:open()
   if options.collect then
@@ -239,6 +243,10 @@ function study.go(options)
     of:run()
   end
   of:list()
+  if choice and not options.only then
+    accuracy.leave()
+    of.accuracy = accuracy.check(options, of, choice)
+  end
   return of
 end
 
@@ -252,7 +260,18 @@ local rules = {
   memory = { "number", unit = "bytes", above = 0, optional = true }, out = { "string", default = "out/study" },
   resume = { "boolean", default = false }, restart = { "boolean", default = false },
   progress = { "boolean", default = false }, pictures = { "boolean", default = true },
+  within = { "number", above = 0, optional = true }, budget = { "number", unit = "s", above = 0, optional = true },
+  answers = { "table", optional = true },
 }
+
+-- What within, budget and answers ask for; nil without within.
+local function within_of(where, o)
+  for _, name in ipairs { "budget", "answers" } do
+    if o[name] and not o.within then check.fail("%s: field '%s' has no effect without within", where, name) end
+  end
+  if o.answers then require "hinge.accuracy.answers".check(where .. ": answers", o.answers) end
+  return o.within and { within = o.within, budget = o.budget, answers = o.answers, where = where .. ": within" }
+end
 
 --- hinge.study: see words/study.d.lua.
 function study.run(scenario, options, ...)
@@ -276,7 +295,7 @@ function study.run(scenario, options, ...)
   local source = debug.getinfo(scenario.run, "S").source:match "^@(.*)$"
   local of = study.go { scenario = scenario, script = source, plan = plan, propose = o.propose, fixed = fixed,
     jobs = o.jobs or core.cores(), timeout = o.timeout, memory = o.memory, out = o.out, out_given = true,
-    resume = o.resume, restart = o.restart, progress = o.progress }
+    resume = o.resume, restart = o.restart, progress = o.progress, within = within_of(where, o) }
   if o.pictures then of.pictures = require "hinge.study.pictures".draw(of) end
   study.write(of)
   return of

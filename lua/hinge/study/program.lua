@@ -115,7 +115,7 @@ local function show(of, options)
     print(("%s with warnings of %s run, the first is case %d: %s"):format(check.count(warned.cases, "case"),
       warned.cases == 1 and "its" or "their", warned.first, warned.text))
   end
-  if of.accuracy then print("within " .. of.accuracy.line) end
+  if of.accuracy then print(of.accuracy.line) end
   print("written to " .. of.folder)
 end
 
@@ -135,18 +135,12 @@ local function status_of(of)
   return 0
 end
 
--- What --within asks for: { within =, budget =, answers = }; nil without it.
-local function within_of(options, what)
+-- What --within asks for: { within =, budget =, answers =, where = for messages }; nil without it.
+local function within_of(options)
   if not options.within then return nil end
-  for _, name in ipairs { "list", "collect", "only" } do
-    if what[name] then
-      check.fail("--within %s: chooses settings for cases that this call runs; it does not go with --list, --case, "
-        .. "--collect and --slurm", options.within)
-    end
-  end
   return { within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
     "a part above 0, such as 2% or 0.02"), budget = values.time("--budget", options.budget),
-    answers = answers.read("--answers", options.answers) }
+    answers = answers.read("--answers", options.answers), where = "--within " .. options.within }
 end
 
 --- options: script, words, and the options of the command line as text. Returns the program's exit status: 0 all cases
@@ -166,13 +160,13 @@ function program.main(options)
       what.only, what.journal = only, first == last and ("cases-%d.jsonl"):format(first)
         or ("cases-%d-%d.jsonl"):format(first, last)
     end
-    local within = within_of(options, what)
-    local told = within and require "hinge.accuracy.study".choose(what, within)
+    local within = within_of(options)
+    if not (options.slurm and options.dry_run) then what.within = within end -- which writes nothing
     local of = study.go(what)
+    if what.list and of.choice and options.quiet == nil then io.stderr:write(of.choice .. "\n") end
     if options.slurm then return require "hinge.study.slurm".submit(options, #of.all) end
     if what.list then return print_list(of.all) or 0 end
     if only then return status_of(of) end
-    if told then of.accuracy = require "hinge.accuracy.study".check(what, of, within, told) end
     of.pictures = require "hinge.study.pictures".draw(of)
     study.write(of)
     show(of, options)

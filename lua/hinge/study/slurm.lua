@@ -10,7 +10,7 @@ local slurm = {}
 local function command(options, folder)
   local parts = { quote.shell(core.program()), "study", quote.shell(core.whole_path(options.script)) }
   for _, word in ipairs(options.words) do parts[#parts + 1] = quote.shell(word) end
-  for _, name in ipairs { "cases", "samples", "method", "seed", "timeout", "memory" } do
+  for _, name in ipairs { "cases", "samples", "method", "seed", "timeout", "memory", "within", "answers" } do
     if options[name] then parts[#parts + 1] = ("--%s %s"):format(name, quote.shell(options[name])) end
   end
   if options.table then parts[#parts + 1] = "--table " .. quote.shell(core.whole_path(options.table)) end

@@ -48,6 +48,14 @@ function hinge.study(scenario, options) end
 ---@field resume? boolean keep finished cases whose script, modules, data files and engine are the same; default false
 ---@field restart? boolean run all again, also what the folder holds; default false: an error where it holds cases
 ---@field progress? boolean a line on stderr, default false
+---the largest error of the answers, as a part: 0.02 is 2 %. The time step, the elements a member and the integrator are
+---chosen once, for the case in the middle, and all cases run with them. Finer runs of three cases check the choice
+---(`accuracy` of the result). `hinge study --within 2%` does the same
+---@field within? number
+---@field budget? number s, the most that the choice may take; with `within`
+---with `within`: names of the answers that count, in the place of the scenario's own `answers`. name = number gives a
+---difference that does not matter, in the answer's unit: { "peak_mm", plastic_kJ = 0.1 }
+---@field answers? table
 ---@field pictures? boolean default true
 
 ---@class hinge.study_case
@@ -81,6 +89,16 @@ function hinge.study(scenario, options) end
 ---@field dispersion number standard deviation of the parameter, or of its logarithm
 ---@field of_logarithm boolean
 
+---@class hinge.study_accuracy what `within` has chosen
+---@field asked number `within`
+---@field estimated? number the error in the case of the choice; nil: not known
+---@field reached boolean whether it is up to `within`
+---@field setting string the settings in words. Those that are parameters are in `parameters` of each case
+---how large the error of a case is, by a run with all finer by one refinement, and which answer has it; error is nil
+---where such a run had no answer. An empty list where cases are missing
+---@field checked { case: integer, error?: number, answer?: string }[]
+---@field line string all of that in a sentence, which `hinge study` prints
+
 ---@class hinge.study_result
 ---@field cases hinge.study_case[] in order
 ---@field varied string[] names that vary, as in results.csv
@@ -89,4 +107,5 @@ function hinge.study(scenario, options) end
 ---@field fragility? hinge.fragility[] curves of true and false results, as far as the cases tell
 ---@field correlations? { quantity: string, parameter: string, correlation: number, cases: integer }[]
 ---@field notes? string[]
+---@field accuracy? hinge.study_accuracy with `within`
 ---@field interrupted boolean

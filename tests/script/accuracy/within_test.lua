@@ -77,6 +77,9 @@ end
 
 local function summary_of(out) return support.json(support.read(("%s/%s/summary.json"):format(folder, out))) end
 
+-- How many runs have been measured.
+local function measurements(out) return select(2, support.read(out .. "/accuracy/finished.lua"):gsub("[^\n]+", "")) end
+
 -- The answers of a script with steps and elements that are finer by these factors.
 local function answers_of(name, dt, elements)
   local path = ("%s/%s.lua"):format(folder, name)
@@ -132,10 +135,9 @@ end)
 case("a second call takes the runs of the first", function()
   local r = hinge_run "run shaken.lua --within 1% --out shaken"
   equal(r.status, 0, "status: " .. r.stderr)
-  local lines = select(2, support.read(folder .. "/shaken/accuracy/finished.lua"):gsub("\n", "\n"))
+  local made = measurements(folder .. "/shaken")
   hinge_run "run shaken.lua --within 1% --out shaken"
-  local again = select(2, support.read(folder .. "/shaken/accuracy/finished.lua"):gsub("\n", "\n"))
-  equal(again, lines, "measurements after a third call")
+  equal(measurements(folder .. "/shaken"), made, "measurements after a third call")
 end)
 
 case("a frame that loses a column tells its sag, what is not reached, and who broke", function()
@@ -199,8 +201,8 @@ case("what is wrong on the command line is named", function()
     ["run shaken.lua --within 2%% --answers roof_mm:-1"] = "a difference that does not matter",
     ["run shaken.lua --within much"] = "--within much: must be a part above 0",
     ["run shaken.lua --budget 5"] = "--within",
+    ["study shaken.lua x=1,2 --within 2%% --case 2"] = "the same command with --list or --slurm",
     ["run shaken.lua --within 2%% --sandbox"] = "Leave out --sandbox",
-    ["study shaken.lua x=1,2 --within 2%% --list"] = "--list",
   } do
     local r = hinge_run((words:gsub("%%%%", "%%")) .. " --out wrong")
     expect(r.status ~= 0 and r.stderr:find(complaint, 1, true), "%s: %s %s", words, r.status, r.stderr)
@@ -208,14 +210,63 @@ case("what is wrong on the command line is named", function()
 end)
 
 case("a study chooses its settings once, and checks them in some of its cases", function()
-  support.write(folder .. "/many.lua", scripts.shaken:gsub('local model, n = build%(%)', 'local p = ...\n%0', 1)
-    :gsub("scale = 3", "scale = tonumber(p.scale)"))
-  local r = hinge_run "study many.lua scale=1,2,3,4 --within 3% --answers roof_mm --out many"
+  support.write(folder .. "/many.lua", [[
+    local hinge = require "hinge"
+    return hinge.scenario { parameters = { scale = 3 }, accuracy = { elements = { 2, 4 } }, run = function(p) ]]
+    .. scripts.shaken:gsub("scale = 3", "scale = p.scale"):gsub("{}", "{ elements_per_member = p.elements }", 1)
+    .. " end }")
+  local words = "study many.lua scale=1,2,3,4 --within 3% --answers roof_mm --out many"
+  local r = hinge_run(words)
   equal(r.status, 0, "status: " .. r.stderr)
   local told = summary_of("many").accuracy
   expect(#told.checked == 3 and told.asked == 0.03, "cases that are checked: %d", #told.checked)
   for _, one in ipairs(told.checked) do expect(one.error <= 0.03, "case %d: %s", one.case, one.error) end
-  expect(r.stdout:find("within 3 %: dt ", 1, true), "its line:\n%s", r.stdout)
+  expect(r.stdout:find("\nwithin 3 %: dt ", 1, true), "its line:\n%s", r.stdout)
+  expect(not (support.read(folder .. "/many/results.csv")):find(",200,", 1, true), "steps are those of the script")
+  expect(not support.is_there(folder .. "/many/history.csv"), "runs of the choice leave a history")
+  -- The choice is taken from the folder, with more cases as well; but not after a change, or for other answers.
+  local made = measurements(folder .. "/many")
+  r = hinge_run(words:gsub("3,4", "3,4,5") .. " --resume")
+  equal(r.status, 0, "status of more cases: " .. r.stderr)
+  equal(measurements(folder .. "/many"), made + 2, "measurements with a fifth case, which the check takes")
+  local choice = support.read(folder .. "/many/accuracy/choice.json")
+  support.write(folder .. "/many/accuracy/choice.json", choice:gsub("dt 20 ms", "dt 10 ms"):gsub('"dt": 4', '"dt": 2'))
+  hinge_run(words:gsub("3,4", "3,4,5") .. " --resume")
+  local _, rows = support.read(folder .. "/many/results.csv"):gsub(",100,", "")
+  equal(rows, 5, "cases with the step of the choice in the folder")
+  r = hinge_run(words:gsub("roof_mm", "roof") .. " --case 1")
+  expect(r.status == 2 and r.stderr:find "is that of other words or options", "other answers: %s", r.stderr)
+  support.write(folder .. "/many.lua", support.read(folder .. "/many.lua") .. "\n")
+  r = hinge_run(words:gsub("3,4", "3,4,5") .. " --case 1")
+  expect(r.status == 2 and r.stderr:find "many%.lua has changed", "another script: %s", r.stderr)
+end)
+
+case("cases by their numbers, and a study from Lua, have the settings and results of hinge study", function()
+  hinge_run "study many.lua scale=1,2,3 --within 3% --answers roof_mm --out whole"
+  local words = "study many.lua scale=1,2,3 --within 3% --answers roof_mm --out parts"
+  local listed = hinge_run(words .. " --list")
+  expect(listed.stdout:find "^1\telements=%d\tscale=1\n" and listed.stderr:find "^within 3 %%: dt ", "--list: %s%s",
+    listed.stdout, listed.stderr)
+  for _, numbers in ipairs { "2-3", "1" } do
+    equal(hinge_run(words .. " --case " .. numbers).stderr, "", "complaint of --case " .. numbers)
+    local r = hinge_run(words .. " --collect")
+    expect((r.stdout:find "not checked yet" ~= nil) == (numbers == "2-3"), "--collect after %s: %s", numbers, r.stdout)
+  end
+  checks.same_files(folder .. "/parts/results.csv", folder .. "/whole/results.csv", "cases by their numbers")
+  equal(#summary_of("parts").accuracy.checked, 3, "cases that --collect checks")
+  support.write(folder .. "/from_lua.lua", [[
+    require "hinge".study(dofile "many.lua", { vary = { scale = { 1, 2, 3 } }, within = 0.03, answers = { "roof_mm" },
+      out = "lua", pictures = false })]])
+  equal(hinge_run "run -q from_lua.lua --out program".stderr, "", "complaint of a study from Lua")
+  checks.same_files(folder .. "/lua/results.csv", folder .. "/whole/results.csv", "a study from Lua")
+  equal(summary_of("lua").accuracy.line, summary_of("whole").accuracy.line, "what the choice is")
+  checks.refused("field 'budget' has no effect without within", function()
+    hinge.study(dofile(folder .. "/many.lua"), { vary = { scale = { 1 } }, budget = 3 })
+  end)
+  checks.refused("within: answers: unknown answer 'top'", function()
+    hinge.study(dofile(folder .. "/many.lua"), { vary = { scale = { 1 } }, within = 0.03, answers = { "top" },
+      out = folder .. "/fresh" })
+  end)
 end)
 
 checks.done()
