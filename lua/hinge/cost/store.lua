@@ -18,8 +18,9 @@ local function text(value)
   if type(value) ~= "table" then return tostring(value) end
   local names, parts = {}, {}
   for i, v in ipairs(value) do parts[i] = text(v) end
+  local listed = #parts -- and not #value, which may lie beyond a gap
   for key in pairs(value) do
-    if math.type(key) ~= "integer" or key < 1 or key > #value then names[#names + 1] = key end
+    if math.type(key) ~= "integer" or key < 1 or key > listed then names[#names + 1] = key end
   end
   table.sort(names, function(a, b) return tostring(a) < tostring(b) end)
   for _, key in ipairs(names) do parts[#parts + 1] = "[" .. text(key) .. "]=" .. text(value[key]) end

@@ -8,6 +8,7 @@ require "hinge"
 local broken = require "hinge.accuracy.broken"
 local estimate = require "hinge.accuracy.estimate"
 local library = require "hinge.library.check"
+local store = require "hinge.cost.store"
 local Search = require "hinge.accuracy.search"
 local statistics = require "hinge.accuracy.statistics"
 local checks = support.checks "accuracy_estimate"
@@ -128,6 +129,12 @@ case("members that broke in all, some and none of the runs are told apart", func
   equal(broken.lines(of)[1], "broken in 3 of 3 runs: member 2", "line of those in all runs")
   equal(broken.lines(of)[2], "broken in some of 3 runs: members 3, 5 (broken.csv)", "line of those in some")
   equal(#broken.lines(broken.of { record() }), 0, "lines where nothing broke")
+end)
+
+case("what is kept of a run has all its numbers, also after a gap", function()
+  local groups = { [1] = "a", [2] = "b", [4] = "c", [5] = "d", [9] = "e" }
+  local kept = load("return " .. store.key(groups))()
+  for number, group in pairs(groups) do equal(kept[number], group, "group of member " .. number) end
 end)
 
 -- The search, in a table ----------------------------------------------------------------------------------------------
