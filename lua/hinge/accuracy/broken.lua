@@ -11,10 +11,22 @@ local function of_record(record)
   return members
 end
 
---- records: of runs of one structure. Returns { runs = how many, members = how many the structure has, list = { {
--- member = number, group =, broken = in how many runs }, ... } by number, in_all =, in_some =, in_none = how many }.
+-- Each record once, without runs that failed: they have not come to their end.
+local function counted(records)
+  local list, seen = {}, {}
+  for _, record in ipairs(records) do
+    if not seen[record] and not record.failed then list[#list + 1] = record end
+    seen[record] = true
+  end
+  return list
+end
+
+--- records: of runs of one structure; those that failed do not count. Returns { runs = how many, members = how many the
+-- structure has, list = { { member = number, group =, broken = in how many runs }, ... } by number, in_all =, in_some =,
+-- in_none = how many }.
 function broken.of(records)
   local counts, groups, members = {}, {}, 0
+  records = counted(records)
   for _, record in ipairs(records) do
     local last = record.runs[#record.runs]
     members = math.max(members, last and last.members or 0)
@@ -69,8 +81,9 @@ function broken.lines(of)
   if #of.list == 0 then return {} end
   local lines = {}
   if of.in_all > 0 then
-    lines[#lines + 1] = ("broken in %d of %d runs: %s %s"):format(of.runs, of.runs,
-      of.in_all == 1 and "member" or "members", numbers(of.list, function(one) return one.broken == of.runs end))
+    lines[#lines + 1] = ("%s: %s %s"):format(of.runs == 1 and "broken"
+      or ("broken in %d of %d runs"):format(of.runs, of.runs), of.in_all == 1 and "member" or "members",
+      numbers(of.list, function(one) return one.broken == of.runs end))
   end
   if of.in_some > 0 then
     lines[#lines + 1] = ("broken in some of %d runs: %s %s (broken.csv)"):format(of.runs,

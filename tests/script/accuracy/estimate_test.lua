@@ -131,6 +131,13 @@ case("members that broke in all, some and none of the runs are told apart", func
   equal(#broken.lines(broken.of { record() }), 0, "lines where nothing broke")
 end)
 
+case("a run that is given twice counts once, one that failed does not count, and one alone is not compared", function()
+  local one = { runs = { { members = 3, broken = { 2 } } } }
+  local of = broken.of { one, { failed = "at once", runs = { { members = 3, broken = {} } } }, one }
+  expect(of.runs == 1 and of.in_all == 1 and of.in_some == 0, "counts: %d, %d, %d", of.runs, of.in_all, of.in_some)
+  equal(table.concat(broken.lines(of), "\n"), "broken: member 2", "its line")
+end)
+
 case("what is kept of a run has all its numbers, also after a gap", function()
   local groups = { [1] = "a", [2] = "b", [4] = "c", [5] = "d", [9] = "e" }
   local kept = load("return " .. store.key(groups))()
