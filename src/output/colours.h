@@ -22,6 +22,16 @@ constexpr std::array<Colour, n_classes> class_colours = {
 constexpr Colour group_colours[] = {{31, 119, 180}, {224, 134, 45},  {63, 155, 79},   {178, 58, 72},  {123, 94, 167},
                                     {140, 109, 77}, {208, 118, 171}, {127, 135, 144}, {166, 168, 50}, {42, 166, 181}};
 
+/// Colours of members by the number of runs in which they broke, light to dark; the last is that of a broken element.
+/// They can be told apart in grey, too: the lightness of any two differs by 15 or more (CIE L*).
+constexpr int n_shares = 4;
+constexpr std::array<Colour, n_shares> share_colours = {
+    {{196, 202, 208}, {230, 132, 44}, {194, 48, 44}, class_colours[broken_class]}};
+
+/// Colour class of what happened in `count` of several runs: 0 in none, 1 in fewer than half, 2 in half or more, 3 in
+/// all.
+constexpr int share_class(int count, int runs) { return count <= 0 ? 0 : count >= runs ? 3 : 2 * count < runs ? 1 : 2; }
+
 constexpr Colour plain_bar = {168, 175, 184};  ///< members whose colour has no meaning
 constexpr Colour member_number = {96, 102, 110};
 constexpr Colour ghost_colour = {124, 130, 138};

@@ -61,7 +61,7 @@ double difference(const Matrix& sight, const Colour& a, const Colour& b) {
 
 }  // namespace
 
-TEST_CASE("colours of f_y, of broken elements and of both sides of a diagram differ for every kind of sight",
+TEST_CASE("colours of f_y, of broken elements, of shares and of both sides of a diagram differ for every kind of sight",
           "[output]") {
     for (const auto& [name, sight] : kinds_of_sight) {
         for (int i = 0; i < n_classes; ++i)
@@ -72,7 +72,12 @@ TEST_CASE("colours of f_y, of broken elements and of both sides of a diagram dif
         INFO(name);
         CHECK(difference(sight, plus_fill, minus_fill) > 20);
         CHECK(difference(sight, plus_line, minus_line) > 20);
+        for (int i = 0; i < n_shares; ++i)
+            for (int k = 0; k < i; ++k) CHECK(difference(sight, share_colours[i], share_colours[k]) > 20);
     }
+    // Shares are read in grey, too: each is darker than the one before.
+    for (int k = 1; k < n_shares; ++k)
+        CHECK(lab(linear(share_colours[k - 1]))[0] - lab(linear(share_colours[k]))[0] > 15);
     // What the measure is worth: the colours of version 0.1 were 11 apart for tritanopia (light blue and green).
     CHECK(difference(kinds_of_sight[3].second, {82, 176, 214}, {92, 184, 112}) < 12);
     // White and black are 100 apart.

@@ -1,7 +1,9 @@
-// What the page of hinge report says is so: numbers at the cursor, damage by storey, warnings.
+// What the page of hinge report says is so: numbers at the cursor, damage by storey, warnings, accuracy and who broke.
 //
-// Run: node tests/viewer/words_test.js CHROMIUM REPORT STOREYS CALM      ends with a line for each thing that is wrong
-// REPORT, STOREYS and CALM are of the first three scenes of tests/script/report/report_test.lua; CALM has no warning.
+// Run: node tests/viewer/words_test.js CHROMIUM REPORT STOREYS CALM ACCURATE
+// It ends with a line for each thing that is wrong. REPORT, STOREYS and CALM are of the first three scenes of
+// tests/script/report/report_test.lua; CALM has no warning. ACCURATE is REPORT as hinge run --within leaves it; what
+// STOREYS has of that is of another model.
 "use strict";
 const { Browser, checks } = require("./browser.js");
 
@@ -87,15 +89,58 @@ async function storeys_and_warnings(b, without, report) {
   }
 }
 
+const offered = "[...document.querySelectorAll('.controls option')].some((o) => o.value === 'broken_in')";
+
+// Errors in a table, and members coloured by the runs in which they broke: 7 in all five, 4 in three, 1 in one.
+async function accuracy_and_who_broke(b, report) {
+  await b.open(report);
+  await b.until(ready);
+  const card = "[...document.querySelectorAll('.card')].find((c) => c.querySelector('h2')?.textContent.startsWith('Accuracy'))";
+  const text = await b.value(`${card}.textContent`);
+  for (const what of ["within 10 %: dt 20 us", "asked 10 %, estimated 6 %, cost 4 s; 7 runs", "sway is chaotic",
+    "in 5 runs with small changes", "1 of 7 members broke in all 5 runs, 2 in some of them, 4 in none"])
+    expect(text.includes(what), `accuracy does not tell '${what}': ${text}`);
+  const rows = await b.value(`[...${card}.querySelectorAll("tbody tr")].map((r) => [...r.cells].map((c) => c.textContent).join("|"))`);
+  expect(rows.join("; ") === "sway (chaotic, mean)|12.35|6 %|1.5|5 runs, mean 12.35, scatter 1.5; member 7|<b>|5 of 5; "
+    + "member 4|columns|3 of 5; member 1|columns|1 of 5", `its tables: ${rows.join("; ")}`);
+  expect((await b.value(`${card}.querySelector("img").src`)).startsWith("data:image/png;base64,iVBOR"), "its picture");
+
+  await b.value(`[...${card}.querySelectorAll("button")].find((e) => e.textContent === "member 4").click()`);
+  const panel = await b.value("document.querySelector('.picked').textContent");
+  expect(panel.includes("broken in 3 of 5 runs"), `the panel of member 4: ${panel.slice(0, 300)}`);
+  await b.value("hinge_report.player.choose(0, 2)");
+  expect((await b.value("document.querySelector('.picked').textContent")).includes("broken in 0 of 5 runs"), "member 2");
+
+  await b.value(`hinge_report.player.choose(0, 0), (() => { const s = [...document.querySelectorAll(".controls select")].find((s) =>
+    [...s.options].some((o) => o.value === "broken_in")); s.value = "broken_in"; s.dispatchEvent(new Event("change")); })()`);
+  const header = require("fs").readFileSync(require("path").join(__dirname, "../../src/output/colours.h"), "utf8");
+  const shares = [...header.match(/share_colours = \{\s*\{(.*?)class_colours/s)[1].matchAll(/\{([\d, ]+)\}/g)]
+    .map((m) => m[1].split(",").map(Number)).concat([[10, 10, 12]]);
+  const seen = await b.value(`(() => {
+    const { scene, run: { frames: f } } = hinge_report.player.views[0];
+    return [...f.member].map((m, i) => [m, [0, 8, 16].map((s) => scene.paint[4 * i] >> s & 255)]);
+  })()`);
+  for (const [member, colour] of seen) {
+    const wanted = shares[{ 7: 3, 4: 2, 1: 1 }[member] ?? 0];
+    expect(colour.join() === wanted.join(), `member ${member} has the colour ${colour} instead of ${wanted}`);
+  }
+  const legend = await b.value("[...document.querySelectorAll('.controls .legend:not(.diagram) > span')].map((e) => e.textContent)");
+  expect(legend.join() === "broken in 0 of 5,broken in 1 or 2 of 5,broken in 3 or 4 of 5,broken in 5 of 5",
+    `the legend is ${legend.join()}`);
+  expect(!await b.value("hinge_report.player.views[0].scene.dots.drawn.visible"), "dots of hinges stand over the colours");
+}
+
 run(async () => {
-  const [program, report, storeys, without] = process.argv.slice(2);
+  const [program, report, storeys, without, accurate] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
     await b.size(1280, 720);
     for (const part of [() => at_the_cursor(b, report), () => storeys_and_warnings(b, without, storeys)]) {
       await part();
+      expect(!await b.value(offered), "who broke is offered as a colour where it is not known");
       for (const problem of b.problems) expect(false, `the page complains: ${problem}`);
     }
+    await accuracy_and_who_broke(b, accurate);
   } finally {
     await b.stop();
   }

@@ -1,4 +1,6 @@
 -- Who broke: members that are broken at the end of all, some or none of several runs.
+local check = require "hinge.library.check"
+local core = require "hinge.core"
 local text = require "hinge.cost.text"
 
 local broken = {}
@@ -21,9 +23,9 @@ local function counted(records)
   return list
 end
 
---- records: of runs of one structure; those that failed do not count. Returns { runs = how many, members = how many the
--- structure has, list = { { member = number, group =, broken = in how many runs }, ... } by number, in_all =, in_some =,
--- in_none = how many }.
+--- records: of runs of one structure; those that failed do not count. Returns { runs = how many, members = how many
+-- the structure has, list = { { member = number, group =, broken = in how many runs }, ... } by number, in_all =,
+-- in_some =, in_none = how many }.
 function broken.of(records)
   local counts, groups, members = {}, {}, 0
   records = counted(records)
@@ -44,6 +46,34 @@ function broken.of(records)
     if all then result.in_all = result.in_all + 1 else result.in_some = result.in_some + 1 end
   end
   result.in_none = members - #result.list
+  return result
+end
+
+--- The same as summary.json has it. of_runs: what differs between the runs.
+function broken.summary(of, of_runs)
+  return { runs = of.runs, of_runs = of_runs, members = of.members, in_all = of.in_all, in_some = of.in_some,
+    in_none = of.in_none, list = #of.list > 0 and of.list or nil }
+end
+
+--- What a picture with colours by these numbers takes of the summary.json of an output folder: { runs =, members =,
+-- count = { [member] = in how many runs it broke, ... } }.
+function broken.of_folder(option, folder)
+  local summary = core.read_text(folder .. "/summary.json")
+  summary = summary and core.from_json(summary)
+  local of = type(summary) == "table" and type(summary.accuracy) == "table" and summary.accuracy.broken
+  local function whole(value, most) return math.type(value) == "integer" and value >= 1 and value <= most end
+  if type(of) ~= "table" or not whole(of.runs, 1e9) or not whole(of.members, 1e9) then
+    check.fail("%s: %s/summary.json does not say who broke in several runs; hinge run SCRIPT --within 5%% writes that",
+      option, folder)
+  end
+  local result = { runs = of.runs, members = of.members, count = {} }
+  for _, one in ipairs(type(of.list) == "table" and of.list or {}) do
+    if whole(one.member, of.members) and whole(one.broken, of.runs) then result.count[one.member] = one.broken end
+  end
+  if of.runs < 2 or not next(result.count) then
+    check.fail("%s: %s", option, of.runs < 2 and "there is one run alone, and nothing to compare it with"
+      or ("no member broke in any of the %d runs"):format(of.runs))
+  end
   return result
 end
 

@@ -200,8 +200,6 @@ function accuracy.write(told)
   if file then file:close() end
   if not summary then return end
   summary.accuracy = report.summary(told)
-  summary.notes = summary.notes or {}
-  table.insert(summary.notes, 1, report.line(told)) -- the page of hinge report shows notes
   core.write_json(path, summary)
   if #told.broken.list > 0 then core.write_text(told.folder .. "/broken.csv", broken.csv(told.broken)) end
   picture.write(told)

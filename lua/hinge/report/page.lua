@@ -102,6 +102,13 @@ local function probes_json(folder)
   return text and type(core.from_json(text)) == "table" and text or "null"
 end
 
+-- The picture that hinge run --within has drawn, as the page embeds it; "null" where this run has none.
+local function picture_json(path, summary)
+  local told = summary and core.from_json(summary)
+  local bytes = type(told) == "table" and told.accuracy and read(path)
+  return bytes and ('"data:image/png;base64,%s"'):format(core.base64(bytes)) or "null"
+end
+
 local function name_of(folder) return folder:match "([^/]+)/*$" or folder end
 
 -- The names of the folders: their last part, where that tells them apart.
@@ -131,6 +138,7 @@ local function run_json(folder, name)
     { "owner", not summary and owner or "null" }, { "history", history_json(folder) },
     { "probes", probes_json(folder) }, { "events", rows_json(folder .. "/events.csv", most_events) },
     { "hinges", rows_json(folder .. "/hinges.csv", most_hinges) }, { "frames", frames },
+    { "accuracy_picture", picture_json(folder .. "/accuracy.png", summary) },
     { "damaged", #damaged > 0 and core.to_json(damaged) or "[]" } }
   for i, field in ipairs(fields) do fields[i] = ('"%s":%s'):format(field[1], field[2]) end
   return "{" .. table.concat(fields, ",") .. "}", count, damaged

@@ -50,12 +50,21 @@ int pack_frames(lua_State* L) {
     return 3;
 }
 
+/// core.base64(bytes): as a page takes a picture.
+int base64_for_script(lua_State* L) {
+    std::size_t size = 0;
+    const char* bytes = luaL_checklstring(L, 1, &size);
+    const std::string text = base64({bytes, size});
+    return lua_pushlstring(L, text.data(), text.size()), 1;
+}
+
 }  // namespace
 
 void open_frames(lua_State* L, int module) {
+    static const luaL_Reg functions[] = {
+        {"pack_frames", guarded<pack_frames>}, {"base64", guarded<base64_for_script>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
-    lua_pushcfunction(L, guarded<pack_frames>);
-    lua_setfield(L, -2, "pack_frames");
+    luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);
 }
 

@@ -6,6 +6,19 @@ const rgb = (hex) => [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
 const steps = band_colours.map(rgb);
 // black: a broken element, as in pictures
 const black = rgb("#0a0a0c"), grey = rgb("#a9bccf"), orange = rgb("#e07b30"), purple = rgb("#7b3294");
+// Of members by the part of the runs in which they broke, as in pictures (src/output/colours.h): none, fewer than half,
+// half or more, all.
+const shares = ["#c4cad0", "#e6842c", "#c2302c", "#0a0a0c"].map(rgb);
+const share_class = (count, runs) => (count <= 0 ? 0 : count >= runs ? 3 : 2 * count < runs ? 1 : 2);
+
+// The numbers of runs that are in a class, as text; null where none is.
+function share_text(share, runs) {
+  const all = Array.from({ length: runs + 1 }, (_, n) => n).filter((n) => share_class(n, runs) === share);
+  if (all.length === 0) return null;
+  const last = all[all.length - 1];
+  return `broken in ${all.length === 1 ? last : `${all[0]}${all.length === 2 ? " or " : "–"}${last}`} of ${runs}`;
+}
+
 export const group_colours = ["#1f77b4", "#e0862d", "#3f9b4f", "#b23a48", "#7b5ea7", "#8c6d4f", "#d076ab", "#7f8790",
   "#a6a832", "#2aa6b5"];
 const hex = (c) => `rgb(${c.join(",")})`;
@@ -20,7 +33,8 @@ const tension = rgb("#1f5fa8"), compression = rgb("#b2182b"), none = rgb("#c9d1d
 const banded = (frames, frame) => (b) => (state_of(state(frames, frame, b)) === broken ? black : null);
 
 /// Each: name, and of(frames, frame, scene) gives a function of an element's number, to its colour or to null where it
-/// has the bands of bands(frames, frame); legend: [colour, text] pairs.
+/// has the bands of bands(frames, frame); legend(frames, scene, frames of all runs): [colour, text] pairs; offered(frames):
+/// whether they have what it shows; of_all_runs: of more than this run, whose hinges would be read as its colours.
 export const colourings = {
   f_y: {
     name: "f_y, yield function",
@@ -69,6 +83,15 @@ export const colourings = {
       return [0, 2, 5].map((i) => [hex(steps[i]), `${Number((most * i / 5).toPrecision(2))} m`]);
     },
   },
+  broken_in: {
+    name: "broken in runs",
+    of_all_runs: true,
+    offered: (frames) => Boolean(frames.broken_in),
+    of: ({ broken_in: { runs, count }, member }) => (b) => shares[share_class(count.get(member[b]) ?? 0, runs)],
+    legend: ({ broken_in: { runs } }, _scene, all) => (all.every((f) => f.broken_in.runs === runs) ?
+      shares.map((c, k) => [hex(c), share_text(k, runs)]).filter(([, text]) => text) :
+      ["broken in no run", "in fewer than half", "in half or more", "in all"].map((text, k) => [hex(shares[k]), text])),
+  },
   group: {
     name: "group",
     of: (frames) => {
@@ -85,6 +108,10 @@ export const colourings = {
     },
   },
 };
+
+/// The names of those that all of these runs have.
+export const offered = (runs) => Object.keys(colourings).filter((k) => runs.every(({ frames }) =>
+  colourings[k].offered?.(frames) ?? true));
 
 /// The name of a colouring of these runs.
 export function name_of(colouring, runs) {

@@ -1,6 +1,6 @@
 // The player's buttons, sliders and lists.
 import { make, number, quantity } from "./page.js";
-import { colourings, name_of } from "./colouring.js";
+import { colourings, name_of, offered } from "./colouring.js";
 import { diagrams, diagram_colours } from "./diagrams.js";
 import { hinge_colour } from "./scene.js";
 
@@ -38,7 +38,8 @@ export function controls_of(player) {
     style: `background:${colour}` }), text);
   const show_legend = () => {
     const { run: { frames }, scene } = player.views[0];
-    legend.replaceChildren(...colourings[options.colouring].legend(frames, scene).map(entry("swatch")),
+    const pairs = colourings[options.colouring].legend(frames, scene, player.runs.map((r) => r.frames));
+    legend.replaceChildren(...pairs.map(entry("swatch")),
       ...(scene.dots.drawn.visible ? [entry("swatch dot")([hinge_colour, "plastic hinge"])] : []));
   };
   // Beneath the legend: the diagram's colours, and its largest value of the frame shown.
@@ -60,6 +61,11 @@ export function controls_of(player) {
   player.show_legend = show_legend;
   const follow = tick("follow the member picked", false, set("follow"));
   player.show_options = () => { follow.firstChild.checked = options.follow; };
+  let dots = true;
+  const show_dots = () => {
+    scenes((s) => { s.dots.drawn.visible = dots && !colourings[options.colouring].of_all_runs; })();
+    show_legend();
+  };
   const scenes = (f) => (value) => { player.views.forEach((v) => f(v.scene, value)), player.repaint(); };
   const bar = make("div", { class: "controls" },
     make("div", { class: "row timeline" }, play,
@@ -69,8 +75,8 @@ export function controls_of(player) {
       choice("speed", [[0.25, "¼"], [0.5, "½"], [1, "1"], [2, "2"], [4, "4"]].map(([v, t]) => [String(v), t]), "1",
         (v) => { options.speed = Number(v); }), player.grows ? newest : null),
     make("div", { class: "row" },
-      choice("colour", Object.keys(colourings).map((k) => [k, name_of(k, player.views.map((v) => v.run))]), "f_y", (v) => {
-        set("colouring")(v), show_legend();
+      choice("colour", offered(player.runs).map((k) => [k, name_of(k, player.runs)]), "f_y", (v) => {
+        options.colouring = v, show_dots();
       }),
       choice("diagram", [["", "none"], ...Object.entries(diagrams).map(([k, d]) => [k, d.name])], "", set("diagram")),
       make("label", {}, "displacements", magnify, magnified),
@@ -83,7 +89,7 @@ export function controls_of(player) {
     make("div", { class: "row" }, follow,
       tick("parallel", false, (on) => player.set_parallel(on)), tick("node numbers", false, set("numbers")),
       tick("undeformed shape", false, scenes((s, on) => { s.ghost.visible = on; })),
-      tick("hinges", true, (on) => { scenes((s) => { s.dots.drawn.visible = on; })(), show_legend(); }),
+      tick("hinges", true, (on) => { dots = on, show_dots(); }),
       tick("ground and supports", true, scenes((s, on) => { s.ground.visible = on; })),
       tick("thin members", false, (on) => set("thicker")(on ? 0.25 : 1)),
       tick("smooth", true, (on) => { options.smooth = on; }), tick("again and again", false, (on) => { options.loop = on; })),

@@ -2,7 +2,8 @@
 import style from "./page.css";
 import { abscissa, make, number, table, card, bar, quantity } from "./page.js";
 import { plot } from "./plot.js";
-import { frame_at, largest_displacement, list, member_state, read_frames } from "./run_data.js";
+import { accuracy_card } from "./accuracy.js";
+import { broken_in, frame_at, largest_displacement, list, member_state, read_frames } from "./run_data.js";
 import { look_on } from "./live.js";
 import { hinges_card } from "./hinges.js";
 import { story_of } from "./story.js";
@@ -312,13 +313,14 @@ function below(runs, player) {
   cursors.length = 0;
   const seek = player ? (t) => { player.play(false), player.seek(t); } : undefined;
   const pair = (...cards) => (runs.length > 1 ? cards : [make("div", { class: "pair" }, ...cards)]);
-  const parts = [...pair(story(runs, player), energies(runs, seek)),
+  const pick = (r) => {
+    const i = player ? player.views.findIndex((v) => v.run === r) : -1;
+    return i < 0 ? null : (member) => player.choose(i, member);
+  };
+  const parts = [accuracy_card(runs, pick), ...pair(story(runs, player), energies(runs, seek)),
     make("div", { class: "pair" }, ...[damage(runs, "Damage by group", group_rows),
       damage(runs, "Damage by storey", storey_rows)].filter(Boolean)),
-    hinges_card(runs, (r) => {
-      const i = player ? player.views.findIndex((v) => v.run === r) : -1;
-      return i < 0 ? null : (member) => player.choose(i, member);
-    }),
+    hinges_card(runs, pick),
     make("div", { class: "pair" }, ...[side_by_side(runs, (r) => flat(r.summary?.parameters), "Parameters",
       runs.length > 1 ? "lines in bold differ" : null), side_by_side(runs, model_numbers, "The model and the run"),
     side_by_side(runs, (r) => flat(r.summary?.results).slice(0, 60), "Results, as the script returned them")].filter(Boolean)),
@@ -342,6 +344,7 @@ async function main() {
   if (data.live) return look_on(data.live, { report, heading, warnings, below, make_player });
   const runs = await Promise.all(list(data.runs).map(async (r) => ({ ...r, summary: r.summary || (r.history ?
     unfinished(r) : null), frames: await read_frames(r.frames) })));
+  for (const r of runs) if (r.frames) r.frames.broken_in = broken_in(r.summary, r.frames);
   const [player, watch] = make_player(runs);
   report.append(...[heading(runs), warnings(runs), watch, ...below(runs, player)].filter(Boolean));
   if (player) player.seek(player.end);

@@ -71,7 +71,8 @@ export function member_panel(run, number_of, seek, choose) {
   const gone = (f) => state_of(state(frames, f, bar)) === broken;
   const of = (c) => history(frames, (f) => (gone(f) ? NaN : force(frames, f, bar, c)));
   const limit = (c) => frames.limits[4 * bar + c];
-  const facts = make("p", {});
+  const facts = make("p", {}), all = frames.broken_in;
+  const counted = all ? make("p", {}, `broken in ${all.count.get(member.number) ?? 0} of ${all.runs} runs`) : null;
   const plots = [
     plot({ label: "yield function over time", x_label, series: [{ name: "f_y", x, y: history(frames, (f) => (gone(f) ? NaN :
       f_y(frames, f, bar))) }], lines: [1], width: 350, height: 170, seek, least_zero: true, holds: true }),
@@ -92,7 +93,7 @@ export function member_panel(run, number_of, seek, choose) {
   const capacity = has_limits ? `fully plastic: N0 ${quantity(limit(0), "N", 3)}, Mx0 ${quantity(limit(1), "N m", 3)}, `
     + `My0 ${quantity(limit(2), "N m", 3)}` : "without a yield stress";
   return {
-    parts: [make("h3", {}, head), facts, make("p", { class: "hint" }, `curves: element ${bar + 1}, the most strained; `
+    parts: [make("h3", {}, head), facts, counted, make("p", { class: "hint" }, `curves: element ${bar + 1}, the most strained; `
       + capacity), surface, ...plots, make("p", { class: "hint" }, sampling(frames))].filter(Boolean),
     cursor(time) {
       const f = frame_at(frames, time), { worst, touched } = member_state(frames, f, member);

@@ -205,6 +205,14 @@ export function largest_displacement(frames) {
     where: at < frames.declared_nodes ? `node ${at + 1}` : `a node inside member ${of}` };
 }
 
+/// In how many runs of hinge run --within each member broke, { runs, count: number -> how many }; null where that is not
+/// known, where one run alone tells it, where none broke, or where the frames are of another model.
+export function broken_in(summary, frames) {
+  const of = summary?.accuracy?.broken, all = list(of?.list);
+  if (!frames || all.length === 0 || !(of.runs > 1) || of.members !== frames.members.size) return null;
+  return { runs: of.runs, count: new Map(all.map((m) => [m.member, m.broken])) };
+}
+
 /// The last frame at or before an abscissa (time or load factor); the first one before all.
 export function frame_at(frames, at) {
   const x = frames.abscissa, slack = 1e-9 * Math.abs(x[x.length - 1] || 1);

@@ -226,7 +226,30 @@ for step in run:steps() do
 end
 ]=]
 assert(hinge_on("run -q", storeys, "--out storeys") == 0, "the frame that loses a column")
+-- What hinge run --within adds to the summary of a run.
+local function add_accuracy(to, members)
+  local summary = page(to .. "/summary.json"):gsub("}%s*$", ([[, "accuracy": { "conclusion": "within 10 %%: dt 20 us",
+    "line": "asked 10 %%, estimated 6 %%, cost 4 s", "effort": "7 runs", "reached": true, "notes": ["sway is chaotic"],
+    "answers": { "sway": { "chaotic": true, "value": 11, "mean": 12.3456, "scatter": 1.5, "runs": 5, "error": 0.06,
+      "error_text": "6 %%", "basis": "5 runs, mean 12.35, scatter 1.5" } },
+    "broken": { "runs": 5, "of_runs": "with small changes", "members": MEMBERS, "in_all": 1, "in_some": 2, "in_none": 4,
+      "list": [{ "member": 1, "group": "columns", "broken": 1 }, { "member": 4, "group": "columns", "broken": 3 },
+        { "member": 7, "group": "<b>", "broken": 5 }] } } }]]):gsub("%%%%", "%%%%"):gsub("MEMBERS", members))
+  support.write(("%s/%s/summary.json"):format(folder, to), summary)
+end
+
+case("the picture of hinge run --within is in the page, and not that of an earlier call", function()
+  os.execute(("cd %s && cp -r one accurate"):format(quote(folder)))
+  support.write(folder .. "/accurate/accuracy.png", "\x89PNG\0")
+  ended(0, "1 run, 20 frames", hinge "report accurate")
+  equal(data_of(page "accurate/report.html").runs[1].accuracy_picture, nil, "picture of a run without accuracy")
+  add_accuracy("accurate", 7)
+  ended(0, "1 run, 20 frames", hinge "report accurate")
+  equal(data_of(page "accurate/report.html").runs[1].accuracy_picture, "data:image/png;base64,iVBORwA=", "picture")
+end)
+
 case("a column that is lost before the first frame is broken in the summary of the page", function()
+  add_accuracy("storeys", 99) -- of another model
   ended(0, "1 run, 4 frames", hinge "report storeys")
   local lost = data_of(page "storeys/report.html").runs[1]
   equal(lost.summary.damage[2].broken, 1, "broken ones of the group that is lost")
@@ -263,7 +286,7 @@ for _ in run:steps() do hinge.frame(run) end
   if look then
     local function of(name) return folder .. "/" .. name .. "/report.html" end
     shows(40, "page_test.js", of "one", of "damaged", arg[2])
-    shows(20, "words_test.js", of "one", of "storeys", of "diagrams")
+    shows(20, "words_test.js", of "one", of "storeys", of "diagrams", of "accurate")
     shows(50, "player_test.js", of "one", of "diagrams")
   end
 end)
