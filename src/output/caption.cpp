@@ -67,6 +67,18 @@ struct Entry {
     double radius = 0;  ///< of a dot, pixels
 };
 
+/// Text of a class of share_colours: "1-2 of 5"; empty where no number of runs is in it.
+std::string share_text(int share, int runs) {
+    int least = runs + 1, most = 0;
+    for (int count = 0; count <= runs; ++count)
+        if (share_class(count, runs) == share) least = std::min(least, count), most = count;
+    if (least > most) return "";
+    const std::string numbers =
+        least == most ? std::to_string(most)
+                      : std::to_string(least) + (most == least + 1 ? " or " : "\u2013") + std::to_string(most);
+    return numbers + " of " + std::to_string(runs);
+}
+
 /// `dots`: how many tell the sizes of hinges.
 std::vector<Entry> legend(const CaptionInput& input, int dots) {
     std::vector<Entry> entries;
@@ -94,7 +106,11 @@ std::vector<Entry> legend(const CaptionInput& input, int dots) {
             entries.push_back({name, group_colours[i % std::size(group_colours)], 5.5, entries.empty() ? 0 : 0.5});
         }
     }
-    if (input.broken && !view.leave_out_broken && view.show != Show::nothing)
+    if (view.show == Show::broken_in) {
+        for (int k = 0; k < n_shares; ++k)
+            if (const std::string text = share_text(k, view.runs); !text.empty())
+                entries.push_back({text, share_colours[static_cast<std::size_t>(k)], 6.4, k == 0 ? 0 : 0.5});
+    } else if (input.broken && !view.leave_out_broken && view.show != Show::nothing)
         entries.push_back({"fractured", class_colours[broken_class], 4.4, 0.7});
     if (input.dot_unit > 0 && is_compared(input.snapshot)) {
         for (int band = 1; band <= hinge_bands && dots > 0; ++band) {
@@ -140,7 +156,8 @@ void draw_legend(Pen& pen, const CaptionInput& input, double em) {
     const double high = 0.85 * em, foot = 1.15 * em;
     double x = (view.width - total * unit - dots_wide) / 2;
     const double symbol = x - 0.9 * em;
-    const std::string name = input.diagram ? name_of(input.diagram->which) : view.show == Show::yield ? "f_y" : "";
+    const bool named = view.show == Show::yield || view.show == Show::broken_in;
+    const std::string name = input.diagram ? name_of(input.diagram->which) : named ? name_of(view.show) : "";
     if (name == "f_y") {
         pen.text(symbol, foot + 1.15 * em, "y", {.size = 0.75 * em, .italic = true, .across = 1});
         pen.text(symbol - 0.38 * em, foot + 1.45 * em, "f", {.size = 1.15 * em, .italic = true, .across = 1});

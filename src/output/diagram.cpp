@@ -47,7 +47,7 @@ std::vector<double> stations(const DrawnBar& bar, Show which) {
 }  // namespace
 
 const char* name_of(Show which) {
-    static const char* const names[] = {"f_y", "groups", "", "N", "Qx", "Qy", "Mx", "My", "Mz"};
+    static const char* const names[] = {"f_y", "groups", "broken in", "", "N", "Qx", "Qy", "Mx", "My", "Mz"};
     return names[static_cast<int>(which)];
 }
 

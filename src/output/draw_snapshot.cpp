@@ -132,7 +132,9 @@ public:
             std::erase_if(shown, [](Vec p) { return !finite(p); });
             fit(shown);
         }
-        if (view.hinges && view.show != Show::nothing) dot_unit_ = sign_size(bars_, camera_, 0.3, 0.3 * em_, 0.8 * em_);
+        // Dots are of this run alone: they would be read as colours of all runs.
+        const bool dots = view.hinges && view.show != Show::nothing && view.show != Show::broken_in;
+        if (dots) dot_unit_ = sign_size(bars_, camera_, 0.3, 0.3 * em_, 0.8 * em_);
         add_numbers(words_, snapshot, bars_, view, chosen_.scale, camera_);
         if (shows_diagram()) add_words(words_, bars_, *diagram_, camera_, em_);
         add_words(words_, arrows_);

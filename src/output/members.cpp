@@ -76,6 +76,11 @@ Outline outline_of(const Shape& s, double pixels) {
 }
 
 Colour colour_of(const DrawnBar& bar, const View& view, double t) {
+    if (view.show == Show::broken_in) {
+        const auto member = static_cast<std::size_t>(bar.bar->member - 1);
+        const int count = member < view.broken_in.size() ? view.broken_in[member] : 0;
+        return share_colours[static_cast<std::size_t>(share_class(count, view.runs))];
+    }
     if (view.show == Show::group && bar.bar->state != BarState::broken)
         return bar.bar->group < 0 ? plain_bar
                                   : group_colours[static_cast<std::size_t>(bar.bar->group) % std::size(group_colours)];

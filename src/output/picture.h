@@ -93,7 +93,7 @@ struct Snapshot {
 };
 
 /// Quantity shown on the members: by their colour, or as a diagram along them.
-enum class Show : std::uint8_t { yield, group, nothing, N, Qx, Qy, Mx, My, Mz };
+enum class Show : std::uint8_t { yield, group, broken_in, nothing, N, Qx, Qy, Mx, My, Mz };
 
 /// Settings of a picture; every field has a default that shows the whole structure in six colours of f_y.
 struct View {
@@ -103,8 +103,10 @@ struct View {
     bool parallel = false;  ///< without perspective
     double scale = 1;       ///< factor of drawn displacements; 0: chosen so that they can be seen
     Show show = Show::yield;
-    double largest = 0;  ///< value that a diagram draws in full size, N or N m; 0: the largest value
-    bool ghost = false;  ///< the shape at the start, behind
+    int runs = 0;                ///< with Show::broken_in: how many runs are counted,
+    std::vector<int> broken_in;  ///< and in how many of them each member broke, by its number less 1; else 0
+    double largest = 0;          ///< value that a diagram draws in full size, N or N m; 0: the largest value
+    bool ghost = false;          ///< the shape at the start, behind
     bool supports = true, ground = true, hinges = true;
     bool loads = false;
     bool node_labels = false, member_labels = false;

@@ -1,4 +1,5 @@
 -- The options of hinge render, read from the command line's text and checked before anything is drawn.
+local broken = require "hinge.accuracy.broken"
 local core = require "hinge.core"
 local check = require "hinge.library.check"
 local film = require "hinge.render.film"
@@ -6,6 +7,10 @@ local values = require "hinge.library.values"
 local view = require "hinge.render.view"
 
 local options = {}
+
+-- What members of frames may show: what those of a run's own pictures may, and what several runs have told.
+local shows = table.move(view.shows, 1, #view.shows, 1, {})
+table.insert(shows, 3, "broken")
 
 local smallest, largest = 64, 8192 -- pixels, as the pictures' own limits
 local formats = { "gif", "mp4", "webm" }
@@ -125,8 +130,12 @@ function options.read(given)
   what.view = { view = one_of("--view", given.view, view.names), from = direction(given.from),
     scale = given.scale == "auto" and "auto" or number("--scale", given.scale, ", or auto", 1e9),
     ghost = given.ghost and true or nil, loads = given.loads and true or nil, labels = given.labels and true or nil,
-    show = one_of("--show", given.show, view.shows), groups = group_list(given.groups), plane = planes(given.plane),
+    show = one_of("--show", given.show, shows), groups = group_list(given.groups), plane = planes(given.plane),
     title = given.title or not given.show and "yield function f_y" or nil }
+  if what.view.show == "broken" then
+    what.view.broken_in = broken.of_folder("--show broken", what.folder)
+    what.view.title = given.title or ("who broke, in %d runs"):format(what.view.broken_in.runs)
+  end
   what.format, what.note = possible_format(given)
   if not what.format then
     for _, name in ipairs { "fps", "seconds" } do

@@ -36,9 +36,10 @@ Direction named_direction(const std::string& name, const Direction& up) {
 
 output::Show show_of(const std::string& name) {
     static const std::pair<const char*, output::Show> all[] = {
-        {"f_y", output::Show::yield}, {"group", output::Show::group}, {"none", output::Show::nothing},
-        {"N", output::Show::N},       {"Qx", output::Show::Qx},       {"Qy", output::Show::Qy},
-        {"Mx", output::Show::Mx},     {"My", output::Show::My},       {"Mz", output::Show::Mz}};
+        {"f_y", output::Show::yield},    {"group", output::Show::group}, {"broken", output::Show::broken_in},
+        {"none", output::Show::nothing}, {"N", output::Show::N},         {"Qx", output::Show::Qx},
+        {"Qy", output::Show::Qy},        {"Mx", output::Show::Mx},       {"My", output::Show::My},
+        {"Mz", output::Show::Mz}};
     for (const auto& [word, show] : all)
         if (name == word) return show;
     return output::Show::yield;
@@ -121,12 +122,39 @@ void read_plane(lua_State* L, Options& o, output::View& view, const output::Snap
     }
 }
 
+/// broken_in = { runs =, members = how many the structure has, count = { [member] = in how many runs it broke, ... } }
+void read_broken_in(lua_State* L, Options& o, output::View& view, const output::Snapshot& snapshot) {
+    if (o.push_field("broken_in") == LUA_TTABLE) {
+        const auto field = [&](const char* name) {
+            lua_getfield(L, -1, name);
+            const int value = int(lua_tointeger(L, -1));
+            lua_pop(L, 1);
+            return value;
+        };
+        int members = 0;
+        for (const output::Bar& bar : snapshot.bars) members = std::max(members, bar.member);
+        if (field("members") != members)
+            o.complain("show", "'broken'",
+                       "is of a structure of " + std::to_string(field("members")) + " members, and this frame has " +
+                           std::to_string(members));
+        view.runs = field("runs");
+        lua_getfield(L, -1, "count");
+        for (int m = 1; m <= members; ++m) {
+            lua_rawgeti(L, -1, m);
+            view.broken_in.push_back(int(lua_tointeger(L, -1)));
+            lua_pop(L, 1);
+        }
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+}
+
 void read_marks(lua_State* L, Options& o, output::View& view) {
     if (o.push_field("scale") == LUA_TSTRING) view.scale = 0;  // "auto"
     lua_pop(L, 1);
     if (view.scale != 0) view.scale = o.number("scale", "", Range::positive, 1);
     view.largest = o.number("largest", "N or N m", Range::positive, 0);
-    view.show = show_of(o.word("show", {"f_y", "group", "none", "N", "Qx", "Qy", "Mx", "My", "Mz"}, "f_y"));
+    view.show = show_of(o.word("show", {"f_y", "group", "broken", "none", "N", "Qx", "Qy", "Mx", "My", "Mz"}, "f_y"));
     view.ghost = o.flag("ghost", view.ghost);
     view.supports = o.flag("supports", view.supports);
     view.ground = o.flag("ground", view.ground);
@@ -192,6 +220,7 @@ output::View read_view(lua_State* L, int index, const output::Snapshot& snapshot
     read_direction(o, view);
     read_plane(L, o, view, snapshot, directed);
     read_marks(L, o, view);
+    read_broken_in(L, o, view, snapshot);
     view.leave_out_broken = o.flag("leave_out_broken", false);
     view.above = o.number("above", "m", Range::any, view.above);
     if (const auto t = o.text("title")) view.title = *t;

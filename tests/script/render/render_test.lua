@@ -219,6 +219,52 @@ case("a picture has one scale for all frames and shows what its options say", fu
   end
 end)
 
+-- What hinge run --within tells of the scene's two members, the column and the bar that falls.
+local function tell_broken(broken)
+  local path = folder .. "/told/summary.json"
+  local summary = core.from_json(support.read(path))
+  summary.accuracy = { broken = broken }
+  core.write_json(path, summary)
+end
+case("--show broken colours members by the runs in which they broke", function()
+  there "cp -r one told"
+  local is = {
+    grey = function(r, g, b) return r < 235 and g >= r and b >= g and b < r + 30 and r > 100 end,
+    orange = function(r, g, b) return r > g + 40 and g > b + 40 end,
+    red = function(r, g, b) return r > 2.5 * g and r > 2.5 * b and r > 90 end,
+    black = function(r, g, b) return r + g + b < 120 end,
+  }
+  for counts, colours in pairs { [{ 5, 2 }] = "black orange", [{ 3 }] = "red grey" } do
+    local list = {}
+    for member, count in ipairs(counts) do list[member] = { member = member, broken = count } end
+    tell_broken { runs = 5, members = 2, list = list }
+    render(0, "", "told --show broken --gif -j 1 --from 0,-1,0" .. small)
+    local first = gif_of("told/film.gif").frames[1]
+    local function most(from_x, to_x) -- the colour of most pixels, between title and supports
+      local count, found = {}, nil
+      for x = from_x, to_x do
+        for y = 18, 80 do
+          for name, test in pairs(is) do
+            if test(table.unpack(first.pixel(x, y))) then
+              count[name] = (count[name] or 0) + 1
+              if not found or count[name] > count[found] then found = name end
+            end
+          end
+        end
+      end
+      return found
+    end
+    equal(("%s %s"):format(most(30, 58), most(62, 159)), colours, "column and bar")
+  end
+  tell_broken { runs = 5, members = 3, list = { { member = 3, broken = 5 } } }
+  render(1, "is of a structure of 3 members, and this frame has 2", "told --show broken" .. small)
+  tell_broken { runs = 5, members = 2 }
+  render(2, "hinge: --show broken: no member broke in any of the 5 runs", "told --show broken")
+  tell_broken { runs = 1, members = 2, list = { { member = 1, broken = 1 } } }
+  render(2, "hinge: --show broken: there is one run alone", "told --show broken")
+  there "rm -r told"
+end)
+
 case("pictures in which the structure is small say so, and what draws it larger", function()
   local far = scene:gsub("duration = 0%.6", "duration = 2"):gsub("%% 10 ==", "%% 100 ==")
   equal(hinge_on("run -q", far, "--out far"), 0, "the scene")
@@ -283,7 +329,9 @@ case("wrong options of hinge render are named and nothing is drawn", function()
     ["--from 1,2"] = "--from 1,2: must be a direction", ["--from 0,0,0"] = "--from 0,0,0: must be a direction",
     ["--from 1,2,3,"] = "--from 1,2,3,: must be a direction", ["--from a,b,c"] = "--from a,b,c: must be a direction",
     ["--scale=-1"] = "--scale -1: must be a number above 0", ["--scale nan"] = "--scale nan: must be a number above 0",
-    ["--show M"] = "--show M: must be one of f_y, group, none, N, Qx,",
+    ["--show M"] = "--show M: must be one of f_y, group, broken, none, N, Qx,",
+    ["--show broken"] = "--show broken: one/summary.json does not say who broke in several runs; "
+      .. "hinge run SCRIPT --within 5% writes that",
     ["--size 160"] = "--size 160: must be width and height",
     ["--size 160x9000"] = "--size 160x9000: must be width and height",
     ["--size 161x120 --out a.webm"] = encoders:find " libvpx%-vp9 " and "--size 161x120: WebM takes even numbers"
