@@ -13,9 +13,23 @@ namespace {
 
 /// What `hinge help accuracy` prints.
 constexpr const char* help_on_accuracy =
-    "hinge run SCRIPT --within 2%      chooses settings, so that the answers have this error at most, and tells it\n"
+    "How far the numbers of a run may be from the exact ones, and what better ones would cost\n"
+    "\n"
+    "hinge run SCRIPT --within 2%      chooses time step and elements so that the answers have this error at most.\n"
+    "                                  Tells each error, what it rests on, and what half of it would cost\n"
+    "  --answers peak_mm,broken        the answers that count (default: all numbers that the script returns)\n"
+    "  --budget 5min                   ends the search in time\n"
     "hinge study SCRIPT --within 2%    chooses them once, and checks them in some of the cases\n"
-    "hinge cost SCRIPT                 compares settings by error and time; --effects: effects and laws\n";
+    "hinge cost SCRIPT                 compares settings of your own by error and time; --effects: effects and laws\n"
+    "\n"
+    "An answer that hangs on everything, as after an impact, is chaotic. Several runs then tell its mean and its\n"
+    "scatter, and which members break in all, in some and in none of them.\n"
+    "\n"
+    "hinge report OUT                  a page with the errors, what was tried, and members coloured by who broke\n"
+    "hinge render OUT --show broken    pictures with these colours\n"
+    "OUT/summary.json                  has all of it under `accuracy`; OUT/broken.csv the members that broke\n"
+    "\n"
+    "The guide's page accuracy.md says how an error is estimated.\n";
 
 /// --sandbox and its limits, for the verbs that run a script.
 void add_sandbox(CLI::App& verb, Request& request) {

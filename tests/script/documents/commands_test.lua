@@ -61,6 +61,7 @@ local placeholder = "%f[%w_]%u[%u_]+%f[^%w_]" -- scripts/NAME.lua, SCRIPT
 
 -- What is wrong in a line of a shell from "hinge " on: VERB and what follows.
 local function wrong_in_call(words, wrong)
+  if words:find "^help accuracy%f[^%w]" then return end -- a topic, and no verb
   local verb = words:match "^%-?(%l+)%f[^%w.]" or words:find "^[%w_/]+%.lua" and "run"
   if verb == "help" then verb = words:match "^help (%l+)" end -- hinge help VERB is hinge VERB --help
   if not verb or verb == "rotation" then return end -- "hinge rotation 1 [rad]" is a field of a frame
@@ -191,6 +192,17 @@ case("files, verbs, options, parameters, targets and tests that the pages name a
     end
   end
   expect(count > 50 and commands > 1000, "%d pages with %d commands and names", count, commands)
+end)
+
+case("what hinge help accuracy names is there", function()
+  local list, verb = {}, nil
+  for line in support.output(program .. " help accuracy"):gmatch "[^\n]+" do
+    verb = line:match "^hinge %l+" or verb
+    list[#list + 1] = line:match "^hinge .-%f[ ]   " or line:match "^  %-%-%l+" and verb .. line:match "^ ( %-%-%l+)"
+      or nil
+  end
+  expect(#list >= 7, "it names %d commands and options", #list)
+  look("", list, function(text, ...) expect(false, "hinge help accuracy: " .. text, ...) end)
 end)
 
 case("what the heads of scripts and tests say to run is there", function()
