@@ -52,7 +52,7 @@ function Writer:margins(plot, panels)
   local em, left, right, top, bottom = self.em, {}, {}, {}, {}
   for i, panel in ipairs(panels) do
     local c, r = (i - 1) % plot.columns + 1, (i - 1) // plot.columns + 1
-    local numbers = 0.62 * layout.letters(panel.y_ends) * em
+    local numbers = 0.62 * layout.letters(panel.y_ends, panel.log_y) * em
     if panel.lies then
       for _, name in ipairs(panel.categories_y) do numbers = math.max(numbers, layout.width_of(name, em)) end
       numbers = math.min(numbers, 0.45 * plot.width / plot.columns)
@@ -117,8 +117,7 @@ function Writer:axis(panel, axis, ends)
   elseif log and ends[2] / ends[1] < 100 then
     self:out("set %stics (%s); set format %s '%%h'", axis, log_marks(ends), axis)
   elseif log then
-    local plain = ends[1] > 0.9e-3 and ends[2] < 1.1e4 -- 0.001 to 10000 are read more easily than powers
-    self:out("set format %s '%s'; set m%stics 10", axis, plain and "%h" or "10^{%L}", axis)
+    self:out("set format %s '%s'; set m%stics 10", axis, layout.plain_powers(ends) and "%h" or "10^{%L}", axis)
   else
     self:out("set format %s '%%h'", axis)
     local step = axis == "x" and layout.step_of(ends, panel.ground.width, self.em)
@@ -215,7 +214,8 @@ function Writer:bars(panel, s, at)
 end
 
 -- Marks of gnuplot, with sizes that look alike; larger than plain points, since a reader tells series by them.
-local plain, marks = { 7, 1 }, { { 7, 1.35 }, { 5, 1.25 }, { 9, 1.75 }, { 13, 1.75 } }
+local plain, marks = { 7, 1 }, { { 7, 1.35 }, { 5, 1.25 }, { 9, 1.75 }, { 13, 1.75 }, { 6, 1.35 }, { 4, 1.25 },
+  { 8, 1.75 }, { 12, 1.75 } }
 
 local function colour_of(s)
   local colour = s.colour or read.colours[(s.place - 1) % #read.colours + 1]
@@ -241,9 +241,10 @@ function Writer:part(panel, s, bar)
     return ("%s using %s with filledcurves fs transparent solid 0.28 lc %s %s"):format(data, foot, colour, title)
   end
   if s.bar_low then -- a foot that is not above 0 ends at the axis
-    data = ("%s using 1:2:%s:4 with yerrorbars pt 0 ps 0 lw %.3g lc %s notitle, \\\n     %s using 1:2"):format(data,
+    data = ("%s using 1:2:%s:4 with yerrorbars pt -1 ps 0 lw %.3g lc %s notitle, \\\n     %s using 1:2"):format(data,
       panel.log_y and ("($3 > 0 ? $3 : %.9g)"):format(panel.y_ends[1]) or "3", 0.7 * thick, colour, data)
   end
+  if #s.x == 1 and not layout.shown(panel, s, 1) then data = "NaN" end -- a line of the legend alone
   if s.style == "points" then return ("%s with points %s lc %s %s"):format(data, dots, colour, title) end
   if s.style == "line and points" then return ("%s with linespoints %s %s %s"):format(data, dots, line, title) end
   local alone = lone(panel, s)

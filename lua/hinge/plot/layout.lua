@@ -128,9 +128,16 @@ function layout.ranges(plot)
   end
 end
 
+--- Whether the powers of ten of a logarithmic axis are written out: 0.001 to 10000 are read more easily so.
+function layout.plain_powers(range) return range[1] > 0.9e-3 and range[2] < 1.1e4 end
+
 --- The text that gnuplot puts beside the marks of an axis at most, in letters. Its steps are 0.2, 0.5 or 1 times a
---- power of ten: 5 to 10 marks.
-function layout.letters(range)
+--- power of ten: 5 to 10 marks. On a logarithmic axis they are 1, 2, 5 or powers of ten.
+function layout.letters(range, log)
+  if log then
+    if range[2] / range[1] >= 100 and not layout.plain_powers(range) then return 4 end -- 10 with its power
+    return math.max(#("%g"):format(10.0 ^ math.ceil(math.log(range[1] / 9, 10))), #("%.0f"):format(range[2]))
+  end
   local from, to = math.min(range[1], range[2]), math.max(range[1], range[2])
   local power = 10 ^ math.floor(math.log(to - from, 10))
   local of_power = (to - from) / power

@@ -9,7 +9,8 @@ read.colours = { 0x0072b2, 0xd55e00, 0x009e73, 0xcc79a7, 0xe69f00, 0x56b4e9, 0x0
 local colour_names = { blue = 1, red = 2, green = 3, purple = 4, orange = 5, sky = 6, black = 7, yellow = 8 }
 read.grey = 0x6e747c
 local styles = { "line", "points", "line and points", "band", "bars" }
-local marks = { "circle", "square", "triangle", "diamond" } -- a picture in grey tells series by them
+local marks = { "circle", "square", "triangle", "diamond", "open circle", "open square", "open triangle",
+  "open diamond" } -- a picture in grey tells series by them
 
 -- A script in the sandbox may replace the functions of hinge.check, but not this one.
 local function fail(format, ...) core.input_error(format:format(...)) end

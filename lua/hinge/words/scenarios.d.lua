@@ -198,13 +198,14 @@ function job:plot(what, choice, filename) end
 ---@field y? number[]|string[] as many as x; not of a band. Texts: bars lie, and x has the numbers
 ---@field low? number[] of a band: its lower edge; of points: the lower end of an upright bar through each
 ---@field high? number[] of a band: its upper edge; of points: the upper end of the bar
----@field name? string in the legend; default: the series is not in the legend
+---in the legend; default: the series is not in the legend. With x = { false }, y = { false } it stands there alone
+---@field name? string
 ---line (default), points, both; band: filled from low to high; bars: from 0 to the values, those of several series side
 ---by side. Default with low and high: band
 ---@field style? "line"|"points"|"line and points"|"band"|"bars"
 ---@field dashed? boolean
 ---of points, by which series are told in a picture without colours; default circle
----@field mark? "circle"|"square"|"triangle"|"diamond"
+---@field mark? "circle"|"square"|"triangle"|"diamond"|"open circle"|"open square"|"open triangle"|"open diamond"
 ---one of the names above, grey, "#rrggbb", or { red, green, blue } from 0 to 1; default: by the order
 ---@field colour? string|number[]
 ---texts beside the points, placed so that they hide little; those of bars stand at their ends. "" for none

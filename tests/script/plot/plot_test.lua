@@ -273,15 +273,16 @@ end)
 case("points have marks, and bars that end at a logarithmic axis", function()
   lua [[
 hinge.plot({ log_y = true, series = { { x = { 1, 2 }, y = { 10, 20 }, low = { 0, 10 }, high = { 20, 400 },
-  style = "points", mark = "square" }, { x = { 1, 2 }, y = { 10, 20 }, style = "points", mark = "triangle" } } },
-  "marks.svg")
+  style = "points", mark = "square" }, { x = { 1, 2 }, y = { 10, 20 }, style = "points", mark = "open triangle" },
+  { x = { false }, y = { false }, style = "line and points", name = "alone" } } }, "marks.svg")
 ]]
   local text = commands "marks"
   local foot, top = text:match "set yrange %[([^:]+):([^%]]+)%]"
   expect(tonumber(foot) > 5 and tonumber(foot) < 10, "the least is 10, and 0 has no place: %s", foot)
   expect(tonumber(top) > 400, "the highest end of a bar is in the picture: %s", top)
   expect(text:find(("($3 > 0 ? $3 : %s)"):format(foot), 1, true), "a bar from 0 begins at the axis")
-  expect(text:find("points pt 5 ", 1, true) and text:find("points pt 9 ", 1, true), "a square and a triangle")
+  expect(text:find("points pt 5 ", 1, true) and text:find("points pt 8 ", 1, true), "a square and an open triangle")
+  expect(text:find('NaN with linespoints [^\n]*title .alone'), "a name in the legend without a point")
   equal(table.concat((rows "marks"[0] or {})[1] or {}, " "), "1 10 0 20", "x, y and both ends")
 end)
 
