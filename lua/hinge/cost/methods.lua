@@ -9,8 +9,7 @@ local exact = 1e-10 -- errors below it are rounding, and no point to draw a line
 function methods.front(settings)
   local items = {}
   for i, s in ipairs(settings) do
-    items[i] = { time = s.seconds, error = s.error and not s.above and compare.larger(s.error, exact) or nil,
-      setting = s }
+    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, exact) or nil, setting = s }
   end
   return compare.front(items)
 end
@@ -37,7 +36,7 @@ end
 -- the smallest that all values reach. Rounding errors are left out, and errors that differ from an earlier one by less
 -- than a hundredth.
 local function levels(fronts, within, best)
-  local common, wanted, found = 0, { within, best and best.error }, {}
+  local common, wanted, found = 0, { within, best and best.high }, {}
   for _, front in ipairs(fronts) do common = compare.larger(common, #front > 0 and front[#front].error or 0) end
   wanted[#wanted + 1] = common
   for _, error in ipairs(wanted) do

@@ -135,18 +135,16 @@ local function ranked(quantities, chosen)
   return next(kinds[1]) and kinds[1] or next(kinds[2]) and kinds[2] or kinds[3]
 end
 
--- The largest error of a setting among some answers, and the answer that has it. A setting that is nearer than the
--- finest one is known has the end of its band.
+-- The error of a setting: that of the answer whose band reaches farthest. A setting that is nearer than the finest one
+-- is known has the end of its band.
 local function worst_of(s, names)
   for name, q in pairs(names) do
     local e = s.estimates[name]
-    if e then
-      local above, below = e.high == math.huge, e.low == 0 and e.high > 0 and e.high < math.huge
-      local error = below and e.high or e.error
-      s.high = compare.larger(s.high or 0, e.high)
-      if not s.error or error > s.error or error == s.error and name < s.worst then
-        s.error, s.worst, s.low, s.below, s.above, s.by = error, name, e.low, below, above, q.found.by
-      end
+    local above, below = e and e.high == math.huge, e and e.low == 0 and e.high > 0 and e.high < math.huge
+    local error = e and (below and e.high or e.error)
+    if e and (not s.high or not (e.high <= s.high) or e.high == s.high
+      and (error > s.error or error == s.error and name < s.worst)) then
+      s.error, s.worst, s.low, s.high, s.below, s.above, s.by = error, name, e.low, e.high, below, above, q.found.by
     end
   end
 end
@@ -246,8 +244,7 @@ function verdict.front(compared, within)
     s.seconds, s.times, s.outside = compare.median(r.seconds), r.seconds, r.outside
     s.stages, s.memory, s.energy_error = r.stages, r.memory, r.energy_error
     cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.error and not s.above and compare.larger(s.error, rounding) or nil,
-      setting = s }
+    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, rounding) or nil, setting = s }
   end
   local front = {}
   for i, item in ipairs(compare.front(items)) do front[i], item.setting.front = item.setting, true end

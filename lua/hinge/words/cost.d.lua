@@ -68,7 +68,7 @@ function hinge.cost(scenario, options) end
 
 ---@class hinge.cost_result
 ---@field settings hinge.cost_setting[] settings with an answer, the cheapest first
----@field front hinge.cost_setting[] the Pareto front: no other setting is both cheaper and better
+---@field front hinge.cost_setting[] the Pareto front: no other setting is both cheaper and better (`high`)
 ---@field cheapest? hinge.cost_setting whose error, with its band, is up to `within`
 ---the answers that count for the error of a setting: all that are sound; if none is, all that have a band
 ---@field compared_by string[]
@@ -79,8 +79,8 @@ function hinge.cost(scenario, options) end
 ---@field finer { values: table, label: string, seconds: number, answers: table, high?: number }[]
 ---@field quantities table<string, hinge.cost_quantity> by answer
 ---@field orders table<string, hinge.cost_order> by name of the number: the order of convergence
----for each setting without a finer side (formulation, integrator, ...): the time of its values at equal error, the
----largest error first. The errors are `within`, that of the cheapest setting, and the smallest one that all values
+---for each setting without a finer side (formulation, integrator, ...): the time of its values at equal error (`high`),
+---the largest error first. The errors are `within`, that of the cheapest setting, and the smallest one that all values
 ---reach, if these differ and are more than rounding
 ---@field equal table<string, { error: number, methods: hinge.cost_method[] }[]>
 ---the two references, the coarser one first; nil: `notes` says why
@@ -179,10 +179,10 @@ function hinge.cost(scenario, options) end
 ---@class hinge.cost_setting
 ---@field values table<string, any>
 ---@field label string
----estimated error of the answer with the largest one, as a part of its value. nil: no answer has an error
+---estimated error of the answer whose band reaches farthest, as a part of its value. nil: no answer has an error
 ---@field error? number
 ---@field low? number lower end of the band of that error
----@field high? number upper end of the bands of all answers that count; math.huge: not known
+---@field high? number upper end of it; math.huge: not known
 ---@field worst? string the answer's name
 ---@field below? boolean the error may be 0; `error` is the upper end of the band
 ---@field above? boolean only a lower bound is known, which is `error`

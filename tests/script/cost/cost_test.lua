@@ -97,13 +97,13 @@ case("methods are compared by the time at equal error", function()
   -- is error^(-1/2) and 3 / error.
   local raced = {}
   for _, n in ipairs { 2, 4, 8, 16 } do
-    raced[#raced + 1] = { values = { n = n, way = "quick" }, seconds = n, error = 1 / n ^ 2 }
-    raced[#raced + 1] = { values = { n = n, way = "slow" }, seconds = 3 * n, error = 1 / n }
-    raced[#raced + 1] = { values = { n = n, way = "exact" }, seconds = 5 * n, error = 0 }
+    raced[#raced + 1] = { values = { n = n, way = "quick" }, seconds = n, high = 1 / n ^ 2 }
+    raced[#raced + 1] = { values = { n = n, way = "slow" }, seconds = 3 * n, high = 1 / n }
+    raced[#raced + 1] = { values = { n = n, way = "exact" }, seconds = 5 * n, high = 0 }
   end
   local race = methods.compare(
     { { name = "n", values = { 2, 4, 8, 16 }, side = {} }, { name = "way", values = { "quick", "slow", "exact" } } },
-    raced, 0.11, { error = 0.03 })
+    raced, 0.11, { high = 0.03 })
   equal(race.n, nil, "a number with a finer side is no method")
   equal(#race.way, 3, "errors at which ways are compared: that asked for, that of the cheapest, the least that all "
     .. "reach")
