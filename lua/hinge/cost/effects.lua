@@ -5,6 +5,7 @@
 -- law (core.leave_out).
 local check = require "hinge.library.check"
 local core = require "hinge.core"
+local alike = require "hinge.cost.alike"
 local compare = require "hinge.cost.compare"
 local ladder = require "hinge.cost.ladder"
 
@@ -15,8 +16,7 @@ local enough = 0.5 -- s: of all times of a run together, so that differences of 
 local function least(seconds) return math.min(table.unpack(seconds)) end
 
 local function same_bits(a, b, changes)
-  local same = #a.hashes == #b.hashes
-  for i, hash in ipairs(a.hashes) do same = same and hash == b.hashes[i] end
+  local same = alike.same_states(a, b)
   for _, change in pairs(changes) do same = same and change == 0 end
   return same
 end

@@ -157,7 +157,7 @@ local function nearest_that_works(result, failed)
     local apart = 0
     for _, input in ipairs(result.inputs) do
       local a, b = s.values[input.name], failed.values[input.name]
-      if a ~= b then apart = apart + (input.side and math.abs(math.log(a / b)) or other_method) end
+      if a ~= nil and a ~= b then apart = apart + (input.side and math.abs(math.log(a / b)) or other_method) end
     end
     if apart < least then best, least = s, apart end
   end

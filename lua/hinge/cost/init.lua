@@ -6,6 +6,7 @@
 -- (/proc/self/clear_refs).
 local core = require "hinge.core"
 local check = require "hinge.library.check"
+local alike = require "hinge.cost.alike"
 local scenarios = require "hinge.program.scenario"
 local benches = require "hinge.cost.bench"
 local effects = require "hinge.cost.effects"
@@ -175,12 +176,16 @@ function cost.compare(scenario, options)
   local base, failed, left_out, refs, problem, beside = compare_within(bench, inputs)
   local compared = with_those_beside(inputs, base, beside, refs, left_out)
   if #refs == 0 then base = compared end
+  local idle
+  compared, idle = alike.merged(inputs, compared)
+  base = alike.merged(inputs, base)
   if #compared == 0 then
     check.fail("%s: %s", where,
       failed[1] and "no setting has an answer: " .. failed[1].failed
       or "the budget ended before the first setting was finished; give a larger one")
   end
   local notes = { problem }
+  table.move(idle, 1, #idle, #notes + 1, notes)
   if #beside > 0 and refs[2] then
     notes[#notes + 1] = ("the budget left no time for references finer than all settings; the finest one is %s")
       :format(refs[2].label)

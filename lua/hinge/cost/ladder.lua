@@ -86,12 +86,18 @@ function ladder.inputs(where, scenario, options, held)
   return inputs
 end
 
---- A value as text for tables and keys.
-function ladder.text(value) return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value) end
+--- A value as text for tables and keys; "-" where there is none: see alike.lua.
+function ladder.text(value)
+  if value == nil then return "-" end
+  return math.type(value) == "float" and ("%.6g"):format(value) or tostring(value)
+end
 
 function ladder.label(inputs, values)
   local parts = {}
-  for _, input in ipairs(inputs) do parts[#parts + 1] = input.name .. " " .. ladder.text(values[input.name]) end
+  for _, input in ipairs(inputs) do
+    local value = values[input.name]
+    parts[#parts + 1] = value ~= nil and input.name .. " " .. ladder.text(value) or nil
+  end
   return table.concat(parts, ", ")
 end
 

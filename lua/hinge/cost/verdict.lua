@@ -1,5 +1,6 @@
 -- Results when all settings have been run: which answers can be trusted, the errors, the orders of convergence, and the
 -- Pareto front.
+local alike = require "hinge.cost.alike"
 local compare = require "hinge.cost.compare"
 local refinement = require "hinge.accuracy.estimate"
 local estimate = require "hinge.cost.estimate"
@@ -256,7 +257,7 @@ function verdict.front(compared, within)
     s.meets = s.high ~= nil and s.high <= within * (1 + rounding)
     best = best or s.meets and s or nil
     s.answers, s.warnings = s.record.answers, s.record.warnings or {}
-    s.record, s.weight, s.place, s.varied = nil, nil, nil, nil
+    s.record, s.weight, s.place, s.varied, s.values, s.any = nil, nil, nil, nil, alike.values(s), nil
   end
   return front, best
 end

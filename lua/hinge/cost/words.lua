@@ -36,6 +36,18 @@ end
 
 local function is_elements(name) return name == "elements_per_member" or name == "elements" end
 
+--- The words among the values of a setting, and numbers without a finer side: "asi-gauss, explicit"; "" if none varies.
+function words.method(inputs, values)
+  local parts = {}
+  for _, input in ipairs(inputs) do
+    local value = values[input.name]
+    if not input.side then
+      parts[#parts + 1] = (type(value) == "string" and "" or input.name .. " ") .. words.value(input.name, value)
+    end
+  end
+  return table.concat(parts, ", ")
+end
+
 --- What tells a setting from the others, for a label in a picture: "dt 10 us", "10 us, 4 elements". `inputs`: those to
 --- name.
 function words.label(inputs, values)
@@ -43,9 +55,9 @@ function words.label(inputs, values)
   for _, input in ipairs(inputs) do
     local name, value = input.name, values[input.name]
     local text = words.value(name, value)
-    parts[#parts + 1] = is_elements(name) and text .. (value == 1 and " element" or " elements")
+    parts[#parts + 1] = value ~= nil and (is_elements(name) and text .. (value == 1 and " element" or " elements")
       or name == "steps" and text .. " steps"
-      or (type(value) == "string" or name == "dt" and not alone) and text or name .. " " .. text
+      or (type(value) == "string" or name == "dt" and not alone) and text or name .. " " .. text) or nil
   end
   return table.concat(parts, ", ")
 end
@@ -55,7 +67,8 @@ function words.setting(inputs, values)
   local numbers, others, elements = {}, {}, nil
   for _, input in ipairs(inputs) do
     local name, value = input.name, values[input.name]
-    if is_elements(name) then
+    if value == nil then -- it changes nothing: alike.lua
+    elseif is_elements(name) then
       elements = ("%s element%s"):format(counts[value] or tostring(value), value == 1 and "" or "s")
     elseif type(value) == "string" then
       others[#others + 1] = value

@@ -177,7 +177,7 @@ function hinge.cost(scenario, options) end
 ---@field law "eq 14"|"exact"|"hardening"|"strain rate" the law that is left out
 
 ---@class hinge.cost_setting
----@field values table<string, any>
+---@field values table<string, any> nil: this number changes nothing, and the setting stands for all of its values
 ---@field label string
 ---estimated error of the answer whose band reaches farthest, as a part of its value. nil: no answer has an error
 ---@field error? number
