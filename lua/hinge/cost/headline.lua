@@ -39,42 +39,54 @@ local function bound(part) return part < 1e-10 and "exact to rounding" or "withi
 -- "dt 1 ms is", "two elements are"
 local function is(name) return name .. ((name:find "^%w+ elements" or name:find "^%w+ steps") and " are" or " is") end
 
+-- The setting that is good enough at much less cost than the wanted one, if its error is not much larger.
+local function early_of(result)
+  local wanted, early = result.cheapest, nil
+  for _, s in ipairs(candidates(result)) do
+    if s.seconds * cheaper <= wanted.seconds and s.high <= far * result.within and (not early or s.high < early.high) then
+      early = s
+    end
+  end
+  return early
+end
+
+--- The setting that the first line names: the cheapest that is good enough, or one that costs much less and is nearly
+--- as good; where none is good enough, the best one. nil where no error has a bound.
+function headline.named(result)
+  if result.cheapest then return early_of(result) or result.cheapest end
+  local settings, least = candidates(result), math.huge
+  for _, s in ipairs(settings) do least = math.min(least, s.high) end
+  return first(settings, function(s) return s.high <= near * least end)
+end
+
 -- "dt 1 ms with two elements is within 3 % in 4 s; 1 % takes 31 s (dt 250 us with four elements)"
 local function main_line(result)
-  local within, inputs = result.within, result.inputs
-  local settings, all = candidates(result), candidates(result, true)
+  local within, inputs, named = result.within, result.inputs, headline.named(result)
+  local all = candidates(result, true)
   local function name(s) return words.setting(inputs, s.values) end
   local function takes(s, part)
     return ("%s takes %s (%s)"):format(words.bound(part), time(s.seconds), name(s))
   end
   local wanted = result.cheapest
-  if wanted then
-    local early
-    for _, s in ipairs(settings) do
-      if s.seconds * cheaper <= wanted.seconds and s.high <= far * within and (not early or s.high < early.high) then
-        early = s
-      end
-    end
-    if early then
-      return ("%s %s in %s; %s"):format(is(name(early)), bound(early.high), time(early.seconds), takes(wanted, within))
-    end
-    local exact = wanted.high < 1e-10
-    local next_one = not exact and first(all, function(s) return s.high * better <= wanted.high end)
-    return ("%s %s in %s%s"):format(is(name(wanted)), exact and "exact to rounding" or "within " .. words.bound(within),
-      time(wanted.seconds), next_one and "; " .. (next_one.high < 1e-10
-        and ("%s exact in %s"):format(is(name(next_one)), time(next_one.seconds))
-        or takes(next_one, next_one.high)) or "")
+  if named ~= wanted then
+    local rest
+    local fine = wanted or first(all, function(s) return s.high <= within end)
+    local finest, beyond = all[#all], result.beyond
+    if fine then rest = takes(fine, within)
+    elseif beyond then
+      rest = ("%s would take about %s (%s)"):format(words.bound(within), time(beyond.seconds), name(beyond))
+    elseif finest ~= named and finest.high < named.high then
+      rest = ("%s is not reached: the finest run (%s, %s) is %s"):format(percent(within), name(finest),
+        time(finest.seconds), bound(finest.high))
+    else rest = percent(within) .. " is not reached" end
+    return ("%s %s in %s; %s"):format(is(name(named)), bound(named.high), time(named.seconds), rest)
   end
-  local least = math.huge
-  for _, s in ipairs(result.settings) do least = math.min(least, s.high or math.huge) end
-  local best = first(settings, function(s) return s.high <= near * least end)
-  local fine = first(all, function(s) return s.high <= within end)
-  local finest, beyond = all[#all], result.beyond
-  return ("%s %s in %s; %s"):format(is(name(best)), bound(best.high), time(best.seconds), fine and takes(fine, within)
-    or beyond and ("%s would take about %s (%s)"):format(words.bound(within), time(beyond.seconds), name(beyond))
-    or finest ~= best and finest.high < best.high and ("%s is not reached: the finest run (%s, %s) is %s"):format(
-      percent(within), name(finest), time(finest.seconds), bound(finest.high))
-    or percent(within) .. " is not reached")
+  local exact = wanted.high < 1e-10
+  local next_one = not exact and first(all, function(s) return s.high * better <= wanted.high end)
+  return ("%s %s in %s%s"):format(is(name(wanted)), exact and "exact to rounding" or "within " .. words.bound(within),
+    time(wanted.seconds), next_one and "; " .. (next_one.high < 1e-10
+      and ("%s exact in %s"):format(is(name(next_one)), time(next_one.seconds))
+      or takes(next_one, next_one.high)) or "")
 end
 
 -- The chaotic answers in words: mean and scatter of the cheapest setting that cannot be told apart from the finest.
@@ -111,28 +123,29 @@ local function chaotic_line(result, name)
     words.setting(result.inputs, least.values), time(least.seconds), rest)
 end
 
+-- "v (chaotic)", "plastic_kJ (within 14 %)": an answer by which settings are not compared, at the setting of the first
+-- line.
+local function not_counted(result, name, setting)
+  local q, e = result.quantities[name], setting.estimates[name]
+  return ("%s (%s)"):format(name, q.state == "chaotic" and "chaotic"
+    or e and e.high < math.huge and q.by ~= "grows" and bound(e.high) or "does not converge")
+end
+
 --- The result in words: the first line is the answer; a second one names the answers that it does not hold for.
 function headline.lines(result)
-  local lines, apart, chaotic = {}, {}, {}
+  local lines, others, chaotic, by = {}, {}, {}, {}
+  for _, name in ipairs(result.compared_by) do by[name] = true end
+  local named = headline.named(result)
   for _, name in ipairs(sorted(result.quantities)) do
-    local q = result.quantities[name]
+    local state = result.quantities[name].state
     if not result.quantity or result.quantity == name then
-      if q.state == "chaotic" then chaotic[#chaotic + 1] = name end
+      if state == "chaotic" then chaotic[#chaotic + 1] = name end
+      if named and not by[name] and state ~= "moving" then others[#others + 1] = not_counted(result, name, named) end
     end
   end
-  local by = {}
-  for _, name in ipairs(result.compared_by) do by[name] = true end
-  if #candidates(result) > 0 then
+  if named then
     lines[1] = main_line(result)
-    for _, name in ipairs(sorted(result.quantities)) do
-      local q = result.quantities[name]
-      if not by[name] and not result.quantity and q.state ~= "moving" then
-        apart[#apart + 1] = name .. (q.state == "chaotic" and " (chaotic)"
-          or q.half and q.half < math.huge and q.by ~= "grows" and (" (known to %s)"):format(words.bound(q.half))
-          or " (does not converge)")
-      end
-    end
-    if #apart > 0 then lines[2] = "this does not hold for " .. words.list(apart, 4) end
+    if #others > 0 then lines[2] = "not counted: " .. words.list(others, 4) end
   elseif #chaotic > 0 then
     for i = 1, math.min(#chaotic, 2) do lines[i] = chaotic_line(result, chaotic[i]) end
   elseif #result.compared_by > 0 then
