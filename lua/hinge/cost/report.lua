@@ -245,7 +245,8 @@ local function others(result, settings, but)
   for _, input in ipairs(result.inputs) do
     if input.name ~= but then
       local a, b = settings[1].values[input.name], settings[#settings].values[input.name]
-      parts[#parts + 1] = ("%s %s"):format(input.name, ladder.text(a) .. (a ~= b and " to " .. ladder.text(b) or ""))
+      parts[#parts + 1] = a ~= nil
+        and ("%s %s"):format(input.name, ladder.text(a) .. (a ~= b and " to " .. ladder.text(b) or "")) or nil
     end
   end
   return table.concat(parts, ", ")
@@ -274,7 +275,8 @@ local function show_grounds(result)
     for _, q in pairs(result.quantities) do
       if q.state == "sound" then worst = compare.larger(worst or 0, q.agreement) end
     end
-    print(("reference: %s; a coarser one (%s) %s"):format(result.references[2].label, result.references[1].label,
+    local function name(r) return words.setting(result.inputs, r.values) end
+    print(("reference: %s; a coarser one (%s) %s"):format(name(result.references[2]), name(result.references[1]),
       worst and "agrees with it to " .. percent(worst) or "agrees with it in no answer"))
   end
   for _, line in ipairs(doubts(result)) do print(line) end

@@ -135,7 +135,7 @@ case("a chaotic answer has a mean and a scatter, and settings that cannot be tol
   end
   equal(#(q.alike or {}), 3, "settings that cannot be told apart")
   equal(q.standard, "dt 0.2, way a", "the finest, from which others are told apart")
-  equal(headline.lines(r)[2], "this does not hold for v (chaotic)", "words beside a result that is sound")
+  equal(headline.lines(r)[2], "not counted: v (chaotic)", "words beside a result that is sound")
   r = hinge.cost(chaos, { within = 0.01, repeats = 2, quantity = "v" })
   local line = headline.lines(r)[1]
   local m = find(r, { dt = 0.8, way = "a" }).means.v
