@@ -31,6 +31,10 @@ local scenes = {
     accuracy = { dt = { 4e-3, 8e-3 } }, parameters = { duration = 0.3 },
     errors = { { "drift_mm", { 4e-3 }, 1.41, 0.1 }, { "plastic_kJ", { 4e-3 }, 0.51, 0.1 } },
   },
+  earthquake = {
+    accuracy = { dt = { 10e-3, 5e-3 } }, parameters = { duration = 3.0 },
+    errors = { { "drift_mm", { 10e-3 }, 0.81, 0.1 }, { "plastic_kJ", { 10e-3 }, 7.6, 0.3 } },
+  },
   two_beam_impact = {
     accuracy = { beta = { 0.25, 0.4 }, dt = { 2.5e-6, 5e-6 } },
     errors = { { "kinetic", { 0.25, 2.5e-6 }, 0.60, 0.02 }, { "kinetic", { 0.4, 2.5e-6 }, 1.21, 0.02 } },
@@ -68,7 +72,7 @@ case("the scenes of scripts/cost compare the settings and have the errors that t
       end
     end
   end
-  checks.equal(seen, 6, "scenes")
+  checks.equal(seen, 7, "scenes")
 end)
 
 checks.done()
