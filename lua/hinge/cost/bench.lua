@@ -70,15 +70,16 @@ end
 
 local other_method = 1e3 -- farther away than any amount of work of the same method
 
---- Seconds that a setting would take once, from the finished setting of its method with the nearest amount of work. 0 if
--- nothing is known yet, and for a finished setting.
+--- Seconds that a setting would take once, from the finished setting of its method with the nearest amount of work. 0
+-- if nothing is known yet, and for a finished setting.
 function Bench:estimate(setting, variation)
   if self:record(setting, variation) or #self.timed == 0 then return 0 end
   local nearest, from = math.huge, nil
   for _, known in ipairs(self.timed) do
     local apart = math.abs(math.log(setting.weight / known.weight))
     for _, input in ipairs(self.inputs) do
-      if not input.side and setting.values[input.name] ~= known.values[input.name] then apart = apart + other_method end
+      local same = input.side or setting.values[input.name] == known.values[input.name]
+      apart = apart + (same and 0 or other_method)
     end
     if apart <= nearest then nearest, from = apart, known end
   end

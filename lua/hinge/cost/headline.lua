@@ -43,9 +43,8 @@ local function is(name) return name .. ((name:find "^%w+ elements" or name:find 
 local function early_of(result)
   local wanted, early = result.cheapest, nil
   for _, s in ipairs(candidates(result)) do
-    if s.seconds * cheaper <= wanted.seconds and s.high <= far * result.within and (not early or s.high < early.high) then
-      early = s
-    end
+    local better_yet = not early or s.high < early.high
+    if s.seconds * cheaper <= wanted.seconds and s.high <= far * result.within and better_yet then early = s end
   end
   return early
 end

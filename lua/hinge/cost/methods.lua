@@ -9,7 +9,8 @@ local exact = 1e-10 -- errors below it are rounding, and no point to draw a line
 function methods.front(settings)
   local items = {}
   for i, s in ipairs(settings) do
-    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, exact) or nil, setting = s }
+    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, exact) or nil,
+      setting = s }
   end
   return compare.front(items)
 end

@@ -8,7 +8,7 @@ local words = require "hinge.cost.words"
 
 local plot = {}
 local exact = 1e-10 -- errors below it are rounding: drawn beneath all others
--- Of methods, in their order. Readers of a picture in grey tell them by open marks and dashes, and by how dark they are.
+-- Of methods, in their order. Readers of a picture in grey tell them by open marks, dashes, and how dark they are.
 local colours = { "blue", "red", "black", "orange", "green", "purple" }
 local marks = { "circle", "square", "triangle", "diamond" }
 local most_panels = 3 -- of chaotic answers

@@ -245,7 +245,8 @@ function verdict.front(compared, within)
     s.seconds, s.times, s.outside = compare.median(r.seconds), r.seconds, r.outside
     s.stages, s.memory, s.energy_error = r.stages, r.memory, r.energy_error
     cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, rounding) or nil, setting = s }
+    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, rounding) or nil,
+      setting = s }
   end
   local front = {}
   for i, item in ipairs(compare.front(items)) do front[i], item.setting.front = item.setting, true end

@@ -67,12 +67,11 @@ function words.setting(inputs, values)
   local numbers, others, elements = {}, {}, nil
   for _, input in ipairs(inputs) do
     local name, value = input.name, values[input.name]
-    if value == nil then -- it changes nothing: alike.lua
-    elseif is_elements(name) then
+    if value ~= nil and is_elements(name) then
       elements = ("%s element%s"):format(counts[value] or tostring(value), value == 1 and "" or "s")
     elseif type(value) == "string" then
       others[#others + 1] = value
-    else
+    elseif value ~= nil then -- nil: it changes nothing, see alike.lua
       local text = words.value(name, value)
       numbers[#numbers + 1] = name == "steps" and text .. " steps" or name .. " " .. text
     end

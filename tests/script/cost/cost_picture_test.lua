@@ -53,8 +53,9 @@ case("the picture of hinge cost has every setting with an error once", function(
   local panel = drawn.panels[1]
   local points, labels, lines, legend = texts_of(panel)
   equal(points, "at least 2: 30 [30 60]; blue circle 3: 9 [4.5 18]; blue circle 4: 9.5 [4.75 19]; "
-    .. "blue square 5: 2 [1 4]; blue square 8: 1 [1 2]; red open circle 6: 18 [9 36]; red open circle 8: 19 [9.5 38]; "
-    .. "red open square 10: 4 [2 8]; red open square 16: 0.1 [0.1 0.1]", "methods by colour, elements by mark, and bars")
+    .. "blue square 5: 2 [1 4]; blue square 8: 1 [1 2]; red open circle 6: 18 [9 36]; "
+    .. "red open circle 8: 19 [9.5 38]; red open square 10: 4 [2 8]; red open square 16: 0.1 [0.1 0.1]",
+    "methods by colour, elements by mark, and bars")
   equal(labels, "16: 10 us, 4 elements; 3: 20 us, 2 elements", "the front is named")
   equal(lines, "blue line 3 9, 5 2, 8 1; red line dashed 6 18, 10 4, 16 0.1", "the front of each method")
   equal(legend, "one: blue circle; two: red open circle dashed; 2 elements: grey circle; 4 elements: grey square",

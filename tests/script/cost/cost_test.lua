@@ -411,7 +411,8 @@ case("hinge cost prints its tables and writes cost.csv and summary.json", functi
   local status, printed, complaint = support.run(command .. " --within 5% --budget 60s")
   equal(status, 0, "status: " .. complaint)
   for _, part in ipairs { "6 settings", "Error of each answer", "Order of convergence", "Time at equal error",
-    "dt      2.00       2", "reference: dt 25 ms, one; a coarser one (dt 50 ms, one) agrees", "written to " .. folder .. "/p" } do
+    "dt      2.00       2", "reference: dt 25 ms, one; a coarser one (dt 50 ms, one) agrees",
+    "written to " .. folder .. "/p" } do
     expect(support.has(printed, part), "hinge cost does not say '%s':\n%s", part, printed)
   end
   expect(not printed:find "not seen" and complaint:find "^cost %[",
