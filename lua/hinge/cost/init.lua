@@ -227,7 +227,7 @@ function cost.compare(scenario, options)
   local equal = methods.compare(inputs, compared, o.within, best)
   for i, r in ipairs(refs) do
     refs[i] = { values = r.values, label = r.label, seconds = r.record.seconds[1], answers = r.record.answers,
-      errors = r.errors, estimates = r.estimates, error = r.error, high = r.high }
+      high = r.high }
   end
   local result = {
     within = o.within, quantity = o.quantity, case = o.case, perturbation = o.perturbation,

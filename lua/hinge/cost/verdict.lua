@@ -5,11 +5,12 @@ local compare = require "hinge.cost.compare"
 local refinement = require "hinge.accuracy.estimate"
 local estimate = require "hinge.cost.estimate"
 local ladder = require "hinge.cost.ladder"
+local methods = require "hinge.cost.methods"
 local statistics = require "hinge.accuracy.statistics"
 
 local verdict = {}
 local farthest = 6         -- refinements that are foretold
-local rounding = 1e-10     -- errors below it are the same to the front
+local rounding = 1e-10     -- of what is accepted
 
 --- For every answer: whether it can be trusted to `within`, and if not, why.
 function verdict.answers(refs, scatter, moving, compared, within)
@@ -22,14 +23,13 @@ function verdict.answers(refs, scatter, moving, compared, within)
     local state = moving[name] and "moving" or chaotic and "chaotic"
       or not refs and "unknown" or not (agreement <= within / 2) and "unsettled" or "sound"
     quantities[name] = { state = state, agreement = agreement, scatter = spread,
-      value = type(answer) == "number" and answer or nil,
       kind = type(answer) == "number" and "number" or "history" }
   end
   return quantities
 end
 
---- The setting that stands for the finest among some, and whether all its inputs have their finest value.
-function verdict.finest(inputs, compared)
+-- The setting that stands for the finest among some, and whether all its inputs have their finest value.
+local function finest_of(inputs, compared)
   local best, most = nil, -1
   for _, s in ipairs(compared) do
     local finest = 0
@@ -58,23 +58,20 @@ end
 -- The order in which all numbers converge together when each is refined by its ratio, in terms of halved steps; of one
 -- number alone its own.
 local function joint_order(inputs)
-  local least, sided = nil, 0
+  local least, sided, own = math.huge, 0, 1
   for _, input in ipairs(inputs) do
     if input.side then
-      sided = sided + 1
-      least = math.min(least or math.huge, (input.side.order or 1) * math.log(input.side.ratio, 2))
+      sided, own = sided + 1, input.side.order or 1
+      least = math.min(least, own * math.log(input.side.ratio, 2))
     end
   end
-  for _, input in ipairs(sided == 1 and inputs or {}) do
-    if input.side then return input.side.order or 1 end
-  end
-  return least or 1
+  return sided > 1 and least or own
 end
 
 -- The settings and references along which all numbers are refined together, the finest last, their step sizes, and the
 -- finest setting. If one number alone is varied, its settings are on that line, too.
 local function levels_of(inputs, compared, refs)
-  local best, whole = verdict.finest(inputs, compared)
+  local best, whole = finest_of(inputs, compared)
   local sided = {}
   for _, input in ipairs(inputs) do sided[#sided + 1] = input.side and input end
   local levels, h = {}, {}
@@ -139,13 +136,13 @@ end
 -- The error of a setting: that of the answer whose band reaches farthest. A setting that is nearer than the finest one
 -- is known has the end of its band.
 local function worst_of(s, names)
-  for name, q in pairs(names) do
+  for name in pairs(names) do
     local e = s.estimates[name]
     local above, below = e and e.high == math.huge, e and e.low == 0 and e.high > 0 and e.high < math.huge
     local error = e and (below and e.high or e.error)
     if e and (not s.high or not (e.high <= s.high) or e.high == s.high
       and (error > s.error or error == s.error and name < s.worst)) then
-      s.error, s.worst, s.low, s.high, s.below, s.above, s.by = error, name, e.low, e.high, below, above, q.found.by
+      s.error, s.worst, s.low, s.high, s.below, s.above = error, name, e.low, e.high, below, above
     end
   end
 end
@@ -206,16 +203,8 @@ function verdict.orders(inputs, compared, refs, names)
   for _, input in ipairs(inputs) do sided = sided + (input.side and 1 or 0) end
   for _, input in ipairs(inputs) do
     if input.side then
-      local line = {}
-      for _, s in ipairs(compared) do
-        local along = true
-        for _, other in ipairs(inputs) do
-          along = along and (other == input or s.values[other.name] == ladder.finest(other, compared))
-        end
-        if along then line[#line + 1] = s end
-      end
+      local line = line_to(ladder.reference(inputs, compared, 0), input, inputs, compared)
       if sided == 1 then table.move(refs, 1, #refs, #line + 1, line) end
-      table.sort(line, function(a, b) return ladder.finer(input, b.values[input.name], a.values[input.name]) > 1 end)
       local found, all, n = {}, {}, #line
       for name in pairs(names) do
         if n >= 3 then
@@ -239,17 +228,15 @@ end
 --- Sets the time of each setting and whether it is on the Pareto front, and sorts the settings by time. Returns the
 --- front and the cheapest setting whose error, with its band, is up to `within`.
 function verdict.front(compared, within)
-  local cheapest, items = math.huge, {}
-  for i, s in ipairs(compared) do
+  local cheapest = math.huge
+  for _, s in ipairs(compared) do
     local r = s.record
     s.seconds, s.times, s.outside = compare.median(r.seconds), r.seconds, r.outside
     s.stages, s.memory, s.energy_error = r.stages, r.memory, r.energy_error
     cheapest = math.min(cheapest, s.seconds)
-    items[i] = { time = s.seconds, error = s.high and not s.above and compare.larger(s.high, rounding) or nil,
-      setting = s }
   end
   local front = {}
-  for i, item in ipairs(compare.front(items)) do front[i], item.setting.front = item.setting, true end
+  for i, item in ipairs(methods.front(compared)) do front[i], item.setting.front = item.setting, true end
   table.sort(compared, function(a, b) return a.seconds < b.seconds end)
   local best
   for _, s in ipairs(compared) do
