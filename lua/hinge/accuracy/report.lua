@@ -149,7 +149,8 @@ function report.summary(told)
   local answers, search = {}, told.search
   for _, a in ipairs(told.answers) do
     answers[a.name] = { value = a.value, error = a.error < math.huge and a.error or nil,
-      error_text = error_of(a), basis = a.basis, chaotic = a.chaotic, mean = a.mean, scatter = a.scatter, runs = a.runs, band = a.band }
+      error_text = error_text(a.error, a.size, a.least), basis = a.basis, chaotic = a.chaotic, mean = a.mean,
+      scatter = a.scatter, runs = a.runs, band = a.band }
   end
   return { asked = told.asked, estimated = told.estimated < math.huge and told.estimated or nil, reached = told.reached,
     setting = told.setting, values = told.values, checked = told.checked, answers = answers, seconds = told.seconds,
