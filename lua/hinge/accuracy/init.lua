@@ -159,9 +159,9 @@ local function told_of(o, runs, search, found)
 end
 
 --- Runs a script within an accuracy. o: script, scenario, case, overrides, parameters, out, out_given, within, budget,
--- answers, where (for messages), progress, longest = s that the search may take without a budget (default 60). Returns
--- what report.lines takes, and folder and printed (what the script printed); nil and why where the script has no
--- answer.
+-- answers, where (for messages), progress, longest = s that the search may take without a budget (default: 60, or 16
+-- times the script's own run). Returns what report.lines takes, and folder and printed (what the script printed); nil
+-- and why where the script has no answer.
 function accuracy.run(o)
   local tell = teller(o.progress)
   local runs = Runs.open(o)
@@ -182,7 +182,7 @@ function accuracy.run(o)
   if not o.budget then
     local own = first.seconds
     for _, knob in ipairs(all) do own = own * 2 ^ -math.min(0, corner[knob.name]) end
-    runs.most = math.max(o.longest or longest, dearest * own)
+    runs.most = o.longest or math.max(longest, dearest * own)
   end
   local found, why = search:find()
   tell.close()
