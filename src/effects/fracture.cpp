@@ -42,7 +42,7 @@ class Fracture : public Effect, public Breaker, public BreakListener, public Rul
 public:
     Fracture(Workspace& w, Host& host);
     const char* stage_name() const override { return fracture_effect; }
-    bool by_strain() const override { return true; }
+    bool by_strain() const override { return w_.structure.can_yield() || !candidates_.empty(); }
     void find_breaks(Step& step) override;
     void after_commit(const Step&) override {
         for (const PlasticIncrement& y : w_.yielding) add_if_reachable(y.element);
