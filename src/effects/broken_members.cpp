@@ -26,11 +26,15 @@ public:
     /// directions, and what is of second order in w, of which the linear equation of motion has nothing, is left out.
     void subtract_following_loads(std::vector<Vec6>& resisting) override {
         if (w_.state.offset_mass.empty()) return;
+        if (!listed_) list_carriers();
         const Vec3 g = gravity().acceleration;
-        tried_rate_.assign(w_.state.offset_mass.size(), Vec3::Zero());
-        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+        for (const int i : points_)
+            if (!w_.rests(i))
+                resisting[i].head<3>() += w_.state.offset_mass[i].mass * (w_.trial.acceleration[i].head<3>() - g);
+        for (const int i : carriers_) {
             const OffsetMass& h = w_.state.offset_mass[i];
-            if (h.mass == 0 || w_.rests(int(i))) continue;
+            tried_rate_[i].setZero();
+            if (w_.rests(i)) continue;
             const Mat3 R = w_.trial.rotation[i].toRotationMatrix();
             const Vec3 S = R * h.moment, a = w_.trial.acceleration[i].head<3>() - g,
                        alpha = w_.trial.acceleration[i].tail<3>(),
@@ -43,7 +47,7 @@ public:
             resisting[i].tail<3>() += S.cross(a) + Ja + w.cross(Jw);
             const bool lags = w_.solved_at_once ? w_.trial.rotation[i].coeffs() != built_[i].coeffs()
                                                 : w_.trial.rotation[i].coeffs().dot(built_[i].coeffs()) < lag_cosine;
-            if (lags) renew(int(i));
+            if (lags) renew(i);
         }
     }
 
@@ -66,19 +70,18 @@ public:
     /// momentum stays what it was. Called with the change of the acceleration since the stresses were recovered.
     void solved(const Step& step, const std::vector<Vec6>& change) override {
         const Scheme& scheme = w_.scheme;
-        next_rate_ = tried_rate_;
+        for (const int i : carriers_) next_rate_[i] = tried_rate_[i];
         if (w_.kind.conserving) return;
-        for (std::size_t i = 0; i < next_rate_.size(); ++i) {
+        for (const int i : carriers_) {
             const OffsetMass& h = w_.state.offset_mass[i];
-            if (h.mass == 0) continue;
             const Vec3 S = w_.state.rotation[i] * h.moment, next_S = w_.trial.rotation[i] * h.moment;
             const Vec3 built_S = host_.has_effective_stiffness() ? Vec3(built_[i] * h.moment) : next_S;
             const Vec3 weighted = tried_rate_[i] + (1 - scheme.alpha) * change[i].tail<3>().cross(built_S);
             next_rate_[i] = scheme.next_of_weighted(rate_[i], weighted);
             const Vec3 integrated = scheme.velocity_change(rate_[i], next_rate_[i], step.dt);
             double mass = h.mass;
-            for (int e : w_.structure.elements_at(int(i)))
-                if (!w_.state.broken[e]) mass += mass_at(e, int(i));
+            for (int e : w_.structure.elements_at(i))
+                if (!w_.state.broken[e]) mass += mass_at(e, i);
             const Vec3 missed =
                 (w_.trial.velocity[i].tail<3>().cross(next_S) - w_.state.velocity[i].tail<3>().cross(S) - integrated) /
                 mass;
@@ -90,6 +93,7 @@ public:
     void before_commit(const Step&) override { rate_.swap(next_rate_); }
 
     void breaks(const Break& b, std::vector<Vec6>& impulse) override {
+        listed_ = false;
         const BreakReport report = break_off(w_.structure, w_.state, b.element, b.end, impulse);
         carrier_ = report.carrier;
         host_.count_break();
@@ -105,9 +109,9 @@ public:
     }
 
     void acceleration_found() override {
-        rate_ = tried_rate_;
-        for (std::size_t i = 0; i < rate_.size(); ++i)
-            rate_[i] += w_.state.acceleration[i].tail<3>().cross(w_.state.rotation[i] * w_.state.offset_mass[i].moment);
+        for (const int i : carriers_)
+            rate_[i] = tried_rate_[i] +
+                       w_.state.acceleration[i].tail<3>().cross(w_.state.rotation[i] * w_.state.offset_mass[i].moment);
     }
 
     void started(const std::vector<Vec6>&) override {
@@ -119,7 +123,7 @@ public:
     }
 
     void save(Writer& to) const override { to(built_, rate_); }
-    void restore(Reader& from) override { from(built_, rate_); }
+    void restore(Reader& from) override { from(built_, rate_), listed_ = false; }
     bool restored(std::span<const State* const>) override {
         const std::size_t nodes = w_.structure.position().size();
         return (built_.empty() || built_.size() == nodes) && (w_.state.offset_mass.empty() || !built_.empty()) &&
@@ -145,6 +149,19 @@ private:
         return declared ? *declared : DeclaredGravity{};
     }
 
+    /// Which nodes have a mass: what is loose has one for good. A mass in the node itself neither rotates nor pulls.
+    void list_carriers() {
+        listed_ = true;
+        points_.clear(), carriers_.clear();
+        for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
+            const OffsetMass& h = w_.state.offset_mass[i];
+            const bool in_node = h.moment.isZero(0) && h.inertia.isZero(0);
+            if (h.mass != 0) (in_node ? points_ : carriers_).push_back(int(i));
+        }
+        for (std::vector<Vec3>* rates : {&rate_, &next_rate_, &tried_rate_})
+            rates->resize(w_.state.offset_mass.size(), Vec3::Zero());
+    }
+
     void renew(int node) {
         if (w_.state.offset_mass[node].mass == 0) return;
         built_.resize(w_.state.offset_mass.size(), Quat::Identity());
@@ -152,7 +169,9 @@ private:
         host_.set_offset_mass(node, offset_mass_in_space(w_.state.offset_mass[node], w_.state.rotation[node]));
     }
 
-    std::vector<Quat> built_;  ///< orientation that an offset mass has in the effective stiffness
+    bool listed_ = false;
+    std::vector<int> points_, carriers_;  ///< nodes with a mass in them; with one beside them, or with inertia
+    std::vector<Quat> built_;             ///< orientation that an offset mass has in the effective stiffness
     /// Rate of change of w x S in a step's equation of motion: of the last step, of this one, and where stresses were
     /// recovered.
     std::vector<Vec3> rate_, next_rate_, tried_rate_;
