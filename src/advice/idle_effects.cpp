@@ -6,6 +6,7 @@
 
 #include "core/text.h"
 #include "effects/contact.h"
+#include "effects/damping.h"
 #include "effects/effect_list.h"
 #include "effects/fracture.h"
 #include "effects/ground.h"
@@ -27,6 +28,7 @@ bool did_nothing(const Run& run, const std::string& effect) {
         return std::none_of(touched.begin(), touched.end(), [](auto t) { return t != 0; });
     }
     if (effect == fracture_effect) return run.breaks() == 0;
+    if (effect == damping_effect) return run.state().accumulated["damping"] == 0;
     if (effect != ground_effect) return false;
     const auto& changes = run.activations();
     return std::none_of(changes.begin(), changes.end(), [&](const auto& a) { return a.effect == effect; });
@@ -43,6 +45,14 @@ bool controlled_for_these(const Run& run, const std::vector<Idle>& idle) {
                return !e->traits().forces_vanish ||
                       std::any_of(idle.begin(), idle.end(), [&](const Idle& i) { return i.name == e->name(); });
            });
+}
+
+/// A damping that no member has is no effect of the run, and takes none of its time.
+bool damps_no_member(const Run& run) {
+    const auto lines = run.effects();
+    return !run.structure().model().declared<Damping>(damping_effect).empty() &&
+           std::none_of(lines.begin(), lines.end(),
+                        [](const PlanLine& l) { return l.name == damping_effect && l.active; });
 }
 
 std::string percent_text(double part) { return number_text(100 * part, 2) + " %"; }
@@ -65,9 +75,10 @@ std::string idle_effects(const Run& run, double seconds) {
         for (const StageTime& stage : run.stage_times())
             if (std::string_view(stage.name) == "step control")
                 parts += ", step control for them " + percent_text(stage.seconds / seconds), sum += stage.seconds;
-    if (!(sum > least_part * seconds)) return "";
-    return names + " did nothing in this run and took " + percent_text(sum / seconds) + " of its time" +
-           (parts.find(',') == std::string::npos ? "" : ": " + parts);
+    const std::string none = damps_no_member(run) ? "damping did nothing in this run: it damps no member" : "";
+    if (!(sum > least_part * seconds)) return none;
+    return (none.empty() ? "" : none + "; ") + names + " did nothing in this run and took " +
+           percent_text(sum / seconds) + " of its time" + (parts.find(',') == std::string::npos ? "" : ": " + parts);
 }
 
 }  // namespace hinge

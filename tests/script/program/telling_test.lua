@@ -12,12 +12,26 @@ local hinge_on, folder, hinge = support.scenes(arg[1])
 local function hinge_run(...) return hinge_on("run", ...) end
 local function summary() return support.json(support.read(folder .. "/out/scene/summary.json")) end
 
--- The lines of --json; each must be an object with an event. How many there are depends on how fast the machine is.
+-- What the guide says of each event of --json: the rest of its row.
+local documented = {}
+for names, rest in support.read(support.root .. "lua/guide/studies.md"):gmatch "\n| (`[%l_`, ]+`) (|[^\n]+)" do
+  for name in names:gmatch "`([%l_]+)`" do documented[name] = rest end
+end
+documented.run_ended = (documented.run_ended or ""):gsub("as `progress`", (documented.progress:gsub("%%", "%%%%")))
+
+-- The lines of --json; each must be an object with an event that the guide has. How many there are depends on how fast
+-- the machine is.
 local function events(printed)
   local list, odd = {}, nil
   for line in printed:gmatch "[^\n]+" do
     local good, object = pcall(support.json, line)
     if good and type(object) == "table" and object.event then
+      local row = documented[object.event]
+      expect(row, "the guide does not have the event %s", object.event)
+      for key in pairs(row and object or {}) do
+        expect(key == "event" or row:find(("`%s`"):format(key), 1, true), "the guide does not have %s of the event %s",
+          key, object.event)
+      end
       list[#list + 1] = object
       list[object.event] = list[object.event] or {}
       table.insert(list[object.event], object)
@@ -59,6 +73,20 @@ case("a run names effects that did nothing and cost much, not those that acted, 
     _, complaint = ended(0, "", hinge_run(falling:format(1e-4)))
     expect(not complaint:find "did nothing", "a short run:\n%s", complaint)
   end)
+
+-- A bar that rests in space, and one that is clamped at both of its ends and damped.
+local damped = falling:gsub("model:gravity.-model:ground {}", [[
+  local c, d = model:node { 0, 5, 0 }, model:node { 1, 5, 0 }
+  model:member { c, d, section = bar, material = hinge.material { E = 206e9, density = 7850 }, group = "still" }
+  model:fix { c, d }
+  model:damping { alpha = %%g, beta = %%g, group = "still" }]])
+case("damping that dissipates nothing, and damping that no member has, did nothing", function()
+  for alpha, words in pairs { [1] = "damping did nothing in this run and took %d", [0] = "it damps no member" } do
+    local _, complaint = ended(0, "", hinge_run(damped:format(alpha, 1e-4 * alpha, 0.02)))
+    local _, told = complaint:gsub("damping did nothing in this run", "")
+    expect(told == 1 and complaint:find(words), "alpha = %g:\n%s", alpha, complaint)
+  end
+end)
 
 -- Changes of state: the first of each kind is told, the others are counted --------------------------------------------
 
