@@ -46,7 +46,7 @@ case("the picture of hinge cost has every setting with an error once", function(
   settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 1 } -- no error
   settings[#settings + 1] = { values = { dt = 1, elements_per_member = 2, way = "one" }, seconds = 2, error = 0.3,
     above = true, high = math.huge }
-  settings[1].front, settings[8].front = true, true
+  settings[1].front = true -- the first line names the exact one
   require "hinge.cost.plot".draw({ inputs = inputs, settings = settings, quantities = {}, within = 0.03 },
     { plot = function(_, what) drawn = what end })
   equal(#drawn.panels, 1, "panels")
@@ -56,7 +56,7 @@ case("the picture of hinge cost has every setting with an error once", function(
     .. "blue square 5: 2 [1 4]; blue square 8: 1 [1 2]; red open circle 6: 18 [9 36]; "
     .. "red open circle 8: 19 [9.5 38]; red open square 10: 4 [2 8]; red open square 16: 0.1 [0.1 0.1]",
     "methods by colour, elements by mark, and bars")
-  equal(labels, "16: 10 us, 4 elements; 3: 20 us, 2 elements", "the front is named")
+  equal(labels, "16: 10 us, 4 elements; 3: 20 us, 2 elements", "the front and the setting of the first line are named")
   equal(lines, "blue line 3 9, 5 2, 8 1; red line dashed 6 18, 10 4, 16 0.1", "the front of each method")
   equal(legend, "one: blue circle; two: red open circle dashed; 2 elements: grey circle; 4 elements: grey square",
     "legend")

@@ -122,6 +122,26 @@ case("methods are compared by the time at equal error", function()
   equal(methods.time_at(methods.front {}, 0.1), nil, "time of no setting")
 end)
 
+case("the answer whose band reaches farthest has the error of a setting", function()
+  local function found(error)
+    return { found = { by = "order", answer = 1, error = error }, finest = 1, state = "sound" }
+  end
+  local s = { record = { answers = { near = 1.05, far = 1.04 } } }
+  require "hinge.cost.verdict".errors({ s }, {}, { near = found(0.001), far = found(0.03) })
+  equal(("%s %.3f %.3f %.3f"):format(s.worst, s.error, s.low, s.high), "far 0.040 0.010 0.070", "error and band")
+end)
+
+case("what a run will take is foretold from runs of its own method", function()
+  local inputs = { { name = "n", values = { 1, 2 }, side = { finer = "larger", ratio = 2, work = 1 } },
+    { name = "way", values = { "quick", "slow" } } }
+  local bench = require "hinge.cost.bench".open({ run = print }, {}, inputs, { perturbation = 1e-9 })
+  bench.timed = { { weight = 1, seconds = 1, values = { n = 1, way = "quick" } },
+    { weight = 2, seconds = 50, values = { n = 2, way = "slow" } } }
+  local wanted = { weight = 4, values = { n = 4, way = "quick" } }
+  function bench.growth() return 1 end
+  near(bench:estimate(wanted), 4, 1e-12, "four times the quick run, not twice the slow one")
+end)
+
 case("settings that are one and the same run stand once, without the number that changes nothing", function()
   local swing = hinge.scenario {
     accuracy = { dt = { 2e-3, 1e-3 }, integrator = { "newmark", "explicit" } },
