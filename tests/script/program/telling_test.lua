@@ -79,12 +79,14 @@ local damped = falling:gsub("model:gravity.-model:ground {}", [[
   local c, d = model:node { 0, 5, 0 }, model:node { 1, 5, 0 }
   model:member { c, d, section = bar, material = hinge.material { E = 206e9, density = 7850 }, group = "still" }
   model:fix { c, d }
-  model:damping { alpha = %%g, beta = %%g, group = "still" }]])
+  model:damping { alpha = %%g, beta = %%g, group = "still" }]]):gsub("record = false", "%0, rest = false")
 case("damping that dissipates nothing, and damping that no member has, did nothing", function()
   for alpha, words in pairs { [1] = "damping did nothing in this run and took %d", [0] = "it damps no member" } do
-    local _, complaint = ended(0, "", hinge_run(damped:format(alpha, 1e-4 * alpha, 0.02)))
+    local _, complaint = ended(0, "", hinge_run(damped:format(alpha, 1e-4 * alpha, 0.05)))
     local _, told = complaint:gsub("damping did nothing in this run", "")
-    expect(told == 1 and complaint:find(words), "alpha = %g:\n%s", alpha, complaint)
+    local wall = summary().wall_seconds -- below a second there is no time to save; about it both are right
+    if wall > 1.05 then expect(told == 1 and complaint:find(words), "alpha = %g:\n%s", alpha, complaint)
+    elseif wall < 0.95 then equal(told, 0, "a short run:\n" .. complaint) end
   end
 end)
 
