@@ -1,6 +1,5 @@
 -- One scene of tests/hard/within.lua: asked with several accuracies, and compared with a reference that is four times
 -- finer in everything than the finest setting that was chosen.
-local core = require "hinge.core"
 local accuracy = require "hinge.accuracy"
 local Runs = require "hinge.accuracy.runs"
 local statistics = require "hinge.accuracy.statistics"
@@ -10,13 +9,12 @@ local measured = {}
 local finer = 4        -- the reference, in time steps and elements
 local least_runs = 3   -- of a reference whose answers are chaotic
 local for_asking = 0.5 -- part of the scene's time
-local slowest = 40     -- the clock over the processor
 local rounding = 1e-12
 
--- What a run took and answered, with factors on the script's own steps and elements. nil where the time is over:
--- `until_then` is of the processor, and the clock may take forty times as long on a machine that others use.
+-- What a run took and answered, with factors on the script's own steps and elements. nil where the time of the
+-- processor is over.
 local function run_once(runs, factors, vary, until_then)
-  local record = runs:measure({}, factors, vary, core.clock() + slowest * (until_then - os.clock()))
+  local record = runs:measure({}, factors, vary, function() return os.clock() > until_then end)
   return record.failed ~= Runs.late and record or nil
 end
 
