@@ -156,7 +156,8 @@ function results.markdown(groups)
   for _, g in ipairs(groups) do
     local form = "| %s | %d | %s | %s | %s | %s | %s | %s | %s | %s, %s | %s, %s | %d (%s) | %d | %d | %d |"
     lines[#lines + 1] = form:format(g.name, g.scenes, share(g.reached), share(g.within), share(g.bounded),
-      quantile(g.sharp, 0.5), share(g.alone), share(g.holds), share(g.told), quantile(g.costs, 0.5), quantile(g.costs, 0.9),
+      quantile(g.sharp, 0.5), share(g.alone), share(g.holds), share(g.told), quantile(g.costs, 0.5),
+      quantile(g.costs, 0.9),
       quantile(g.slow_costs, 0.5), quantile(g.slow_costs, 0.9), g.open or 0, share(g.open_near),
       g.zero or 0, g.none or 0, g.untold)
   end
