@@ -70,7 +70,7 @@ end
 -- The runs of a script that it never asked for their verdict fail all of it, if they failed; so does the last one, and
 -- one that goes on from a run that did.
 local function judge(result, facts, reason, is_last)
-  if facts.verdict == "failed" and (is_last or not facts.asked) then result.failed = result.failed or reason end
+  if facts.verdict == "failed" and (is_last or not facts.asked) then result.failed = reason end
 end
 
 --- Calls f, which runs a scenario or a script, with what core.change_runs takes in `changes`, or without the effect or
