@@ -10,9 +10,9 @@ local least = { peak_mm = 0.05, end_mm = 0.05, kinetic_J = 0.01 }
 
 local function draw(seed)
   local d = random.draws(seed, 7)
-  local chain = { bars = {}, dt = d.pick { 5e-4, 1e-3 }, periods = d.number(1.5, 6) }
-  for i = 1, d.whole(2, 3) do
-    chain.bars[i] = { length = d.number(0.2, 0.6), angle = d.number(-0.5, 1.2), thick = d.number(0.02, 0.04) }
+  local chain = { bars = {}, dt = d.pick { 1e-3, 2e-3 }, periods = d.number(2, 6) }
+  for i = 1, 2 do
+    chain.bars[i] = { length = d.number(0.2, 0.4), angle = d.number(0.2, 1.5), thick = d.number(0.02, 0.04) }
   end
   return chain
 end
