@@ -150,7 +150,8 @@ local function told_of(o, runs, search, found)
     checked = found.checked and knobs.words(all, found.checked, ladders:at(found.checked)),
     answers = report.answers(all, found, search), notes = notes_of(search, chosen), elapsed = runs:elapsed(),
     seconds = found.seconds, runs = found.runs, own = found.own, half = forecast.half(search, found),
-    folder = runs.folder, integrator = runs.integrator, printed = o.measured_only and "" or runs:printed() }
+    folder = runs.folder, integrator = runs.integrator, warnings = chosen.warnings or {},
+    printed = o.measured_only and "" or runs:printed() }
   if told.half then told.half.seconds = told.half.seconds * math.max(1, told.elapsed / found.seconds) end
   for _, knob in ipairs(all) do told.values[knob.name] = knob.value(found.chosen[knob.name]) end
   told.broken = broken.of(records_for_broken(search, found))
@@ -178,7 +179,7 @@ function accuracy.run(o)
   local problem = problem_of(o, runs, tell, first, all, corner)
   local search = Search.new(problem)
   problem.search = search
-  search:begin_with(first)
+  search:begin_with(first, knobs.of_first(all, corner))
   if not o.budget then
     local own = first.seconds
     for _, knob in ipairs(all) do own = own * 2 ^ -math.min(0, corner[knob.name]) end

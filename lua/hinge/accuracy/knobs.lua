@@ -85,6 +85,15 @@ end
 
 knobs.first_step = first_step
 
+--- Levels of the run that tells what there is to vary: the corner's, with the script's own elements.
+function knobs.of_first(all, corner)
+  local levels = {}
+  for _, knob in ipairs(all) do
+    levels[knob.name] = knob.name == "elements" and not knob.parameter and 0 or corner[knob.name]
+  end
+  return levels
+end
+
 --- The parameters of a setting, and its factors for changes.of.
 function knobs.apply(all, levels)
   local parameters, factors = {}, {}

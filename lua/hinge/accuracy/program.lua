@@ -26,8 +26,7 @@ function program.main(options)
         .. "--sandbox if you trust the script; if not, run it in the sandbox with two values of a parameter, such as "
         .. "dt=1e-3 and dt=5e-4, and compare the answers", options.within)
     end
-    local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
-      "a part above 0, such as 2% or 0.02")
+    local within = values.accuracy("--within", options.within)
     local budget = values.time("--budget", options.budget)
     files.watch()
     local scenario = accuracy.load(options)

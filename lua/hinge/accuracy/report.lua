@@ -92,7 +92,8 @@ local function names_of(told)
   for _, a in ipairs(told.answers) do
     local is_missed = not (a.error <= told.asked)
     if is_missed then missed[#missed + 1] = a.name end
-    local matters = a.given and a.given * told.asked or is_missed and "DIFFERENCE"
+    local whole = math.type(a.value) == "integer" and 1 -- of what is counted
+    local matters = a.given and a.given * told.asked or is_missed and (whole or "DIFFERENCE")
     if type(matters) == "number" then matters = ("%g"):format(matters) end
     all[#all + 1] = a.name .. (matters and ":" .. matters or "")
   end
@@ -135,8 +136,9 @@ function report.lines(told)
   end
   for _, line in ipairs(broken.lines(told.broken)) do lines[#lines + 1] = line end
   for _, note in ipairs(told.notes) do lines[#lines + 1] = "note: " .. note end
+  for _, warning in ipairs(told.warnings) do lines[#lines + 1] = "warning: " .. warning end
   local missed, all = names_of(told)
-  if #missed > 0 and #missed < #all then
+  if #missed > 0 and #all > 1 then
     lines[#lines + 1] = "to leave an answer out, or to say which difference does not matter: --answers "
       .. table.concat(all, ",")
   end

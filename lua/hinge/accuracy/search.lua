@@ -61,10 +61,10 @@ function Search:run(levels, vary, chosen)
   return record
 end
 
---- Takes a run of the coarsest setting that has been made already.
-function Search:begin_with(record)
-  record.levels = self.ladders.corner
-  self.ladders:keep(self.ladders.corner, 0, record)
+--- Takes a run of these levels that has been made already.
+function Search:begin_with(record, levels)
+  record.levels = levels
+  self.ladders:keep(levels, 0, record)
   self.runs, self.seconds, self.work = 1, record.seconds, record.work or record.seconds
 end
 

@@ -62,7 +62,7 @@ local function harvest(result, histories, facts, run)
     result.longest = { steps = run.planned_steps, time = run.time }
   end
   result.runs[#result.runs + 1] = { kind = run.kind, ended = run.kind == "dynamic" and run.time or run.factor,
-    dt = run.dt, steps = run.index, elements = facts.elements, members = facts.members, broken = facts.broken,
+    dt = facts.dt, steps = run.index, elements = facts.elements, members = facts.members, broken = facts.broken,
     groups = facts.groups }
   result.strain_limits = result.strain_limits or facts.strain_limits
 end

@@ -11,8 +11,7 @@ local program = {}
 -- program's exit status.
 function program.main(options)
   return runner.guard(function()
-    local within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
-      "a part above 0, such as 1% or 0.01")
+    local within = values.accuracy("--within", options.within)
     local budget = values.time("--budget", options.budget)
     files.watch()
     local scenario = runner.load(options.script, options.overrides)

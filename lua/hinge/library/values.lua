@@ -131,6 +131,14 @@ function values.quantity(option, text, units, allowed)
   return number * units[unit]
 end
 
+--- An accuracy: a part of an answer, below 1.
+function values.accuracy(option, text)
+  local allowed = "a part above 0 and below 1, such as 2% or 0.02"
+  local part = values.quantity(option, text, { [""] = 1, ["%"] = 0.01 }, allowed)
+  if part and part >= 1 then check.fail("%s %s: must be %s", option, text, allowed) end
+  return part
+end
+
 --- The seconds of an option.
 function values.time(option, text)
   return values.quantity(option, text, { [""] = 1, s = 1, min = 60, h = 3600 },

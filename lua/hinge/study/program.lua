@@ -138,8 +138,7 @@ end
 -- What --within asks for: { within =, budget =, answers =, where = for messages }; nil without it.
 local function within_of(options)
   if not options.within then return nil end
-  return { within = values.quantity("--within", options.within, { [""] = 1, ["%"] = 0.01 },
-    "a part above 0, such as 2% or 0.02"), budget = values.time("--budget", options.budget),
+  return { within = values.accuracy("--within", options.within), budget = values.time("--budget", options.budget),
     answers = answers.read("--answers", options.answers), where = "--within " .. options.within }
 end
 

@@ -9,6 +9,7 @@
 #include "effects/removal.h"
 #include "model/model.h"
 #include "record/chain.h"
+#include "run/dynamics.h"
 #include "script/bind/run_box.h"
 #include "script/lua/lua_calls.h"
 
@@ -72,13 +73,14 @@ bool is_removed(const Model& model, int member) {
 
 /// core.facts(run): { elements =, members = how many, broken = numbers of the members that have broken, without those
 /// that the script removes, groups = { number = the first group of such a member }, strain_limits = true if a limit of
-/// fracture is a strain, which goes with the length of elements, verdict =, asked = whether the script has read it }.
+/// fracture is a strain, which goes with the length of elements, verdict =, asked = whether the script has read it, dt = the step that was asked for (s) or nil }.
 /// This does not count as reading it.
 int facts(lua_State* L) {
     const auto r = run_argument(L, 1, "facts: this");
     const Structure& structure = r->run->structure();
     const Model& model = structure.model();
-    lua_createtable(L, 0, 7);
+    lua_createtable(L, 0, 8);
+    if (const Dynamics* d = r->run->dynamics()) lua_pushnumber(L, d->settings().dt), lua_setfield(L, -2, "dt");
     lua_pushstring(L, name(verdict_of(*r))), lua_setfield(L, -2, "verdict");
     lua_pushboolean(L, context(L)->runs.asked.count(r->number) > 0), lua_setfield(L, -2, "asked");
     lua_pushinteger(L, lua_Integer(structure.elements().size())), lua_setfield(L, -2, "elements");

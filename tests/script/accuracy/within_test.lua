@@ -135,6 +135,23 @@ case("what the script prints is that of the last chosen run, also in a later cal
   end
 end)
 
+case("a script of four elements a member begins with two, and each number of elements has a run", function()
+  local four = support.read(folder .. "/lost.lua"):gsub("hinge.model {}", "hinge.model { elements_per_member = 4 }")
+  support.write(folder .. "/four.lua", four)
+  hinge_run "run four.lua --within 10% --answers sag_mm --out four"
+  local steps = {}
+  for line in io.lines(folder .. "/four/accuracy/finished.lua") do
+    local f = load("return " .. line)
+    local entry = f and f()
+    local run = entry and entry.record.runs[#entry.record.runs]
+    if run then steps[run.elements] = (steps[run.elements] or 0) + 1 end
+  end
+  expect(steps[10] and steps[10] >= 2 and steps[20], "runs with 10 and 20 elements: %s, %s", steps[10], steps[20])
+  local told = summary_of("four").accuracy
+  expect(not told.answers.sag_mm.basis:find "no change in elements", "basis: %s", told.answers.sag_mm.basis)
+  holds("four", 0.1, told)
+end)
+
 case("a second call takes the runs of the first", function()
   local r = hinge_run "run shaken.lua --within 1% --out shaken"
   equal(r.status, 0, "status: " .. r.stderr)
@@ -205,6 +222,7 @@ case("what is wrong on the command line is named", function()
     ["run shaken.lua --within 2%% --answers top"] = "unknown answer 'top'",
     ["run shaken.lua --within 2%% --answers roof_mm:much"] = "roof_mm:much must be NAME or NAME:DIFFERENCE",
     ["run shaken.lua --within 2%% --answers roof_mm:-1"] = "a difference that does not matter",
+    ["run shaken.lua --within 5"] = "--within 5: must be a part above 0 and below 1",
     ["run shaken.lua --within much"] = "--within much: must be a part above 0",
     ["run shaken.lua --budget 5"] = "--within",
     ["study shaken.lua x=1,2 --within 2%% --case 2"] = "the same command with --list or --slurm",
