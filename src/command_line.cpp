@@ -328,8 +328,8 @@ void add_render(CLI::App& app, Request& request) {
     text("--view", "view", "Where the eye is: front, back, left, right, top, iso or perspective", "NAME");
     text("--from", "from", "Direction from the scene to the eye instead, such as -1,-1.4,0.55", "X,Y,Z");
     text("--show", "show",
-         "Colours by f_y (the default), group, or broken (in how many of the runs that asking for an accuracy made), or none; or a "
-         "diagram of N, Qx, Qy, Mx, My or Mz along the members",
+         "Colours by f_y (the default), group, or broken (in how many of the runs that asking for an accuracy made), "
+         "or none; or a diagram of N, Qx, Qy, Mx, My or Mz along the members",
          "WHAT");
     text("--scale", "scale", "Magnify displacements so many times; auto: so that the largest can be seen", "K");
     flag("--ghost", "ghost", "Draw the shape at the start, too, in grey");

@@ -73,8 +73,8 @@ bool is_removed(const Model& model, int member) {
 
 /// core.facts(run): { elements =, members = how many, broken = numbers of the members that have broken, without those
 /// that the script removes, groups = { number = the first group of such a member }, strain_limits = true if a limit of
-/// fracture is a strain, which goes with the length of elements, verdict =, asked = whether the script has read it, dt = the step that was asked for (s) or nil }.
-/// This does not count as reading it.
+/// fracture is a strain, which goes with the length of elements, verdict =, asked = whether the script has read it, dt
+/// = the step that was asked for (s) or nil }. This does not count as reading it.
 int facts(lua_State* L) {
     const auto r = run_argument(L, 1, "facts: this");
     const Structure& structure = r->run->structure();

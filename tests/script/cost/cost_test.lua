@@ -495,7 +495,7 @@ return hinge.scenario {
       "folder of %s: %s%s", arguments, printed, complaint)
   end
   for arguments, message in pairs {
-    [" --within much"] = "hinge: --within much: must be a part above 0, such as 1% or 0.01\n",
+    [" --within much"] = "hinge: --within much: must be a part above 0 and below 1, such as 2% or 0.02\n",
     [" --budget 3x"] = "hinge: --budget 3x: must be a time above 0, such as 60s, 5min or 1h\n",
     [" --quantity w"] = "...hinge.cost: quantity: unknown quantity 'w'; there are v\n",
     [" --case near"] = "...unknown case 'near'...",
