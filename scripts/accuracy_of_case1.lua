@@ -273,7 +273,7 @@ local function tasks_of(p)
 end
 
 return hinge.scenario {
-  parameters = { data = "scripts/accuracy_of_case1.csv", runs = 5, few = 3, duration = 0.25, -- s
+  parameters = { data = "scripts/accuracy_of_case1.csv", runs = 8, few = 3, duration = 0.25, -- s
     draw = 0 }, -- 1: no run, only the table and the picture
   run = function(p, job)
     local rows = read(p.data)

@@ -37,7 +37,7 @@ end
 local bounds = { within = 0.95, bounded = 0.95, holds = 0.8 }
 
 -- The population's seeds with the least time, as they were measured.
-local quickest = { 1, 12, 14, 17, 18, 23, 24, 38, 49, 50, 53, 62, 64, 67, 69, 75, 101, 103, 106, 28 }
+local quickest = { 1, 12, 23, 38, 49, 50, 53, 62, 64, 69, 75, 101, 106, 138, 139, 151, 158, 169, 176, 201 }
 
 if options.quick then options.asked = 5 end
 local asked = {}
