@@ -5,6 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local hinge = require "hinge"
+local accuracy = require "hinge.accuracy"
 local changes = require "hinge.accuracy.changes"
 local measure = require "hinge.cost.measure"
 local checks = support.checks "accuracy_within"
@@ -201,6 +202,14 @@ case("a failed run whose verdict the script reads leaves the answers, another on
   local read, unread = measured(true), measured(false)
   expect(not read.failed and read.answers.top_mm > 0, "a verdict that was read: %s", read.failed)
   expect(unread.failed, "a verdict that was not read")
+end)
+
+case("where the time ends with the first run, that run is told", function()
+  local path = folder .. "/shaken.lua"
+  local scenario = hinge.scenario { run = function() return dofile(path) end }
+  local told, why = accuracy.run { script = path, scenario = scenario, overrides = {}, parameters = {},
+    out = folder .. "/short", out_given = true, within = 0.02, measured_only = true, longest = 1e-6 }
+  expect(told and not told.reached and told.answers[1].value, "told: %s", why)
 end)
 
 case("a shorter step is one of a stricter step control", function()
