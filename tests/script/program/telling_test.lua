@@ -82,7 +82,7 @@ local damped = falling:gsub("model:gravity.-model:ground {}", [[
   model:damping { alpha = %%g, beta = %%g, group = "still" }]]):gsub("record = false", "%0, rest = false")
 case("damping that dissipates nothing, and damping that no member has, did nothing", function()
   for alpha, words in pairs { [1] = "damping did nothing in this run and took %d", [0] = "it damps no member" } do
-    local _, complaint = ended(0, "", hinge_run(damped:format(alpha, 1e-4 * alpha, 0.05)))
+    local _, complaint = ended(0, "", hinge_run(damped:format(alpha, 1e-4 * alpha, 0.08)))
     local _, told = complaint:gsub("damping did nothing in this run", "")
     local wall = summary().wall_seconds -- below a second there is no time to save; about it both are right
     if wall > 1.05 then expect(told == 1 and complaint:find(words), "alpha = %g:\n%s", alpha, complaint)
