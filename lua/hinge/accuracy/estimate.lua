@@ -10,9 +10,15 @@
 local compare = require "hinge.cost.compare"
 
 local estimate = {}
+
+--- The rest of a series of the second order with halved steps, over its last change, with that change.
+estimate.rest_of_second_order = 4 / 3
+--- Roache's factor of safety without an observed order.
+estimate.careful = 3
+
 local least_order = 0.5  -- below it the rest of the series would be longer than what was seen
 local beyond_theory = 0.5 -- an order that is higher than the theory by more is chance
-local careful = 3        -- Roache's factor of safety without an observed order
+local careful = estimate.careful
 local usual = 1.25       -- and with one that is near the theory
 local repeated = 2       -- and with a lower one that is seen twice
 local near = 0.75        -- of the order in theory

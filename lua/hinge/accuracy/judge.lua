@@ -2,14 +2,14 @@
 -- tell the error of all knobs together. Where there are no three of them, the ladders' errors add up, and a check shows
 -- whether they hold.
 local compare = require "hinge.cost.compare"
+local estimate = require "hinge.accuracy.estimate"
 local statistics = require "hinge.accuracy.statistics"
 local Ladders = require "hinge.accuracy.ladders"
 local with = Ladders.with
 
 local judge = {}
 
-local rest = 4 / 3   -- of a series of the second order with halved steps
-local careful = 3    -- the factor of safety where nothing shows an order, see estimate.lua
+local rest, careful = estimate.rest_of_second_order, estimate.careful
 local irregular = 1.5 -- times what the line's largest change says, where it shows no order
 -- Times the work of the chosen run: where a check would make the search cost more, its first knob is coarser. Runs take
 -- more than their steps; asking then costs about four times the chosen run.

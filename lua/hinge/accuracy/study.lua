@@ -7,6 +7,7 @@ local changes = require "hinge.accuracy.changes"
 local check = require "hinge.library.check"
 local compare = require "hinge.cost.compare"
 local core = require "hinge.core"
+local estimate = require "hinge.accuracy.estimate"
 local files = require "hinge.study.files"
 local job = require "hinge.program.job"
 local knobs = require "hinge.accuracy.knobs"
@@ -17,7 +18,6 @@ local vary = require "hinge.study.vary"
 
 local study = {}
 local sampled = 3 -- cases that are checked
-local rest = 4 / 3 -- of a series of the second order with halved steps
 
 -- The study's folder. It is not taken yet: the runs of the choice leave nothing in it but their measurements.
 local function folder_of(what)
@@ -125,7 +125,8 @@ local function error_of(what, one, choice)
   if not own or not better or own.failed or better.failed then return nil end
   local most, worst = 0, nil
   for _, answer in ipairs(choice.answers) do
-    local error = answer.chaotic and 0 or rest * compare.error(own.answers[answer.name], better.answers[answer.name])
+    local error = answer.chaotic and 0
+      or estimate.rest_of_second_order * compare.error(own.answers[answer.name], better.answers[answer.name])
     if not worst or not (error <= most) then most, worst = error, answer.name end
   end
   return most, worst
