@@ -1,5 +1,5 @@
--- Joints and connectors that turn by more than a turn: the rotation is counted, the moment follows from it, and the axes
--- that are held stay held.
+-- Joints and connectors that turn by more than a turn: the rotation is counted, the moment follows from it, and the
+-- axes that are held stay held.
 --
 -- Run: lua5.4 tests/script/joints/turns_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
