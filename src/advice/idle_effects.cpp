@@ -1,7 +1,6 @@
 #include "advice/idle_effects.h"
 
 #include <algorithm>
-#include <string_view>
 #include <vector>
 
 #include "core/text.h"
@@ -34,19 +33,6 @@ bool did_nothing(const Run& run, const std::string& effect) {
     return std::none_of(changes.begin(), changes.end(), [&](const auto& a) { return a.effect == effect; });
 }
 
-/// Step control that is there for forces that may vanish, and for nothing that did something (calls_for_control in
-/// run/step_length.cpp).
-bool controlled_for_these(const Run& run, const std::vector<Idle>& idle) {
-    const DynamicSettings& settings = run.dynamics()->settings();
-    if (!settings.controlled_by_default || settings.automatic || run.structure().can_yield()) return false;
-    const auto& all = run.effect_list().all;
-    return run.effect_list().any(&EffectTraits::forces_vanish) &&
-           std::all_of(all.begin(), all.end(), [&](const auto& e) {
-               return !e->traits().forces_vanish ||
-                      std::any_of(idle.begin(), idle.end(), [&](const Idle& i) { return i.name == e->name(); });
-           });
-}
-
 /// A damping that no member has is no effect of the run, and takes none of its time.
 bool damps_no_member(const Run& run) {
     const auto lines = run.effects();
@@ -71,10 +57,6 @@ std::string idle_effects(const Run& run, double seconds) {
         parts += (i == 0 ? "" : ", ") + idle[i].name + " " + percent_text(idle[i].seconds / seconds);
         sum += idle[i].seconds;
     }
-    if (!idle.empty() && controlled_for_these(run, idle))
-        for (const StageTime& stage : run.stage_times())
-            if (std::string_view(stage.name) == "step control")
-                parts += ", step control for them " + percent_text(stage.seconds / seconds), sum += stage.seconds;
     const std::string none = damps_no_member(run) ? "damping did nothing in this run: it damps no member" : "";
     if (!(sum > least_part * seconds)) return none;
     return (none.empty() ? "" : none + "; ") + names + " did nothing in this run and took " +

@@ -346,16 +346,26 @@ Energy Dynamics::energy_of_trial() {
     return energy;
 }
 
+/// Whether one of the effects whose forces may vanish has something to do, or may have.
+bool Dynamics::effects_act() const {
+    const auto acts = [&](const std::unique_ptr<Effect>& e) {
+        if (!e->traits().forces_vanish || sleepers_.asleep(*e)) return false;
+        const auto breaks_by_strain = [&](const InRole<Breaker>& b) { return b.effect == e.get() && b->by_strain(); };
+        return breaks() > 0 || std::none_of(effects_->breakers.begin(), effects_->breakers.end(), breaks_by_strain);
+    };
+    return std::any_of(effects_->all.begin(), effects_->all.end(), acts);
+}
+
 /// Step control: whether the step is kept.
 void Dynamics::control_step() {
-    LargestEnergy& largest = energy_check_.largest();
-    step_.failure = length_.refuse([this] { return energy_of_trial(); }, accounts_, largest,
-                                   [&] {
-                                       const double error = energy().error;  // of a state that is kept, seen only now
-                                       if (largest.most() > 0)
-                                           energy_check_.note_error(error / largest.most(), state_.time);
-                                       return error;
-                                   });
+    const auto error_before = [&] {  // of a state that is kept, seen only now
+        const double error = energy().error, most = energy_check_.largest().most();
+        if (most > 0) energy_check_.note_error(error / most, state_.time);
+        return error;
+    };
+    length_.begin_control([this] { return effects_act(); }, [this] { return energy().error; });
+    step_.failure =
+        length_.refuse([this] { return energy_of_trial(); }, accounts_, energy_check_.largest(), error_before);
 }
 
 }  // namespace hinge

@@ -92,6 +92,7 @@ private:
     bool correct();
     void recover_last();
     void end_contacts();
+    bool effects_act() const;
     void control_step();
     void decide_breaks();
     void commit();

@@ -143,7 +143,7 @@ double StepControl::known_loss(double left, const StepSize& size) const {
     return std::min(rate_ * units, rate_share * std::max(0.0, left) * units / rest);
 }
 
-void StepControl::start_from_known(double error) {
+void StepControl::begin_from(double error) {
     kept_error_ = error;
     since_ = since_units_ = 0;
     between_ = 1;

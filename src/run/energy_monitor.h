@@ -140,13 +140,14 @@ public:
                    Before before) {
         const Failure why = compare(energy, accounts, largest, size);
         if (!why || since_ == 0) return why;
-        start_from_known(before());  // the steps that were not checked are kept, and each one is checked now
+        begin_from(before());  // the steps that were not checked are kept, and each one is checked now
         return compare(energy, accounts, largest, size);
     }
     void skip(StepSize& size);
     /// The energy error of the last step that was checked and kept, as a part of the largest energy; 0 while that
     /// still grows fast.
     double kept_share() const { return kept_share_; }
+    void begin_from(double error);    ///< the steps so far are kept, and the coming ones are checked
     void start_from(double error);    ///< what a break left in the balance is no step's
     void leave_behind(double error);  ///< the same, where only its change is known, J
     template <class Self, class A>
@@ -156,7 +157,6 @@ public:
 
 private:
     Failure compare(const Energy& energy, const AccountList& accounts, LargestEnergy& largest, StepSize& size);
-    void start_from_known(double error);
     double tolerance(const StepSize& size) const;
     double known_loss(double left, const StepSize& size) const;
 

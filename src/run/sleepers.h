@@ -29,6 +29,12 @@ public:
             }
         }
     }
+    /// Whether that effect sleeps, and has nothing to do in the step that is tried.
+    bool asleep(const Effect& effect) const {
+        for (std::size_t i = 0; i < list_.size(); ++i)
+            if (list_[i].effect == &effect) return !sleeps_[i].awake && !list_[i]->busy();
+        return false;
+    }
     /// Whether what was read from a checkpoint fits the effects.
     bool fits() const { return sleeps_.size() == list_.size(); }
 

@@ -62,7 +62,8 @@ StepLength::StepLength(const DynamicSettings& s, const Workspace& w)
       automatic_(s.automatic),
       controls_(s.controlled()),
       size_(s.dt, s.duration, s.automatic, s.controlled(), w.state.time),
-      control_(s.step_control, s.controlled_by_default) {
+      control_(s.step_control, s.controlled_by_default),
+      begun_(s.automatic || !s.controlled_by_default || (built::plasticity && w.structure.can_yield())) {
     if (!control_.by_default()) return;
     lumped_.assign(w.structure.position().size(), 0);
     for (const Element& e : w.structure.elements())
@@ -117,7 +118,7 @@ Failure StepLength::rotation_too_large() const {
 
 double StepLength::commit(double begin, double dt) {
     size_.count_step();
-    if (control_.by_default()) motions_.insert(motions_.begin(), motion_), motions_.resize(2, motion_);
+    if (control_.by_default() && begun_) motions_.insert(motions_.begin(), motion_), motions_.resize(2, motion_);
     return automatic_ || (control_.on() && !control_.by_default()) ? size_.end() : begin + dt;
 }
 

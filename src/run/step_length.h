@@ -32,12 +32,21 @@ public:
     /// Where the step is taken back: all as it was before.
     void restore(const StepSize& before) { size_ = before; }
 
+    /// Before the step that was tried is kept. By default an abrupt motion calls for its balance from the first step on
+    /// in which something yields, or one of the effects acts whose forces may vanish: before that it hides no loss.
+    /// `acts`: asked for that; `error`: as for refuse.
+    template <class Acts, class Error>
+    void begin_control(Acts acts, Error error) {
+        if (begun_ || !acts()) return;
+        begun_ = true;
+        control_.begin_from(error());
+    }
     /// Why the step that was tried is not kept, or none. `energy`: called for the energy where it ends; `error`: for
     /// the error of the balance where it begins, J.
     template <class Energies, class Error>
     Failure refuse(Energies energy, const AccountList& accounts, LargestEnergy& largest, Error error) {
         if (const Failure turned = rotation_too_large()) return turned;
-        skipped_ = !control_.due(control_.by_default() && is_abrupt(largest.most()), size_);
+        skipped_ = !control_.due(control_.by_default() && begun_ && is_abrupt(largest.most()), size_);
         if (skipped_) return {};
         return control_.refuse(energy(), accounts, largest, size_, error);
     }
@@ -57,7 +66,7 @@ public:
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.size_, s.control_, s.motions_);
+        a(s.size_, s.control_, s.motions_, s.begun_);
     }
 
 private:
@@ -72,6 +81,7 @@ private:
     std::vector<double> motions_;  ///< J, motion_of_trial() of the last two steps; with control by default
     double motion_ = 0;            ///< J, of the step that is tried
     bool skipped_ = false;
+    bool begun_;                  ///< step control has
     std::vector<double> lumped_;  ///< kg, at each node
 };
 

@@ -142,7 +142,8 @@ function model:dynamic(options) end
 ---"elastic_and_plastic", whose energy balance cannot close. 0: every step is kept, and a step that cannot be solved
 ---ends the run. Default with newmark, if dt = "auto", if members can yield or if forces can begin or end suddenly
 ---(contact, ground, fracture, connectors that break, loads that are functions of the state): 0.001, in a milder form.
----The balance is checked when the motion changes abruptly, else every 1 to 32 steps. Half of the 0.001 may be lost at
+---The balance is checked when the motion changes abruptly, else every 1 to 32 steps. Where no member can yield, abrupt
+---changes count from the first step on in which one of these acts. Half of the 0.001 may be lost at
 ---any time. Shorter steps may lose more (dt / 8: 0.002, dt / 64: 0.005). While the energy of the run still comes in,
 ---the error may come to 0.005. What dt / 64 still loses is kept, up to an energy error of 0.01; beyond that the run
 ---fails, whatever energy_tolerance is. While no step is undone, no bit changes. Default with energy-momentum: 0.01,
