@@ -1,7 +1,9 @@
 #include "algebra/condensed.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "algebra/blocks.h"
 #include "algebra/unfused.h"
@@ -152,19 +154,65 @@ void Condensed<Number>::lay_out() {
                 place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
         }
     }
+    lay_out_couplings();
     red_.clear();
     black_.clear();
     staying_.clear();
     going_.clear();
     for (int i = 0; i < int(between_.size()); ++i)
         if (!between_[i].excluded && takes_part(between_[i].node)) going_.push_back(i);
+    std::vector<char> is_red(places, 0);
+    const auto stays_red = [&](int p) {  // what is coupled stays so where nothing it is coupled with does
+        if (p >= joints_ || colour_[p] != Colour::red) return false;
+        if (coupled_begin_.empty()) return true;
+        return std::none_of(&coupled_column_[coupled_begin_[p]], &coupled_column_[coupled_begin_[p + 1]],
+                            [&](int column) { return is_red[column]; });
+    };
     for (int p = 0; p < places; ++p) {
         if (!takes_part(order_[p])) continue;
         staying_.push_back(p);
-        const bool red = p < joints_ && colour_[p] == Colour::red &&
-                         !std::binary_search(coupled_.begin(), coupled_.end(), order_[p]);
-        (red ? red_ : black_).push_back(p);
+        is_red[p] = stays_red(p);
+        (is_red[p] ? red_ : black_).push_back(p);
     }
+}
+
+/// The pattern of the rows of couplings and bridges.
+template <class Number>
+void Condensed<Number>::lay_out_couplings() {
+    coupled_begin_.clear(), coupled_column_.clear();
+    if (coupled_.empty()) return;
+    using Entry = std::array<int, 3>;  // row, whether it lies beside the diagonal, column
+    std::vector<Entry> entries;
+    const auto join = [&](int a, int b) {
+        const int p = place_[a], q = place_[b];
+        entries.insert(entries.end(), {{p, 0, p}, {p, 1, q}, {q, 0, q}, {q, 1, p}});
+    };
+    for (const Coupling& c : couplings_) join(c.a, c.b);
+    for (const Bridge& b : bridges_) join(b.a, b.b);
+    std::sort(entries.begin(), entries.end());
+    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
+    coupled_begin_.assign(order_.size() + 1, 0);
+    for (const Entry& e : entries) ++coupled_begin_[e[0] + 1], coupled_column_.push_back(e[2]);
+    std::partial_sum(coupled_begin_.begin(), coupled_begin_.end(), coupled_begin_.begin());
+    take_values();
+}
+
+/// The blocks of couplings and bridges.
+template <class Number>
+void Condensed<Number>::take_values() {
+    coupled_value_.assign(36 * coupled_column_.size() + 2, 0);
+    for (const Coupling& c : couplings_) {
+        add_block(c.a, c.a, c.K.topLeftCorner<6, 6>()), add_block(c.a, c.b, c.K.topRightCorner<6, 6>());
+        add_block(c.b, c.a, c.K.bottomLeftCorner<6, 6>()), add_block(c.b, c.b, c.K.bottomRightCorner<6, 6>());
+    }
+    for (const Bridge& b : bridges_) add_block(b.a, b.b, b.K), add_block(b.b, b.a, b.K.transpose());
+}
+
+template <class Number>
+void Condensed<Number>::add_block(int a, int b, const Mat6& block) {
+    int k = coupled_begin_[place_[a]];
+    while (coupled_column_[k] != place_[b]) ++k;
+    Eigen::Map<Mat6>(&coupled_value_[36 * std::size_t(k)]) += block;
 }
 
 template <class Number>
@@ -178,7 +226,7 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
                                        [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
     couplings_ = couplings;
-    if (same_nodes) return;
+    if (same_nodes) return take_values();
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());
@@ -194,7 +242,6 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
         nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
         changed.insert(changed.end(), nodes.begin(), nodes.end());
     }
-    if (nodes == coupled_) return;
     coupled_ = std::move(nodes);
     bridges_.clear();
     for (int node : coupled_)
@@ -252,12 +299,8 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
 template <class Number>
 void Condensed<Number>::renew_inverse(int place) {
     Mat6 own = get(&value_[36 * std::size_t(row_begin_[place])]);
-    const int node = order_[place];
-    if (!coupled_.empty() && std::binary_search(coupled_.begin(), coupled_.end(), node))
-        for (const Coupling& c : couplings_) {
-            if (c.a == node) own += c.K.template block<6, 6>(0, 0);
-            if (c.b == node) own += c.K.template block<6, 6>(6, 6);
-        }
+    if (!coupled_begin_.empty() && coupled_begin_[place] < coupled_begin_[place + 1])
+        own += Eigen::Map<const Mat6>(&coupled_value_[36 * std::size_t(coupled_begin_[place])]);
     put(&inverse_[36 * std::size_t(place)], inverse_by_halves(own));
 }
 
@@ -279,8 +322,22 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
     });
-    for (Bridge& b : bridges_)
-        if (std::binary_search(nodes.begin(), nodes.end(), b.middle)) b.K = parts.bridge(b.first, 0);
+    for (Bridge& b : bridges_) {
+        if (!std::binary_search(nodes.begin(), nodes.end(), b.middle)) continue;
+        const Mat6 K = parts.bridge(b.first, 0);
+        add_block(b.a, b.b, K - b.K), add_block(b.b, b.a, (K - b.K).transpose());
+        b.K = K;
+    }
+}
+
+/// Adds a row's product with x, from that entry of it on.
+template <class Number>
+inline void Condensed<Number>::add_row(Row& row, int place, int from, const double* x) const {
+    for (int k = row_begin_[place] + from; k < row_begin_[place + 1]; ++k)
+        row.add(&value_[36 * std::size_t(k)], &x[stride * column_[k]]);
+    if (coupled_begin_.empty()) return;
+    for (int k = coupled_begin_[place] + from; k < coupled_begin_[place + 1]; ++k)
+        row.add(&coupled_value_[36 * std::size_t(k)], &x[stride * coupled_column_[k]]);
 }
 
 /// r: the right side without the nodes between.
@@ -323,8 +380,7 @@ void Condensed<Number>::follow(double alpha) {
             const int p = red_[i];
             store(&x_[stride * p], load(&x_[stride * p]) + alpha * load(&d_[stride * p]));
             Row row;
-            for (int k = row_begin_[p] + 1; k < row_begin_[p + 1]; ++k)
-                row.add(&value_[36 * std::size_t(k)], &d_[stride * column_[k]]);
+            add_row(row, p, 1, d_.data());
             double sum[8];
             store(sum, row.sum());
             store(&d_[stride * p], -times(&inverse_[36 * std::size_t(p)], sum));
@@ -335,36 +391,17 @@ void Condensed<Number>::follow(double alpha) {
 /// q = S d on the black nodes; returns d . q.
 template <class Number>
 double Condensed<Number>::multiply() {
-    double dot = pool_.sum(int(black_.size()), piece, [&](int first, int end) {
+    return pool_.sum(int(black_.size()), piece, [&](int first, int end) {
         Wide product{};
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
             Row row;
-            for (int k = row_begin_[p]; k < row_begin_[p + 1]; ++k)
-                row.add(&value_[36 * std::size_t(k)], &d_[stride * column_[k]]);
+            add_row(row, p, 0, d_.data());
             store(&q_[stride * p], row.sum());
             product += six * row.sum() * load(&d_[stride * p]);
         }
         return sum(product);
     });
-    for (const Coupling& c : couplings_) {
-        const int a = place_[c.a], b = place_[c.b];
-        Vec12 v;
-        v << Eigen::Map<const Vec6>(&d_[stride * a]), Eigen::Map<const Vec6>(&d_[stride * b]);
-        const Vec12 w = c.K.lazyProduct(v);  // Eigen's product of this size goes through a loop for any size
-        Eigen::Map<Vec6>(&q_[stride * a]) += w.head<6>();
-        Eigen::Map<Vec6>(&q_[stride * b]) += w.tail<6>();
-        dot += v.dot(w);
-    }
-    for (const Bridge& bridge : bridges_) {
-        const int a = place_[bridge.a], b = place_[bridge.b];
-        const Vec6 x = Eigen::Map<const Vec6>(&d_[stride * a]), y = Eigen::Map<const Vec6>(&d_[stride * b]);
-        const Vec6 on_a = bridge.K.lazyProduct(y), on_b = bridge.K.transpose().lazyProduct(x);
-        Eigen::Map<Vec6>(&q_[stride * a]) += on_a;
-        Eigen::Map<Vec6>(&q_[stride * b]) += on_b;
-        dot += x.dot(on_a) + y.dot(on_b);
-    }
-    return dot;
 }
 
 /// x satisfies the red rows from the start, r is what the black rows lack, d = q; returns r . q.
@@ -378,8 +415,7 @@ double Condensed<Number>::begin_iterations() {
         for (int i = first; i < end; ++i) {
             const int p = black_[i];
             Row row;
-            for (int k = row_begin_[p] + 1; k < row_begin_[p + 1]; ++k)
-                row.add(&value_[36 * std::size_t(k)], &x_[stride * column_[k]]);
+            add_row(row, p, 1, x_.data());
             store(&r_[stride * p], load(&r_[stride * p]) - row.sum());
             product += precondition(&inverse_[36 * std::size_t(p)], &r_[stride * p], &q_[stride * p]);
             store(&d_[stride * p], load(&q_[stride * p]));
