@@ -1,9 +1,7 @@
 #include "algebra/condensed.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numeric>
 
 #include "algebra/blocks.h"
 #include "algebra/unfused.h"
@@ -64,18 +62,17 @@ Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : str
     place_.assign(n, -1);
     for (int i = 0; i < n; ++i)
         if (which_[i] < 0) place_[i] = int(order_.size()), order_.push_back(i);
-    joints_ = int(order_.size());
     paint();
     // a colour's rows lie together, as they are used
     std::vector<int> by_colour;
-    by_colour.reserve(joints_);
+    by_colour.reserve(joints());
     for (Colour c : {Colour::red, Colour::black})
-        for (int p = 0; p < joints_; ++p)
+        for (int p = 0; p < joints(); ++p)
             if (colour_[p] == c) by_colour.push_back(order_[p]);
     std::stable_partition(colour_.begin(), colour_.end(), [](Colour c) { return c == Colour::red; });
     order_ = std::move(by_colour);
     row_begin_.assign(1, 0);
-    for (int p = 0; p < joints_; ++p) {
+    for (int p = 0; p < joints(); ++p) {
         place_[order_[p]] = p;
         row_begin_.push_back(row_begin_.back() + 1 + int(at(order_[p]).size()));
     }
@@ -85,7 +82,7 @@ Condensed<Number>::Condensed(const Structure& structure, ThreadPool& pool) : str
 /// Red, from each part's first node outwards: every node without a red neighbour.
 template <class Number>
 void Condensed<Number>::paint() {
-    colour_.assign(joints_, Colour::between);
+    colour_.assign(order_.size(), Colour::between);
     std::vector<int> queue;
     const auto neighbours = [&](int place, auto visit) {
         const int node = order_[place];
@@ -99,7 +96,7 @@ void Condensed<Number>::paint() {
             visit(place_[next]);
         }
     };
-    for (int start = 0; start < joints_; ++start) {
+    for (int start = 0; start < joints(); ++start) {
         if (colour_[start] != Colour::between) continue;
         queue.assign(1, start);
         colour_[start] = Colour::red;
@@ -127,8 +124,8 @@ int Condensed<Number>::far(int place, int entry) const {
 /// Lists of places and columns, as they are with what is coupled now.
 template <class Number>
 void Condensed<Number>::lay_out() {
-    order_.resize(joints_);
-    row_begin_.resize(joints_ + 1);
+    order_.resize(joints());
+    row_begin_.resize(joints() + 1);
     for (CondensedNode& m : between_) m.excluded = false, place_[m.node] = -1;
     for (int node : coupled_)
         if (which_[node] >= 0) {
@@ -163,10 +160,8 @@ void Condensed<Number>::lay_out() {
         if (!between_[i].excluded && takes_part(between_[i].node)) going_.push_back(i);
     std::vector<char> is_red(places, 0);
     const auto stays_red = [&](int p) {  // what is coupled stays so where nothing it is coupled with does
-        if (p >= joints_ || colour_[p] != Colour::red) return false;
-        if (coupled_begin_.empty()) return true;
-        return std::none_of(&coupled_column_[coupled_begin_[p]], &coupled_column_[coupled_begin_[p + 1]],
-                            [&](int column) { return is_red[column]; });
+        return p < joints() && colour_[p] == Colour::red &&
+               !coupled_rows_.any_beside(p, [&](int other) { return is_red[other]; });
     };
     for (int p = 0; p < places; ++p) {
         if (!takes_part(order_[p])) continue;
@@ -176,43 +171,24 @@ void Condensed<Number>::lay_out() {
     }
 }
 
-/// The pattern of the rows of couplings and bridges.
+/// The rows of couplings and bridges.
 template <class Number>
 void Condensed<Number>::lay_out_couplings() {
-    coupled_begin_.clear(), coupled_column_.clear();
-    if (coupled_.empty()) return;
-    using Entry = std::array<int, 3>;  // row, whether it lies beside the diagonal, column
-    std::vector<Entry> entries;
-    const auto join = [&](int a, int b) {
-        const int p = place_[a], q = place_[b];
-        entries.insert(entries.end(), {{p, 0, p}, {p, 1, q}, {q, 0, q}, {q, 1, p}});
-    };
-    for (const Coupling& c : couplings_) join(c.a, c.b);
-    for (const Bridge& b : bridges_) join(b.a, b.b);
-    std::sort(entries.begin(), entries.end());
-    entries.erase(std::unique(entries.begin(), entries.end()), entries.end());
-    coupled_begin_.assign(order_.size() + 1, 0);
-    for (const Entry& e : entries) ++coupled_begin_[e[0] + 1], coupled_column_.push_back(e[2]);
-    std::partial_sum(coupled_begin_.begin(), coupled_begin_.end(), coupled_begin_.begin());
-    take_values();
-}
-
-/// The blocks of couplings and bridges.
-template <class Number>
-void Condensed<Number>::take_values() {
-    coupled_value_.assign(36 * coupled_column_.size() + 2, 0);
-    for (const Coupling& c : couplings_) {
-        add_block(c.a, c.a, c.K.topLeftCorner<6, 6>()), add_block(c.a, c.b, c.K.topRightCorner<6, 6>());
-        add_block(c.b, c.a, c.K.bottomLeftCorner<6, 6>()), add_block(c.b, c.b, c.K.bottomRightCorner<6, 6>());
-    }
-    for (const Bridge& b : bridges_) add_block(b.a, b.b, b.K), add_block(b.b, b.a, b.K.transpose());
+    std::vector<std::pair<int, int>> pairs;
+    for (const Coupling& c : couplings_) pairs.push_back({place_[c.a], place_[c.b]});
+    for (const Bridge& b : bridges_) pairs.push_back({place_[b.a], place_[b.b]});
+    coupled_rows_.lay_out(int(order_.size()), pairs);
+    take_couplings();
 }
 
 template <class Number>
-void Condensed<Number>::add_block(int a, int b, const Mat6& block) {
-    int k = coupled_begin_[place_[a]];
-    while (coupled_column_[k] != place_[b]) ++k;
-    Eigen::Map<Mat6>(&coupled_value_[36 * std::size_t(k)]) += block;
+void Condensed<Number>::take_couplings() {
+    coupled_rows_.set_zero();
+    for (const Coupling& c : couplings_)
+        for (int i : {0, 1})
+            for (int j : {0, 1})
+                coupled_rows_.add(place_[i ? c.b : c.a], place_[j ? c.b : c.a], c.K.template block<6, 6>(6 * i, 6 * j));
+    for (const Bridge& b : bridges_) b.add_to(coupled_rows_, place_, b.K);
 }
 
 template <class Number>
@@ -226,7 +202,7 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
                                        [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
     couplings_ = couplings;
-    if (same_nodes) return take_values();
+    if (same_nodes) return take_couplings();
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());
@@ -299,8 +275,7 @@ void Condensed<Number>::renew_row(int place, const ElementMatrices& parts) {
 template <class Number>
 void Condensed<Number>::renew_inverse(int place) {
     Mat6 own = get(&value_[36 * std::size_t(row_begin_[place])]);
-    if (!coupled_begin_.empty() && coupled_begin_[place] < coupled_begin_[place + 1])
-        own += Eigen::Map<const Mat6>(&coupled_value_[36 * std::size_t(coupled_begin_[place])]);
+    if (coupled_rows_.has(place)) own += coupled_rows_.own(place);
     put(&inverse_[36 * std::size_t(place)], inverse_by_halves(own));
 }
 
@@ -325,7 +300,7 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     for (Bridge& b : bridges_) {
         if (!std::binary_search(nodes.begin(), nodes.end(), b.middle)) continue;
         const Mat6 K = parts.bridge(b.first, 0);
-        add_block(b.a, b.b, K - b.K), add_block(b.b, b.a, (K - b.K).transpose());
+        b.add_to(coupled_rows_, place_, K - b.K);
         b.K = K;
     }
 }
@@ -335,9 +310,7 @@ template <class Number>
 inline void Condensed<Number>::add_row(Row& row, int place, int from, const double* x) const {
     for (int k = row_begin_[place] + from; k < row_begin_[place + 1]; ++k)
         row.add(&value_[36 * std::size_t(k)], &x[stride * column_[k]]);
-    if (coupled_begin_.empty()) return;
-    for (int k = coupled_begin_[place] + from; k < coupled_begin_[place + 1]; ++k)
-        row.add(&coupled_value_[36 * std::size_t(k)], &x[stride * coupled_column_[k]]);
+    coupled_rows_.add_product(row, place, from, x);
 }
 
 /// r: the right side without the nodes between.

@@ -12,7 +12,7 @@
 
 #include "core/large_pages.h"
 #include "core/thread_pool.h"
-#include "algebra/blocks.h"
+#include "algebra/coupled_rows.h"
 #include "algebra/element_matrices.h"
 
 namespace hinge {
@@ -53,6 +53,9 @@ private:
     struct Bridge {
         int first, a, b, middle;  ///< first element of the pair; its outer nodes and its middle one
         Mat6 K;
+        void add_to(CoupledRows& rows, const std::vector<int>& place, const Mat6& change) const {
+            rows.add(place[a], place[b], change), rows.add(place[b], place[a], change.transpose());
+        }
     };
     struct CondensedNode {
         int node, count;         ///< number of its neighbours, 0 to 2
@@ -66,8 +69,7 @@ private:
     void paint();
     void lay_out();
     void lay_out_couplings();
-    void take_values();
-    void add_block(int a, int b, const Mat6& block);
+    void take_couplings();
     void renew_between(CondensedNode& m, const ElementMatrices& parts) const;
     void renew_row(int place, const ElementMatrices& parts);
     void renew_inverse(int place);
@@ -82,33 +84,29 @@ private:
     void turn_direction(double beta);
     int far(int place, int entry) const;
     int pair_about(int node) const;
+    int joints() const { return int(colour_.size()); }
     bool takes_part(int node) const { return resting_.empty() || resting_[node] < 0; }
 
     const Structure& structure_;
     ThreadPool& pool_;
     LargeVector<CondensedNode> between_;
     std::vector<int> which_;      ///< of each node: its place in between_, -1
-    std::vector<Colour> colour_;  ///< of each place, while it is not coupled
+    std::vector<Colour> colour_;  ///< of each joint's place, while it is not coupled
     std::vector<Coupling> couplings_;
     std::vector<int> coupled_;     ///< nodes, rising
     std::vector<Bridge> bridges_;  ///< of pairs whose middle node is coupled: such a node is not taken out
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`
-    int joints_ = 0;
     std::vector<int> order_, place_;  ///< node of each place; place of each node, -1
     // rows in compressed form (CSR); the first entry of a row is its own block, the others one for each element there
-    std::vector<int> row_begin_;       ///< of each place: its first entry
-    std::vector<int> column_;          ///< of each entry: place of its column; its own if zero (without far node)
-    std::vector<int> condensed_side_;  ///< of each entry through a condensed node: 2 index in between_ + side; else -1
-    LargeVector<Number> value_;        ///< of each entry, 36
-    // what couplings and bridges add to these rows, likewise and in double precision: a spring may be far stiffer than
-    // the members beside it
-    std::vector<int> coupled_begin_;     ///< of each place; empty: nothing is coupled
-    std::vector<int> coupled_column_;    ///< of each entry: place of its column
-    LargeVector<double> coupled_value_;  ///< of each entry, 36
-    LargeVector<Number> inverse_;        ///< of each place, 36: of its own block, couplings included
-    std::vector<int> red_, black_;       ///< places of active rows
-    std::vector<int> staying_, going_;   ///< likewise: places of all that stay; of between_ that are taken out
-    std::vector<int> resting_;           ///< of each node, not negative where it does not take part; empty: all do
+    std::vector<int> row_begin_;        ///< of each place: its first entry
+    std::vector<int> column_;           ///< of each entry: place of its column; its own if zero (without far node)
+    std::vector<int> condensed_side_;   ///< of each entry through a condensed node: 2 index in between_ + side; else -1
+    LargeVector<Number> value_;         ///< of each entry, 36
+    CoupledRows coupled_rows_;          ///< what couplings and bridges add to these rows
+    LargeVector<Number> inverse_;       ///< of each place, 36: of its own block, couplings included
+    std::vector<int> red_, black_;      ///< places of active rows
+    std::vector<int> staying_, going_;  ///< likewise: places of all that stay; of between_ that are taken out
+    std::vector<int> resting_;          ///< of each node, not negative where it does not take part; empty: all do
     LargeVector<double> x_, r_, d_, q_;  ///< eight a place; q: S d, then the preconditioned r
 };
 

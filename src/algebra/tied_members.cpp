@@ -1,5 +1,6 @@
 #include "algebra/tied_members.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "model/model.h"
@@ -151,7 +152,7 @@ std::vector<int> TiedMembers::condense(const std::vector<ReducedBy>& reduced_by,
     return list;
 }
 
-/// A over the nodes within and the two outer ones behind them, the ties eliminated, then the Schur complement.
+/// A over the nodes within and the two outer ones behind them, with the ties eliminated.
 void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Blocks& given,
                            const ElementMatrices& parts) const {
     const int inner = int(m.nodes.size()), n = 6 * (inner + 2);
@@ -160,8 +161,7 @@ void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Bloc
             if (m.nodes[i] == node) return 6 * i;
         return 6 * (inner + (node == m.side[1] ? 1 : 0));
     };
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_free + 12, most_free + 12> A =
-        decltype(A)::Zero(n, n);
+    Whole A = Whole::Zero(n, n);
     const auto add = [&](const int(&node)[2], const Mat12& K) {
         const int at[2] = {place(node[0]), place(node[1])};
         for (int i : {0, 1})
@@ -192,6 +192,12 @@ void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Bloc
             for (int c = 0; c < 6; ++c)
                 if (const double by = used.tie(tied, c); by != 0) A.row(side + c) += by * A.row(at + tied);
     }
+    eliminate(m, A, parts);
+}
+
+/// The Schur complement. `A`: over the nodes within, and the two outer ones behind them.
+void TiedMembers::eliminate(Member& m, const Whole& A, const ElementMatrices& parts) {
+    const int inner = int(m.nodes.size());
     int free[most_free];
     m.free_count = 0;
     m.at.assign(6 * inner, -1);
@@ -206,8 +212,11 @@ void TiedMembers::condense(Member& m, const std::vector<int>& blocks, const Bloc
         for (int j = 0; j <= i; ++j) within(i, j) = A(free[i], free[j]);
         across.row(i) = A.block<1, 12>(free[i], 6 * inner);
     }
-    m.factors.compute(within);
-    m.to_sides = m.factors.solve(across);
+    const Eigen::LDLT<Eigen::MatrixXd> factors(within);
+    m.to_sides = factors.solve(across);
+    m.by_right.resize(count + 12, count);
+    m.by_right.topRows(count) = factors.solve(Eigen::MatrixXd::Identity(count, count));
+    m.by_right.bottomRows(12) = -m.to_sides.transpose();
     m.S = A.bottomRightCorner<12, 12>() - across.transpose() * m.to_sides;
 }
 
@@ -228,13 +237,14 @@ void TiedMembers::reduce(std::vector<Vec6>& right) {
     pool_.share(int(members_.size()), 32, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             Member& m = members_[i];
-            m.right.resize(m.free_count);
+            FreePart of_member(m.free_count);
             for (int k = 0; k < 6 * int(m.nodes.size()); ++k)
-                if (m.at[k] >= 0) m.right[m.at[k]] = right[m.nodes[k / 6]][k % 6];
-            m.to_outer.noalias() = -m.to_sides.transpose() * m.right;
+                if (m.at[k] >= 0) of_member[m.at[k]] = right[m.nodes[k / 6]][k % 6];
+            m.of_right.resize(m.free_count + 12);
+            m.of_right.noalias() = m.by_right * of_member;
+            m.to_outer = m.of_right.tail<12>();
             for (const Follower& f : m.followers)
                 m.to_outer.segment<6>(6 * f.side) += used_[f.used].tie.transpose() * right[f.node];
-            m.factors.solveInPlace(m.right);
         }
     });
     for (const Member& m : members_) {
@@ -249,7 +259,7 @@ void TiedMembers::solve_back(std::vector<Vec6>& x) const {
             const Member& m = members_[i];
             Vec12 outer;
             outer << x[m.side[0]], x[m.side[1]];
-            const Eigen::VectorXd within = m.right - m.to_sides * outer;
+            const FreePart within = m.of_right.head(m.free_count) - m.to_sides * outer;
             for (int k = 0; k < 6 * int(m.nodes.size()); ++k)
                 if (m.at[k] >= 0) x[m.nodes[k / 6]][k % 6] = within[m.at[k]];
         }

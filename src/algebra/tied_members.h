@@ -12,7 +12,6 @@
 // likewise: then only their outer nodes are joined to the floor's.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <utility>
 #include <vector>
 
@@ -68,6 +67,9 @@ public:
 private:
     static constexpr int most_nodes = 9, most_free = 6 * most_nodes;  ///< a member of eight elements
     using Columns = Eigen::Matrix<double, Eigen::Dynamic, 12>;
+    using FreePart = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_free, 1>;
+    using Whole = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_free + 12, most_free + 12>;
+    using OfRight = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_free + 12, 1>;
 
     /// An end that follows its leader.
     struct Follower {
@@ -84,12 +86,12 @@ private:
         std::vector<Follower> followers;
         bool had_blocks = false;  ///< of its nodes, from effects
         int free_count = 0;
-        std::vector<signed char> at;           ///< of each degree of freedom within: its place in f; -1: held or tied
-        Eigen::LDLT<Eigen::MatrixXd> factors;  ///< of A_ff
-        Columns to_sides;                      ///< A_ff^-1 A_fs
-        Mat12 S;                               ///< S - A of the outer nodes
-        Eigen::VectorXd right;                 ///< A_ff^-1 r_f of the solution under way
-        Vec12 to_outer;                        ///< what the outer nodes get of r_f
+        std::vector<signed char> at;  ///< of each degree of freedom within: its place in f; -1: held or tied
+        Columns to_sides;             ///< A_ff^-1 A_fs
+        Eigen::MatrixXd by_right;     ///< A_ff^-1 above -A_sf A_ff^-1
+        Mat12 S;                      ///< S - A of the outer nodes
+        OfRight of_right;             ///< by_right r_f of the solution under way
+        Vec12 to_outer;               ///< what the outer nodes get of r_f and of what follows them
     };
     /// What a member was condensed with.
     struct Used {
@@ -108,6 +110,7 @@ private:
     std::vector<int> condense(const std::vector<ReducedBy>& reduced_by, const Blocks& given,
                               const ElementMatrices& parts, const std::vector<char>& dirty);
     void condense(Member& m, const std::vector<int>& blocks, const Blocks& given, const ElementMatrices& parts) const;
+    static void eliminate(Member& m, const Whole& A, const ElementMatrices& parts);
     static Mat6 tie_of(const Follower& f, const Member& m, const std::vector<ReducedBy>& reduced_by);
 
     const Structure& structure_;

@@ -139,18 +139,28 @@ ViscousMoments viscous_moments(const ConfiguredJoint& m, const JointState& from,
 void add_joint_blocks(const ConfiguredJoint& joint, const RelativeRotation& r, const Vec3& slope, const Vec3& by_rate,
                       const Vec3& moment, Blocks& blocks) {
     const Mat3 S = r.by_spin();
-    const auto between = [&S](const Vec3& of_axes) {
-        const Mat3 k = S.transpose() * of_axes.asDiagonal() * S;
-        Mat12 K = Mat12::Zero();
-        K.block<3, 3>(3, 3) = K.block<3, 3>(9, 9) = k;
-        K.block<3, 3>(3, 9) = K.block<3, 3>(9, 3) = -k;
-        return K;
+    const auto about_axes = [&S](const Vec3& of_axes) -> Mat3 { return S.transpose() * of_axes.asDiagonal() * S; };
+    Mat12 K = Mat12::Zero();
+    const auto put = [&K](const Mat3& aa, const Mat3& ab, const Mat3& ba, const Mat3& bb) {
+        K.block<3, 3>(3, 3) = aa, K.block<3, 3>(3, 9) = ab, K.block<3, 3>(9, 3) = ba, K.block<3, 3>(9, 9) = bb;
     };
-    Mat12 K = between(slope);
-    if (!by_rate.isZero(0)) blocks.damping(joint.node, joint.end, between(by_rate));
-    Mat12 G = Mat12::Zero();
-    add_moment_curvature(r, moment, G);
-    K += blocks.yielded == Yielded::at_rotation ? Mat12(0.5 * (G + G.transpose())) : G;  // modes take all of it
+    if (!by_rate.isZero(0)) {
+        const Mat3 c = about_axes(by_rate);
+        put(c, -c, -c, c);
+        blocks.damping(joint.node, joint.end, K);
+    }
+    const Mat3 k = about_axes(slope);
+    if (moment.isZero(0)) put(k, -k, -k, k);
+    else {
+        const auto& [P, M] = moment_curvature(r, moment);
+        if (blocks.yielded != Yielded::at_rotation) {  // modes take all of it
+            put(k + P + M, -k - P, -k - P - M, k + P);
+        } else {
+            const Mat3 p = 0.5 * (P + P.transpose());  // M is skew
+            const Mat3 ab = -k - p + 0.5 * M;
+            put(k + p, ab, ab.transpose(), k + p);
+        }
+    }
     blocks.stiffness(joint.node, joint.end, K);
 }
 

@@ -14,6 +14,8 @@ public:
     virtual ~Constrainer() = default;
     /// Adds the constraints with the factors that they have in a configuration. Always the same degrees of freedom.
     virtual void add_constraints(const Pose& at, std::vector<LinearConstraint>& list) const = 0;
+    /// Whether these factors change as the nodes move.
+    virtual bool factors_vary() const = 0;
     /// Sets the displacements in `to`, which the nodes have reached from `from` by these rotation vectors.
     virtual void place(const Pose& from, const std::vector<Vec3>& rotation_step, Configuration& to) const = 0;
     /// Sets the velocities; the accelerations, with those towards the centre of rotation.

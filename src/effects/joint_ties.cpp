@@ -2,7 +2,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <unordered_map>
 
 #include "core/errors.h"
 #include "effects/declared.h"
@@ -44,27 +43,31 @@ Vec3 JointTies::arm_of(const JointTie& t, const Pose& at) const {
 /// u' = u + w x arm of the member's own node, and w' = w where it has no joint. A node that follows another one
 /// passes the end on to that one.
 void JointTies::add_constraints(const Pose& at, std::vector<LinearConstraint>& list_of_all) const {
-    std::unordered_map<int, std::size_t> follows;
-    for (std::size_t i = 0; i < list_of_all.size(); ++i)
-        follows[6 * list_of_all[i].dependent.node + list_of_all[i].dependent.component] = i;
+    follows_.resize(6 * w_.structure.position().size(), -1);
+    const auto place = [this](const DegreeOfFreedom& of) -> int& { return follows_[6 * of.node + of.component]; };
+    const std::size_t others = list_of_all.size();
+    for (std::size_t i = 0; i < others; ++i) place(list_of_all[i].dependent) = int(i);
+    list_of_all.reserve(others + 6 * ties_.size());
     for (const JointTie& t : ties_) {
         if (!is_whole(t)) continue;
         const Vec3 arm = arm_of(t, at);
         for (int c = 0; c < (t.is_rigid() ? 6 : 3); ++c) {
             LinearConstraint tie{t.call, {t.end, c}, {}};
+            tie.terms.reserve(4);
             const auto add = [&](int component, double factor) {
-                const auto found = follows.find(6 * t.node + component);
-                if (found == follows.end()) return tie.terms.push_back({{t.node, component}, factor});
-                for (const LinearConstraint::Term& term : list_of_all[found->second].terms)
+                const int found = place({t.node, component});
+                if (found < 0) return tie.terms.push_back({{t.node, component}, factor});
+                for (const LinearConstraint::Term& term : list_of_all[std::size_t(found)].terms)
                     tie.terms.push_back({term.of, factor * term.factor});
             };
             add(c, 1);
             for (int k = 0; c < 3 && k < 3; ++k)
                 if (const double lever = Vec3::Unit(k).cross(arm)[c]; lever != 0) add(3 + k, lever);
-            if (t.between_nodes) follows[6 * t.end + c] = list_of_all.size();
+            if (t.between_nodes) place(tie.dependent) = int(list_of_all.size());
             list_of_all.push_back(std::move(tie));
         }
     }
+    for (const LinearConstraint& c : list_of_all) place(c.dependent) = -1;
 }
 void JointTies::place(Configuration& to) const {
     for_each_whole([&](const JointTie& t) {

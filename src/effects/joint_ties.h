@@ -1,6 +1,8 @@
 // Ends of members and nodes at joints that follow a node of the script, as constraints.
 #pragma once
 
+#include <algorithm>
+
 #include "effects/configured_joint.h"
 #include "model/linear_constraint.h"
 
@@ -33,6 +35,9 @@ public:
 
     // as Constrainer (constrainer.h)
     void add_constraints(const Pose& at, std::vector<LinearConstraint>& list_of_all) const;
+    bool have_arms() const {
+        return std::any_of(begin(), end(), [](const JointTie& t) { return !t.arm.isZero(0); });
+    }
     void place(Configuration& to) const;
     void set_velocities(Configuration& of) const;
     void set_accelerations(Configuration& of) const;
@@ -51,6 +56,7 @@ private:
 
     Workspace& w_;
     std::vector<JointTie> ties_;
+    mutable std::vector<int> follows_;  ///< of each degree of freedom: its place in a list of constraints, -1
 };
 
 }  // namespace hinge

@@ -59,6 +59,7 @@ public:
         records().list.resize(declared().size());
         list().resize(declared().size());
         end_forces_.resize(declared().size());
+        turned_.resize(declared().size());
         for (std::size_t i = 0; i < joints_.size(); ++i) {
             for (int k = 0; k < 3; ++k) list()[i].slid[k].resize(joints_[i].parts[k].size(), 0.0);
             traits_.forces_vanish = traits_.forces_vanish || declared()[i].is.can_break();
@@ -95,6 +96,7 @@ public:
         return false;
     }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
+        blocks.pairs.reserve(blocks.pairs.size() + joints_.size());
         for (std::size_t i = 0; i < joints_.size(); ++i) {
             if (list()[i].broken) continue;
             const RelativeRotation r = turn(i, at);
@@ -120,6 +122,7 @@ public:
     void add_constraints(const Pose& at, std::vector<LinearConstraint>& list_of_all) const override {
         ties_.add_constraints(at, list_of_all);
     }
+    bool factors_vary() const override { return ties_.have_arms(); }
     void place(const Pose&, const std::vector<Vec3>&, Configuration& to) const override { ties_.place(to); }
     void set_velocities(Configuration& of) const override { ties_.set_velocities(of); }
     void set_accelerations(Configuration& of) const override { ties_.set_accelerations(of); }
@@ -237,7 +240,7 @@ private:
 
     RelativeRotation turn(std::size_t i, const Pose& at) const {
         const ConfiguredJoint& m = joints_[i];
-        return relative_rotation(w_.structure, at, m.node, m.end, m.axes, list()[i].rotation);
+        return turned_[i].at(w_.structure, at, m.node, m.end, m.axes, list()[i].rotation);
     }
     JointMoments evaluate(std::size_t i, const Vec3& rotation) const {
         return hinge::evaluate(joints_[i], rotation, list()[i]);
@@ -392,6 +395,7 @@ private:
     std::vector<ConfiguredJoint> joints_;
     JointTies ties_;
     std::vector<EndForces> end_forces_;
+    mutable std::vector<LastRotation> turned_;
     bool lost_any_ = false;
     /// The first break at which another joint was close to its own, and how many there were.
     struct FirstClose {

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double far_twist = 2;      ///< rad, from which a rotation may be a twist and a swing
 constexpr double small_swing = 0.5;  ///< rad, up to which it is
+constexpr double small_sine = 0.01;  ///< of half the angle: up to it four terms of a series are exact
 constexpr double whole_turn = 2 * std::numbers::pi;
 
 /// q = p (cos t/2, sin t/2 about the axis) + (the swing's part across it): t the twist, p the swing's cosine.
@@ -28,6 +29,8 @@ double twist_about(const Quat& q, int about, double before) {
 /// The axis about which a rotation is a large twist with a small swing; -1 for none. `before`: where the last step
 /// ended, rad; `vector`: its rotation vector now.
 int axis_of_twist(const Quat& q, const Vec3& before, const Vec3& vector) {
+    const double most = before.cwiseAbs().maxCoeff();
+    if (most <= 1 && vector.norm() <= far_twist) return -1;  // no twist is larger than the whole rotation
     int about = 0;
     if (before.cwiseAbs().maxCoeff(&about) < 0.5 * far_twist) vector.cwiseAbs().maxCoeff(&about);
     const double cosine = std::hypot(q.w(), q.vec()[about]);
@@ -63,6 +66,13 @@ TwistAndSwing twist_and_swing(const Quat& q, int about, double before) {
     return r;
 }
 
+/// As hinge::rotation_vector. Of small rotations by the series of the arc sine, to rounding.
+Vec3 vector_of(const Quat& q) {
+    const double sine2 = q.vec().squaredNorm();
+    if (!(q.w() > 0 && sine2 < small_sine * small_sine)) return rotation_vector(q);
+    return (2 + sine2 * (1.0 / 3 + sine2 * (3.0 / 20 + sine2 * (5.0 / 56)))) * q.vec();
+}
+
 /// d(of_spin^T moment)/d(spin) of a twist and a swing, by differences: it is used in the stiffness alone.
 Mat3 slope_of_moment(const RelativeRotation& r, const Vec3& moment) {
     constexpr double h = 1e-6;
@@ -89,7 +99,7 @@ RelativeRotation relative_rotation(const Structure& structure, const Pose& at, i
     RelativeRotation r;
     r.axes = of_a.toRotationMatrix() * axes;
     const Quat q = of_a.conjugate() * at.rotation[b];
-    r.rotation = axes.transpose() * rotation_vector(q);
+    r.rotation = axes.transpose() * vector_of(q);
     if (const double angle = r.rotation.norm(); angle > 0)
         r.rotation +=
             std::round((before.dot(r.rotation) / angle - angle) / whole_turn) * whole_turn / angle * r.rotation;
@@ -105,12 +115,24 @@ RelativeRotation relative_rotation(const Structure& structure, const Pose& at, i
     return r;
 }
 
+const RelativeRotation& LastRotation::at(const Structure& structure, const Pose& at, int a, int b, const Mat3& axes,
+                                         const Vec3& before) {
+    const Quat of_a = a < 0 ? Quat::Identity() : at.rotation[a], &of_b = at.rotation[b];
+    if (structure.large() && of_a.coeffs() == of_a_.coeffs() && of_b.coeffs() == of_b_.coeffs() && before == before_)
+        return is_;
+    of_a_ = of_a, of_b_ = of_b, before_ = before;
+    return is_ = relative_rotation(structure, at, a, b, axes, before);
+}
+
+MomentCurvature moment_curvature(const RelativeRotation& r, const Vec3& moment) {
+    const Mat3 slope = r.about < 0 ? Mat3(beam::inverse_tangent_derivative(r.rotation, moment) * r.of_spin)
+                                   : slope_of_moment(r, moment);
+    return {r.axes * slope * r.axes.transpose(), skew(r.axes * (r.of_spin.transpose() * moment))};
+}
+
 void add_moment_curvature(const RelativeRotation& r, const Vec3& moment, Mat12& K) {
     if (moment.isZero(0)) return;
-    Mat3 P;
-    if (r.about < 0) P = r.axes * beam::inverse_tangent_derivative(r.rotation, moment) * r.of_spin * r.axes.transpose();
-    else P = r.axes * slope_of_moment(r, moment) * r.axes.transpose();
-    const Mat3 M = skew(r.axes * (r.of_spin.transpose() * moment));
+    const auto& [P, M] = moment_curvature(r, moment);
     K.block<3, 3>(9, 9) += P;
     K.block<3, 3>(3, 9) -= P;
     K.block<3, 3>(9, 3) -= P + M;

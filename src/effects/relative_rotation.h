@@ -27,6 +27,27 @@ struct RelativeRotation {
 RelativeRotation relative_rotation(const Structure& structure, const Pose& at, int a, int b, const Mat3& axes,
                                    const Vec3& before);
 
+/// The relative rotation of two nodes that was asked for last, which serves as long as the same one is asked for: a
+/// step does so several times.
+class LastRotation {
+public:
+    /// As relative_rotation.
+    const RelativeRotation& at(const Structure& structure, const Pose& at, int a, int b, const Mat3& axes,
+                               const Vec3& before);
+
+private:
+    Quat of_a_ = Quat(0, 0, 0, 0), of_b_ = Quat(0, 0, 0, 0);
+    Vec3 before_ = Vec3::Zero();
+    RelativeRotation is_;
+};
+
+/// What the rotation of axes and moments adds to the stiffness, N m/rad: P on the moment of b by the spin of b, P + M
+/// on that of a by the spin of a, the same with a minus across.
+struct MomentCurvature {
+    Mat3 P, M;
+};
+MomentCurvature moment_curvature(const RelativeRotation& r, const Vec3& moment);
+
 /// Adds what the rotation of axes and moments adds to the stiffness, 12 x 12 of nodes a and b; `moment` in the axes,
 /// N m. Not symmetric.
 void add_moment_curvature(const RelativeRotation& r, const Vec3& moment, Mat12& K);

@@ -32,6 +32,7 @@ public:
     RigidGroups(const char* name, const char* call, std::vector<RigidGroup> groups, Workspace& w, Host& host);
 
     void add_constraints(const Pose& at, std::vector<LinearConstraint>& list) const override;
+    bool factors_vary() const override { return true; }
     void place(const Pose& from, const std::vector<Vec3>& rotation_step, Configuration& to) const override;
     void set_velocities(Configuration& of) const override;
     void set_accelerations(Configuration& of) const override;

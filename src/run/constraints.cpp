@@ -42,7 +42,7 @@ void Constraints::place(const Pose& from, const std::vector<Vec3>& rotation_step
 void Constraints::rebuild() { reduction_ = Reduction(w_.structure, w_.state.held, list_at(w_.state)); }
 
 void Constraints::renew() {
-    if (w_.structure.large()) reduction_.renew(list_at(w_.trial));
+    if (w_.structure.large() && any_of(constrainers_, &Constrainer::factors_vary)) reduction_.renew(list_at(w_.trial));
 }
 
 void Constraints::set_velocities() {
