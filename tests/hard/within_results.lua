@@ -102,6 +102,7 @@ local function add(group, row)
       if a.estimated < 1 and a.open <= a.estimated / 2 then count(group.bounded, a.distance <= a.estimated + 1e-9) end
       if a.estimated < 1 and a.distance > 0 then group.sharp[#group.sharp + 1] = a.estimated / a.distance end
     elseif kind == "open" and row.reached then count(group.open_near, near)
+    elseif kind == "chaotic" and a.told == nil then group.none = (group.none or 0) + 1 -- one run: no mean was told
     elseif kind == "chaotic" then
       count(group.alone, a.alone)
       count(group.holds, a.holds)
@@ -180,7 +181,7 @@ function results.misses(rows, everything)
       local far = kind == "clear" and (row.reached and not (a.distance <= row.asked) and "ASKED"
         or a.estimated < 1 and a.open <= a.estimated / 2 and not (a.distance <= a.estimated + 1e-9) and "estimate")
         or kind == "open" and row.reached and not (a.distance <= row.asked) and "open"
-        or kind == "chaotic" and not a.told and "BAND"
+        or kind == "chaotic" and a.told == false and "BAND"
       if far or everything then
         lines[#lines + 1] = ("%s seed %d, %s%s, asked %s, %s: %s = %.6g, reference %s; estimated %s, true %s, "
           .. "reference open by %s; %s"):format(far or "-", row.seed, row.class, row.named and " (named)" or "",
