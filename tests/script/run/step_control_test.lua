@@ -214,31 +214,42 @@ case("a bar that rotates far a step loses no more than step control allows", fun
   expect(math.abs(held.time - 0.05) < 1e-15, "it ends at %.17g s", held.time)
 end)
 
--- The part of the time that step control takes in a frame whose weight comes at once, with a ground at that height.
-local function share_of_control(height)
-  local model, at = hinge.model {}, {}
-  local section = hinge.section.box { width = 0.3, depth = 0.3, thickness = 0.012 }
-  for i = 0, 8 do
-    for k = 0, 6 do
-      at[9 * k + i] = model:node { 6 * i, 0, 3.5 * k }
-      if k == 0 then model:fix(at[i]) else
-        model:member { at[9 * k + i - 9], at[9 * k + i], section = section, material = steel }
-        if i > 0 then model:member { at[9 * k + i - 1], at[9 * k + i], section = section, material = steel } end
+-- The part of the time that step control takes in an elastic frame whose weight comes at once: the least of three runs,
+-- since other programs may take the processor at any moment.
+local function share_of_control(declare)
+  local least = math.huge
+  for _ = 1, 3 do
+    local model, at = hinge.model {}, {}
+    local section = hinge.section.box { width = 0.3, depth = 0.3, thickness = 0.012 }
+    for i = 0, 8 do
+      for k = 0, 6 do
+        at[9 * k + i] = model:node { 6 * i, 0, 3.5 * k }
+        if k == 0 then model:fix(at[i]) else
+          model:member { at[9 * k + i - 9], at[9 * k + i], section = section, material = steel }
+          if i > 0 then model:member { at[9 * k + i - 1], at[9 * k + i], section = section, material = steel } end
+        end
       end
     end
+    model:gravity { 0, 0, -9.81 }
+    declare(model)
+    local all, control = 0, 0
+    for _, stage in ipairs(model:dynamic { dt = 1e-3, duration = 0.2, record = false }:finish().stages) do
+      all = all + stage.seconds
+      if stage.name == "step control" then control = stage.seconds end
+    end
+    least = support.smallest_of(least, control / all)
   end
-  model:gravity { 0, 0, -9.81 }
-  model:ground { point = { 0, 0, height } }
-  local r, all, control = model:dynamic { dt = 1e-3, duration = 0.4, record = false }:finish(), 0, 0
-  for _, stage in ipairs(r.stages) do
-    all = all + stage.seconds
-    if stage.name == "step control" then control = stage.seconds end
-  end
-  return control / all
+  return least
 end
-case("a ground that nothing reaches costs no energy balance where the motion is abrupt", function()
-  local part = share_of_control(-9)
-  expect(part > 0 and part < 0.1, "step control takes %.3f of the time", part)
+case("contact, ground and fracture that never act cost no energy balance where the motion is abrupt", function()
+  for name, declare in pairs {
+    contact = function(model) model:contact {} end,
+    ground = function(model) model:ground { point = { 0, 0, -9 } } end,
+    fracture = function(model) model:fracture { axial_strain = 1 } end,
+  } do
+    local part = share_of_control(declare)
+    expect(part > 0 and part < 0.1, "%s: step control takes %.3f of the time", name, part) -- 0.02; 0.26 for every step
+  end
 end)
 
 case("what no step can meet ends the run in the state before", function()
