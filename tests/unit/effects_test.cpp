@@ -1,8 +1,10 @@
-// Effects one by one, each on a bench without a run: gravity, point masses, connectors, damping, the ground.
+// Effects one by one, each on a bench without a run: gravity, point masses, connectors, joints, damping, the ground.
+#include "core/rotation.h"
 #include "effect_bench.h"
 #include "effects/connectors.h"
 #include "effects/damping.h"
 #include "effects/ground.h"
+#include "effects/joints.h"
 #include "effects/point_mass.h"
 
 using namespace hinge;
@@ -108,6 +110,53 @@ TEST_CASE("connector: its forces are the slope of its energy and in balance, its
         CHECK_FIGURE("column of K", (blocks.pairs[0].K.block<3, 1>(6, 6 + k) - slope.head<3>()).norm(),
                      of_differences * 3e5);
     }
+}
+
+TEST_CASE("joint: its moments are in balance, and its blocks are their slope, for small and large rotations") {
+    const Vec3 far = GENERATE(Vec3(2e-3, -1e-3, 3e-3), Vec3(0.3, -0.5, 0.2), Vec3(0.1, 3, -0.05));
+    Frame frame;
+    frame.section = square(0.1);
+    const int a = frame.node(0, 0, 0), b = frame.node(0, 0, 0);
+    frame.member(a, frame.node(0, 0, 3)), frame.member(b, frame.node(0, 3, 0), Vec3::UnitZ());
+    JointProperties is;
+    for (int k : {0, 1, 2}) is.axis[k].stiffness = 400 + 100 * k;
+    frame.model->declare(joints_effect, Joint{-1, 0, is, a, b, exponential({0.2, 0.1, -0.3}).toRotationMatrix()});
+    EffectOnBench bench(frame, joints_kind());
+    const auto force = [&] { return dynamic_cast<Force*>(bench.effect.get()); };
+    const Quat start = exponential({0.5, 0.1, -0.4});
+    bench.w.trial.rotation[a] = start, bench.w.trial.rotation[b] = rotated(far, start);
+
+    const std::vector<Vec6> R = bench.forces();
+    const double size = R[b].tail<3>().norm();
+    CHECK(size > 1);
+    CHECK_FIGURE("moments in balance", (R[a] + R[b]).norm(), rounding * size);
+
+    const auto K = [&](Yielded as) -> Mat6 {
+        Blocks blocks(0, true, as);
+        force()->add_blocks(bench.w.trial, blocks);
+        REQUIRE(blocks.pairs.size() == 1);
+        Mat6 of_spins;
+        for (int i : {0, 1})
+            for (int j : {0, 1})
+                of_spins.block<3, 3>(3 * i, 3 * j) = blocks.pairs[0].K.block<3, 3>(6 * i + 3, 6 * j + 3);
+        return of_spins;
+    };
+    constexpr double h = 1e-5;
+    Mat6 slope;
+    for (int j = 0; j < 6; ++j) {
+        Quat& q = bench.w.trial.rotation[j < 3 ? a : b];
+        const Quat at = q;
+        const auto moments = [&](double by) {
+            q = rotated(by * Vec3::Unit(j % 3), at);
+            const std::vector<Vec6> r = bench.forces();
+            return Vec6((Vec6() << r[a].tail<3>(), r[b].tail<3>()).finished());
+        };
+        slope.col(j) = (moments(h) - moments(-h)) / (2 * h);
+        q = at;
+    }
+    CHECK_FIGURE("K of spins", (K(Yielded::goes_on) - slope).norm(), of_differences * slope.norm());
+    CHECK_FIGURE("its symmetric part", (K(Yielded::at_rotation) - 0.5 * (slope + slope.transpose())).norm(),
+                 of_differences * slope.norm());
 }
 
 TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiffness, and not rotation") {
