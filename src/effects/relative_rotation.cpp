@@ -29,8 +29,8 @@ double twist_about(const Quat& q, int about, double before) {
 /// The axis about which a rotation is a large twist with a small swing; -1 for none. `before`: where the last step
 /// ended, rad; `vector`: its rotation vector now.
 int axis_of_twist(const Quat& q, const Vec3& before, const Vec3& vector) {
-    const double most = before.cwiseAbs().maxCoeff();
-    if (most <= 1 && vector.norm() <= far_twist) return -1;  // no twist is larger than the whole rotation
+    // no twist is larger than the whole rotation, and one that differs from `before` by less than half a turn stays
+    if (before.cwiseAbs().maxCoeff() < std::numbers::pi - far_twist && vector.norm() <= far_twist) return -1;
     int about = 0;
     if (before.cwiseAbs().maxCoeff(&about) < 0.5 * far_twist) vector.cwiseAbs().maxCoeff(&about);
     const double cosine = std::hypot(q.w(), q.vec()[about]);

@@ -10,7 +10,8 @@ Constraints::Constraints(Workspace& w, const EffectList& effects)
     : w_(w),
       constrainers_(effects.constrainers),
       reduction_(w.structure, w.state.held, list_at(w.state)),
-      unbalanced_(w.state.displacement.size(), Vec6::Zero()) {}
+      unbalanced_(w.state.displacement.size(), Vec6::Zero()),
+      factors_vary_(w.structure.large() && any_of(constrainers_, &Constrainer::factors_vary)) {}
 
 std::vector<LinearConstraint> Constraints::list_at(const Pose& at) const {
     std::vector<LinearConstraint> list;
@@ -42,7 +43,7 @@ void Constraints::place(const Pose& from, const std::vector<Vec3>& rotation_step
 void Constraints::rebuild() { reduction_ = Reduction(w_.structure, w_.state.held, list_at(w_.state)); }
 
 void Constraints::renew() {
-    if (w_.structure.large() && any_of(constrainers_, &Constrainer::factors_vary)) reduction_.renew(list_at(w_.trial));
+    if (factors_vary_) reduction_.renew(list_at(w_.trial));
 }
 
 void Constraints::set_velocities() {

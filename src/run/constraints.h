@@ -58,6 +58,7 @@ private:
     std::vector<Vec6> unbalanced_;  ///< R - F of dependent nodes before they are balanced
     std::vector<Vec6> of_state_;    ///< the same where the last step that was kept ended
     bool has_state_ = false;
+    const bool factors_vary_;  ///< as the nodes move
 };
 
 }  // namespace hinge
