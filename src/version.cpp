@@ -3,8 +3,8 @@
 #include <filesystem>
 #include <sstream>
 #include <string_view>
-#include <thread>
 
+#include "core/thread_pool.h"
 #include "hinge_commit.h"
 #include "script/lua/installed_files.h"
 
@@ -30,7 +30,8 @@ std::string version_text() {
     line("processor  ", HINGE_PROCESSOR);
     line("sanitizer  ", HINGE_WATCHED);
     line("commit     ", HINGE_COMMIT);
-    line("threads    ", std::to_string(std::thread::hardware_concurrency()) + " here; a run takes 1, or threads = N");
+    line("threads    ",
+         std::to_string(usable_cores()) + " at most; a run takes one for each 1,000 elements, or threads = N");
     line("Lua        ", HINGE_LUA ", library in " + script::library_folder());
     line("Eigen      ", HINGE_EIGEN);
     line("VTK        ", pictures());

@@ -8,6 +8,7 @@
 #include "beam/pair_bow.h"
 #include "effects/effect_list.h"
 #include "run/effect_forces.h"
+#include "run/settings.h"
 #include "state/hinges.h"
 #include "state/lone_elements.h"
 
@@ -22,10 +23,20 @@ const char* name(Verdict v) {
     }
 }
 
+namespace {
+
+/// A function of the script is called by one thread.
+int threads_of(const Structure& structure, int asked) {
+    if (structure.laws_call_script()) return 1;
+    return asked == DynamicSettings::by_elements ? threads_for(structure.elements().size()) : asked;
+}
+
+}  // namespace
+
 Run::Run(std::shared_ptr<const Structure> structure, State start, RunKind kind, int threads, bool inertia)
     : structure_(std::move(structure)),
       state_(with_lone_elements(*structure_, std::move(start))),
-      pool_(structure_->laws_call_script() ? 1 : threads),
+      pool_(threads_of(*structure_, threads), threads == DynamicSettings::by_elements),
       assembly_(*structure_, pool_, inertia),
       w_({*structure_, state_, pool_, assembly_, reaction_, kind}),
       effects_(new EffectList(w_, *this)),

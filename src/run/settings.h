@@ -50,8 +50,9 @@ struct DynamicSettings {
     bool controlled_by_default = false;
     static constexpr double default_control = 1e-3;
     void control(double by) { step_control = by, controlled_by_default = false; }
-    bool rest = true;  ///< bodies at rest are left alone until something reaches them
-    int threads = 1;   ///< how many share the work of a step; the bits are the same for any number
+    bool rest = true;                      ///< bodies at rest are left alone until something reaches them
+    static constexpr int by_elements = 0;  ///< as threads_for has it (core/thread_pool.h)
+    int threads = by_elements;             ///< how many share the work of a step; any number has the same bits
     SolverSettings solver;
 
     bool explicit_steps() const { return beta == 0; }

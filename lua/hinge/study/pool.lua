@@ -21,7 +21,7 @@ function pool.run(next, done, tick, options)
     case.prepare(task.folder)
     task.began = core.clock()
     local process = core.start(function() return case.run(task.what, task.folder) end,
-      task.folder .. "/output.txt", options.memory or 0, task.resume)
+      task.folder .. "/output.txt", options.memory or 0, task.resume, options.jobs)
     core.unlock(task.folder)
     running[process] = task
     count = count + 1

@@ -150,8 +150,10 @@ function model:dynamic(options) end
 ---every step
 ---@field step_control? number
 ---@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
----threads that share the work of a step; default 1; results are the same to the bit for any number
----@field threads? integer
+---threads that share the work of a step. "auto", the default: one for each 1,000 elements, so that a model of less than
+---2,000 has one; no more than 16, than the process has cores, or than its share of them where cases of a study run side
+---by side. Results are the same to the bit for any number
+---@field threads? integer|"auto"
 ---@field beta? number Newmark's, default 0.25; the paper takes 0.4 with contact
 ---0..1, the part of the amplitude of the highest frequencies that a step keeps. Below 1 it is Newmark's method with
 ---alpha of Wood, Bossak and Zienkiewicz (1980): alpha = (rho - 1)/(rho + 1), beta = 1/(1 + rho)^2 and gamma = 1/2 -

@@ -7,7 +7,6 @@
 #include <sys/wait.h>
 
 #include <fcntl.h>
-#include <sched.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -19,6 +18,7 @@
 #include "core/errors.h"
 #include "core/files.h"
 #include "core/text.h"
+#include "core/thread_pool.h"
 #include "record/events.h"
 #include "record/run_observer.h"
 #include "script/bind/modules.h"
@@ -81,14 +81,15 @@ void forget_runs(ScriptContext& c) {
 
 constexpr int status_of_memory = 5;  ///< of a process that ran out of it (lua/hinge/study/case.lua)
 
-/// core.start(f, output, memory, resume): calls f() in a process of its own, which ends with what f returns as its
-/// status. `output`: a file that what is printed there is added to; memory: bytes, 0 for no limit; resume: runs go on
-/// from their checkpoints. Returns the process's number.
+/// core.start(f, output, memory, resume, jobs): calls f() in a process of its own, which ends with what f returns as
+/// its status. `output`: a file that what is printed there is added to; memory: bytes, 0 for no limit; resume: runs go
+/// on from their checkpoints; jobs: how many such processes share the cores. Returns the process's number.
 int start(lua_State* L) {
     luaL_checktype(L, 1, LUA_TFUNCTION);
     const char* output = luaL_checkstring(L, 2);
     const double memory = luaL_checknumber(L, 3);
     const bool resume = lua_toboolean(L, 4);
+    const int jobs = int(luaL_optinteger(L, 5, 1));
     std::fflush(nullptr);
     hold_back_sigchld(true);
     const pid_t parent = getpid(), child = fork();
@@ -96,6 +97,7 @@ int start(lua_State* L) {
     if (child > 0) return children.push_back(child), lua_pushinteger(L, child), 1;
     settle_in(parent, output, memory);
     forget_runs(*context(L));
+    share_cores_among(jobs);
     context(L)->mode.resume = resume;
     lua_settop(L, 1);
     int status = 2;
@@ -158,12 +160,7 @@ int drop_checkpoints(lua_State* L) {
 }
 
 /// core.cores(): processors that this process may use.
-int cores(lua_State* L) {
-    cpu_set_t set;
-    CPU_ZERO(&set);
-    const int n = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    return lua_pushinteger(L, std::max(1, n)), 1;
-}
+int cores(lua_State* L) { return lua_pushinteger(L, usable_cores()), 1; }
 
 /// core.width(): columns of the terminal that stderr is, or nil where it is none.
 int width(lua_State* L) {

@@ -51,6 +51,7 @@ private:
     void read_step_control();
     void read_newton();
     void read_rest();
+    void read_threads();
     void refuse_idle_fields();
     void read_internals();
 
@@ -161,8 +162,20 @@ void Reading::read_rest() {
     s_.single_precision = o_.word("precision", {"single", "double"}, "single") == "single";
     s_.rest = o_.flag("rest", s_.rest);
     if (o_.has("energy_tolerance")) s_.energy_tolerance = o_.number("energy_tolerance", "", Range::not_negative);
-    s_.threads = o_.integer("threads", 1, 1);
-    if (s_.threads > 256) o_.complain("threads", std::to_string(s_.threads), "must be at most 256");
+    read_threads();
+}
+
+void Reading::read_threads() {
+    const std::string word = o_.push_field("threads") == LUA_TSTRING ? lua_tostring(o_.L(), -1) : "";
+    lua_pop(o_.L(), 1);
+    if (!o_.has("threads")) return;
+    if (word.empty()) {
+        s_.threads = o_.integer("threads", 1, 1);
+        if (s_.threads > 256) o_.complain("threads", std::to_string(s_.threads), "must be at most 256");
+    } else if (word != "auto") {
+        o_.complain("threads", "'" + word + "'",
+                    "must be a whole number, 1 or above, or 'auto'" + did_you_mean(word, {"auto"}));
+    }
 }
 
 void Reading::refuse_idle_fields() {

@@ -317,6 +317,7 @@ case("wrong dynamics is refused", function()
     { { step_control = -1 }, "'step_control' is -1; must be 0 or above" },
     { { threads = 0 }, "'threads' is 0; must be a whole number, 1 or above" },
     { { threads = 1000 }, "'threads' is 1000; must be at most 256" },
+    { { threads = "all" }, "'threads' is 'all'; must be a whole number, 1 or above, or 'auto'" },
     { { precision = "singel" }, "'precision' is 'singel'", "did you mean 'single'?" },
     { { solver = "lu" }, "'solver' is 'lu'; must be one of 'cg', 'direct'" },
     { { internals = { predictor = "acceleraton" } }, "'internals': field 'predictor' is 'acceleraton'",

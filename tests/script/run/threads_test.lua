@@ -4,6 +4,7 @@ package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" 
 local support = require "support"
 local scenes = require "scenes"
 local hinge = require "hinge"
+local core = require "hinge.core"
 local building = require "hinge.models.ten_storey"
 local impact = require "hinge.models.ten_storey_impact"
 local checks = support.checks "threads"
@@ -17,9 +18,9 @@ local function compare(what, numbers, run_with)
     local start = run.hash
     run:finish()
     first = first or run.hash
-    checks.equal(run.verdict, "completed", ("%s, %d threads: verdict"):format(what, threads))
+    checks.equal(run.verdict, "completed", ("%s, %s threads: verdict"):format(what, threads))
     checks.expect(run.index >= 20 and run.hash ~= start, "%s: %d steps, and moves", what, run.index)
-    checks.equal(run.hash, first, ("%s: hash with %d threads"):format(what, threads))
+    checks.equal(run.hash, first, ("%s: hash with %s threads"):format(what, threads))
   end
   return first
 end
@@ -31,7 +32,7 @@ local function frame()
   model:velocity("building", { 3, 1, 0 })
   return model
 end
-case("a frame has the same bits on one, two and three threads", function()
+case("a frame has the same bits on one, two, three threads and as many as suit it", function()
   checks.expect(frame():counts().elements > 3000, "a frame of %d elements", frame():counts().elements)
   local seen = {}
   for what, base in pairs {
@@ -39,7 +40,7 @@ case("a frame has the same bits on one, two and three threads", function()
     ["frame, implicit, double precision"] = { dt = 1e-5, duration = 2e-4, precision = "double" },
     ["frame, explicit"] = { dt = "auto", duration = 4e-3, integrator = "explicit" },
   } do
-    local hash = compare(what, { 1, 2, 3 }, function(threads)
+    local hash = compare(what, { 1, 2, 3, "auto" }, function(threads)
       return frame():dynamic(scenes.with(base, { threads = threads, record = false }))
     end)
     checks.expect(not seen[hash], "%s differs from another way", what)
@@ -64,6 +65,24 @@ case("Case I has the same bits on one and two threads", function()
     checks.expect(run.index == 300 and yielded > 0, "%s: %d steps, %d members yielded", what, run.index, yielded)
     print(("%s, %d steps: %d pairs bound so far, %d members yielded"):format(what, run.index, bound, yielded))
   end
+end)
+
+-- A case of a study may go on with a run of the script's. Its process has no thread of it.
+case("a run of two threads goes on in another process, and ends there", function()
+  local base = { dt = 1e-5, duration = 1e-4, record = false }
+  local expected = frame():dynamic(scenes.with(base, { threads = 1 })):finish().hash
+  local run = frame():dynamic(scenes.with(base, { threads = 2 }))
+  run:step()
+  local process = core.start(function()
+    local same = run:finish().hash == expected
+    run = nil
+    collectgarbage() -- closes the run, whose threads are not here
+    return same and 0 or 1
+  end, os.tmpname(), 0, false)
+  local ended, how, status = core.wait(20)
+  if ended ~= process then core.kill(process, false) end
+  checks.expect(ended == process and how == "exit" and status == 0, "the process: %s, %s", how, status)
+  checks.equal(run:finish().hash, expected, "the run itself")
 end)
 
 checks.done()
