@@ -165,26 +165,28 @@ void EffectiveStiffness::remove(int element) {
     for (int node : structure_.elements()[element].node) mark(node);
 }
 
-void EffectiveStiffness::set_blocks(Blocks blocks) {
-    set_couplings(std::move(blocks.pairs));
+void EffectiveStiffness::exchange_blocks(Blocks& blocks) {
+    exchange_couplings(blocks.pairs);
     for (Blocks::Node& n : blocks.nodes) n.K *= stiffness_factor_;
-    if (reduction_) given_.nodes = std::move(blocks.nodes), given_changed_ = true;
-    else take_node_blocks(std::move(blocks.nodes));
+    if (reduction_) given_.nodes.swap(blocks.nodes), given_changed_ = true;
+    else take_node_blocks(blocks.nodes);
 }
 
-void EffectiveStiffness::set_couplings(std::vector<Coupling> couplings) {
+void EffectiveStiffness::exchange_couplings(std::vector<Coupling>& couplings) {
     for (Coupling& c : couplings) c.K *= stiffness_factor_;
-    if (reduction_) given_.pairs = std::move(couplings), given_changed_ = true;
-    else take_couplings(std::move(couplings));
+    if (reduction_) given_.pairs.swap(couplings), given_changed_ = true;
+    else take_couplings(couplings);
 }
 
-void EffectiveStiffness::take_node_blocks(std::vector<Blocks::Node> blocks) {
+/// As exchange_blocks: the list is left with what was there before.
+void EffectiveStiffness::take_node_blocks(std::vector<Blocks::Node>& blocks) {
     for (const Blocks::Node& n : matrices_.node_blocks()) mark(n.node);
     for (const Blocks::Node& n : blocks) mark(n.node);
-    matrices_.set_node_blocks(std::move(blocks));
+    matrices_.exchange_node_blocks(blocks);
 }
 
-void EffectiveStiffness::take_couplings(std::vector<Coupling> couplings) {
+/// The same.
+void EffectiveStiffness::take_couplings(std::vector<Coupling>& couplings) {
     const std::vector<std::uint8_t>& held = matrices_.held();
     for (Coupling& c : couplings)
         for (int i = 0; i < 12; ++i)
@@ -195,7 +197,7 @@ void EffectiveStiffness::take_couplings(std::vector<Coupling> couplings) {
         if (couplings[i].K != couplings_[i].K) mark(couplings[i].a), mark(couplings[i].b);
     for (const auto* list : {&couplings_, &couplings})
         for (std::size_t i = 0; !same_nodes && i < list->size(); ++i) mark((*list)[i].a), mark((*list)[i].b);
-    couplings_ = std::move(couplings);
+    couplings_.swap(couplings);
     std::vector<int> changed;
     if (single_) single_->couple(couplings_, changed);
     if (condensed_) condensed_->couple(couplings_, changed);
@@ -302,6 +304,8 @@ SolveReport EffectiveStiffness::solve_reduced(const std::vector<Vec6>& right, st
     }
     const SolveReport report = single_ ? single_->solve(right[0].data(), x[0].data(), settings)
                                        : condensed_->solve(right[0].data(), x[0].data(), settings);
+    for (std::size_t n = 0; n < resting_.size(); ++n)
+        if (resting_[n] >= 0) x[n].setZero();  // it has what was there before
     counts_.iterations += report.iterations;
     return report;
 }

@@ -51,9 +51,13 @@ public:
     /// Changes k: every element must be built again, and couplings set.
     void set_stiffness_factor(double k) { stiffness_factor_ = k; }
     /// Replaces all blocks of effects, given as stiffness (except offset masses, set one by one).
-    void set_blocks(Blocks blocks);
+    void set_blocks(Blocks blocks) { exchange_blocks(blocks); }
     /// Replaces the blocks that join two nodes.
-    void set_couplings(std::vector<Coupling> couplings);
+    void set_couplings(std::vector<Coupling> couplings) { exchange_couplings(couplings); }
+    /// As set_blocks; the lists of `blocks` are left with the memory of those before, for the next ones: a step that
+    /// lists a thousand blocks would else ask the system for a megabyte, and give it back.
+    void exchange_blocks(Blocks& blocks);
+    void exchange_couplings(std::vector<Coupling>& couplings);
     void set_offset_mass(int node, const Mat6& mass);
     void set_held(const std::vector<std::uint8_t>& held);  ///< rows and columns taken out
     /// Eliminates degrees of freedom that depend on others: A becomes T^T A T, with the factors that `reduction` has
@@ -138,8 +142,8 @@ private:
     bool finish_restore();
     SolveReport solve_reduced(const std::vector<Vec6>& right, std::vector<Vec6>& x, const SolverSettings& settings);
     void take_out_held(std::vector<Vec6>& v) const;
-    void take_couplings(std::vector<Coupling> couplings);
-    void take_node_blocks(std::vector<Blocks::Node> blocks);
+    void take_couplings(std::vector<Coupling>& couplings);
+    void take_node_blocks(std::vector<Blocks::Node>& blocks);
     Blocks reduced_blocks() const;
     void reduce();
     bool take_factors();

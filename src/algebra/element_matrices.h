@@ -38,7 +38,7 @@ public:
     Mat6 whole_bridge(int first) const;
     Mat6 offset_mass(int node) const { return offset_mass_.empty() ? Mat6(Mat6::Zero()) : offset_mass_[node]; }
     /// Replaces the blocks that effects add to single nodes; several of one node add up.
-    void set_node_blocks(std::vector<Blocks::Node> blocks) { node_blocks_ = std::move(blocks); }
+    void exchange_node_blocks(std::vector<Blocks::Node>& blocks) { node_blocks_.swap(blocks); }
     const std::vector<Blocks::Node>& node_blocks() const { return node_blocks_; }
     void set_held(const std::vector<std::uint8_t>& held) { held_ = held; }
     const std::vector<std::uint8_t>& held() const { return held_; }

@@ -41,6 +41,8 @@ public:
     /// `of_damping`: gamma / (beta dt); 0 in statics, where nothing moves. Without stiffness: damping alone.
     explicit Blocks(double of_damping = 0, bool with_stiffness = true, Yielded as = Yielded::at_rotation)
         : yielded(as), of_damping_(of_damping), with_stiffness_(with_stiffness) {}
+    /// Empties the lists, which keep their memory.
+    void begin(double of_damping) { pairs.clear(), nodes.clear(), of_damping_ = of_damping; }
     /// Adds d(force)/d(displacement) of two nodes, order [u1 t1 u2 t2], or of one to ground; N/m, N, N m.
     void stiffness(int a, int b, const Mat12& K) {
         if (with_stiffness_) pairs.push_back({a, b, K});

@@ -105,8 +105,8 @@ void EffectiveStiffness::reduce() {
     given_changed_ = false;
     if (!other_factors && !others && dirty_.empty()) return;
     Blocks blocks = reduced_blocks();
-    take_couplings(std::move(blocks.pairs));
-    take_node_blocks(std::move(blocks.nodes));
+    take_couplings(blocks.pairs);
+    take_node_blocks(blocks.nodes);
 }
 
 /// Whether effects give blocks that are not within condensed members.

@@ -217,8 +217,11 @@ void Dynamics::break_elements() {
 }
 
 void Dynamics::blocks_changed(const Pose& at) {
-    if (EffectiveStiffness* effective = integrator_->effective())
-        effective->set_blocks(added_blocks(*effects_, at, w_.scheme.gamma / (w_.scheme.beta * dt())));
+    EffectiveStiffness* effective = integrator_->effective();
+    if (!effective) return;
+    blocks_.begin(w_.scheme.gamma / (w_.scheme.beta * dt()));
+    add_blocks(*effects_, at, blocks_);
+    effective->exchange_blocks(blocks_);
 }
 
 void Dynamics::set_offset_mass(int node, const Mat6& mass) {

@@ -124,6 +124,7 @@ private:
     KeptMass mass_;
     std::unique_ptr<Integrator> integrator_;
     Step step_;
+    Blocks blocks_;  ///< of effects, in memory that each step uses again
     DynamicForces forces_;
     ElementBreaks element_breaks_;
     Sleepers sleepers_;

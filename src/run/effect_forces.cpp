@@ -6,9 +6,13 @@ namespace hinge {
 
 Blocks added_blocks(const EffectList& effects, const Pose& at, double of_damping) {
     Blocks blocks(of_damping);
-    for (const auto& force : effects.forces)
-        if (force->has_blocks()) force->add_blocks(at, blocks);
+    add_blocks(effects, at, blocks);
     return blocks;
+}
+
+void add_blocks(const EffectList& effects, const Pose& at, Blocks& to) {
+    for (const auto& force : effects.forces)
+        if (force->has_blocks()) force->add_blocks(at, to);
 }
 
 void find_fixed_ends(Workspace& w, const EffectList& effects, double factor) {

@@ -7,6 +7,7 @@ namespace hinge {
 
 /// Stiffness (and damping times `of_damping`) that effects add between nodes.
 Blocks added_blocks(const EffectList& effects, const Pose& at, double of_damping);
+void add_blocks(const EffectList& effects, const Pose& at, Blocks& to);
 
 /// Gives the element assembly the fixed-end forces of all loads between nodes, at the configuration that is tried.
 /// `factor`: the load factor of statics.
