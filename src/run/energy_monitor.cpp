@@ -8,7 +8,7 @@ namespace {
 
 constexpr long most_between = 100;          ///< steps from one check to the next: the balance costs half a step
 constexpr std::size_t most_kept = 200'000;  ///< elements of a model whose last good state is kept, at 300 bytes each
-constexpr double expected_part = 0.5;       ///< of a large error: from there on every step is checked
+constexpr double expected_part = 0.5;       ///< of a large error: a swing of a step's error that asks for a check
 constexpr double expected_growth = 1.25;    ///< where a larger one is known: by which it must be exceeded
 constexpr double advance_part = 0.1;        ///< of what may be lost, there from the beginning
 constexpr double advance_by_default = 0.5;  ///< and by default
@@ -100,10 +100,10 @@ Failure EnergyMonitor::check(State& state, const Energy& energy, const AccountLi
 }
 
 bool EnergyMonitor::may_miss(double swing, double most) const {
-    const double known = std::abs(largest_error_.share), last = (swing + std::abs(error_)) / most;
+    const double known = std::abs(largest_error_.share), last = std::abs(error_) / most, swings = swing / most;
     if (!(most > 0)) return false;
-    return known > large_error ? last > expected_growth * known
-                               : std::max(last, known + swing / most) > expected_part * large_error;
+    return known > large_error ? last + swings > expected_growth * known
+                               : std::max(last, known) + swings / expected_part > large_error;
 }
 
 bool StepControl::due(bool abrupt, const StepSize& size) const {
