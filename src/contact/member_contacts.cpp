@@ -54,8 +54,9 @@ int Contact::detect(const std::vector<Bar>& bars, bool changed, const Motion& mo
     now_ = time;
 
     // How far anything has gone, and will go. A motion that is not finite is the step's business, not ours.
-    const double foreseen = advance([&](int n) { return motion.position[n]; },
-                                    [&](int n) { return motion.velocity[n]; }, follow_arms(motion), dt);
+    const double foreseen =
+        advance([&](int n) { return motion.position[n]; }, [&](int n) { return motion.velocity[n]; },
+                [](int) { return true; }, follow_arms(motion), dt);
     if (!std::isfinite(foreseen)) {
         seen_ = false;
         return 0;

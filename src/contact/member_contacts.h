@@ -162,9 +162,10 @@ public:
                const PairRule& rule_of = {});
 
     /// detect for a step in which nothing can come into contact, where that is known without looking at pairs: true.
-    /// False: detect must be called. Of a node: place, m, and its mean velocity over the step, m/s and rad/s.
-    template <class Place, class Velocity>
-    bool passes(Place place, Velocity velocity, double dt, double time);
+    /// False: detect must be called. Of a node: place, m, its mean velocity over the step, m/s and rad/s, and whether
+    /// it moves at all.
+    template <class Place, class Velocity, class Moves>
+    bool passes(Place place, Velocity velocity, Moves moves, double dt, double time);
 
     /// Removes the ties of an element that broke. Returns the energy released, J.
     double drop(int element);
@@ -268,8 +269,8 @@ private:
     };
 
     void list_ends(const std::vector<Bar>& bars, const Motion& motion);
-    template <class Place, class Velocity>
-    double advance(Place place, Velocity velocity, const SquaredWay& of_arms, double dt);
+    template <class Place, class Velocity, class Moves>
+    double advance(Place place, Velocity velocity, Moves moves, const SquaredWay& of_arms, double dt);
     SquaredWay follow_arms(const Motion& motion);
     void list_pairs(const std::vector<Bar>& bars, const Motion& motion, double foreseen, bool first_sight,
                     const PairRule& rule_of);
@@ -338,12 +339,13 @@ private:
 };
 
 // Adds the longest way of any end since the last call to travelled_, and returns the longest way ahead.
-template <class Place, class Velocity>
-double Contact::advance(Place place, Velocity velocity, const SquaredWay& of_arms, double dt) {
+template <class Place, class Velocity, class Moves>
+double Contact::advance(Place place, Velocity velocity, Moves moves, const SquaredWay& of_arms, double dt) {
     // by turns: in a single one each comparison waits for the one before
     double gone[2] = {of_arms.gone, 0}, fast[2] = {of_arms.fast, 0};
     bool wild = !(of_arms.gone + of_arms.fast < never);
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        if (!moves(nodes_[i])) continue;
         const Vec3 x = place(nodes_[i]);
         const Vec6 v = velocity(nodes_[i]);
         const double way = (x - last_[i]).squaredNorm(), speed = v.head<3>().squaredNorm();
@@ -357,11 +359,11 @@ double Contact::advance(Place place, Velocity velocity, const SquaredWay& of_arm
     return std::sqrt(std::max(fast[0], fast[1])) * dt;
 }
 
-template <class Place, class Velocity>
-bool Contact::passes(Place place, Velocity velocity, double dt, double time) {
+template <class Place, class Velocity, class Moves>
+bool Contact::passes(Place place, Velocity velocity, Moves moves, double dt, double time) {
     const auto sleeps = [](const ContactSettings& r) { return r.sleep; };
     if (!seen_ || !idle() || !arms_.empty() || !std::all_of(rules_.begin(), rules_.end(), sleeps)) return false;
-    const double foreseen = advance(place, velocity, {}, dt), horizon = travelled_ + foreseen;
+    const double foreseen = advance(place, velocity, moves, {}, dt), horizon = travelled_ + foreseen;
     if (!(travelled_ - listed_at_ + foreseen <= margin_)) return false;
     if (std::any_of(test_at_.begin(), test_at_.end(), [&](double at) { return at <= horizon; })) return false;
     nearest_ = {}, now_ = time;

@@ -66,7 +66,7 @@ public:
             return std::any_of(list.begin(), list.end(), [](double m) { return m != 0; });
         }
         for (std::size_t block = 0; block < blocks_.size() && !any_added_; ++block)
-            any_added_ = has_kept(int(block)) || counts(int(block), w_.force_of_fixed_ends());
+            any_added_ = !rests(int(block)) && (has_kept(int(block)) || counts(int(block), w_.force_of_fixed_ends()));
         return any_added_;
     }
     void add_fixed_ends(const Pose& at, double factor, std::vector<beam::FixedEnd>& all) const override {
@@ -79,6 +79,7 @@ public:
         const std::vector<Vec6>& force = w_.force_of_fixed_ends();
         w_.pool.share(int(blocks_.size()), 64, [&](int first, int end, int) {
             for (int block = first; block < end; ++block) {
+                if (rests(block)) continue;
                 for (int i = 0; i < lane_count / 2; ++i) added_[std::size_t(block * lane_count / 2 + i)].setZero();
                 if (has_kept(block) || counts(block, force))
                     add_to_block(block, Forces(*this, block, force, all), force, at, factor, all);
@@ -156,6 +157,15 @@ private:
     static int first_of(int element) { return element & ~1; }
     /// Where `force_of_fixed_ends` belongs to.
     const Pose& place() const { return w_.kind.dynamic ? static_cast<const Pose&>(w_.state) : w_.trial; }
+    /// Whether all elements of a block belong to bodies at rest.
+    bool rests(int block) const {
+        if (w_.resting.empty()) return false;
+        const auto& elements = w_.structure.elements();
+        const std::size_t from = std::size_t(block) * lane_count, end = std::min(from + lane_count, elements.size());
+        for (std::size_t i = from; i < end; i += 2)
+            if (!w_.rests(elements[i].node[0])) return false;
+        return true;
+    }
     bool whole(int first) const { return !w_.state.broken[first] && !w_.state.broken[first + 1]; }
 
     /// From the axial forces of elements.

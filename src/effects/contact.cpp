@@ -210,8 +210,8 @@ private:
     bool passes(const Step& step) {
         return now().passes(
             [this](int n) { return Vec3(w_.structure.position()[n] + w_.state.displacement[n]); },
-            [&](int n) { return Vec6(w_.state.velocity[n] + (0.5 * step.dt) * w_.state.acceleration[n]); }, step.dt,
-            w_.state.time);
+            [&](int n) { return Vec6(w_.state.velocity[n] + (0.5 * step.dt) * w_.state.acceleration[n]); },
+            [this](int n) { return !w_.rests(n); }, step.dt, w_.state.time);
     }
 
     void place(const std::vector<Vec3>& displacement) const {

@@ -63,6 +63,10 @@ public:
     virtual void started(const std::vector<Vec6>& out_of_balance) { (void)out_of_balance; }
     /// Clears the bodies that it may move: they are not at rest.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
+    /// Marks the bodies that lie on it where the last step ended: they may come to rest there.
+    virtual void hold_up(const Bodies& bodies, std::vector<char>& held_up) const { (void)bodies, (void)held_up; }
+    /// Bodies have come to rest, or take part again (Workspace::rests).
+    virtual void rest_changed() {}
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
     /// Adds the energy that it stores in such a state, J.

@@ -119,6 +119,12 @@ public:
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         each([&](const GroundLaw& law) { law.keep_from_rest(bodies, rests); });
     }
+    void hold_up(const Bodies& bodies, std::vector<char>& held_up) const override {
+        each([&](const GroundLaw& law) { law.hold_up(bodies, held_up); });
+    }
+    void rest_changed() override {
+        each([](GroundLaw& law) { law.rest_changed(); });
+    }
     bool allows_long_step() const override {
         return !busy() && !any([](const GroundLaw& law) { return law.waits(); });
     }
@@ -190,7 +196,8 @@ EffectKind ground_kind() {
             .accounts = {{"ground", 75, "stored where members press on the ground, and lost there"},
                          {"ground_stored", 76, "stored now where members press on the ground", "ground"},
                          {"ground_dissipated", 77,
-                          "lost to the ground's damping, and to friction and restitution on it", "ground"}},
+                          "lost to the ground's damping, to friction and restitution on it, and as bodies come to rest",
+                          "ground"}},
             .plan = ground_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (w.structure.model().declared<GroundPlane>(ground_effect).empty()) {

@@ -122,8 +122,10 @@ public:
     /// An element has broken; returns the energy lost by it, J.
     virtual double broke(const Break& b) = 0;
 
-    /// Clears the bodies that touch.
-    virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const = 0;
+    /// Of Effect: a law clears the bodies that it can't let rest on it, or marks those that may.
+    virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
+    virtual void hold_up(const Bodies& bodies, std::vector<char>& held_up) const { (void)bodies, (void)held_up; }
+    virtual void rest_changed() {}
     virtual bool waits() const { return false; }  ///< for an impulse that is still to come
     /// Energy stored in the springs in such a state, J.
     virtual double stored(const State& state) const = 0;

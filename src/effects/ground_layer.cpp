@@ -202,11 +202,15 @@ public:
         return lost;
     }
 
-    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (const GroundStrip& s : strips()) {
-            const int body = bodies.of_node[s.end[0].node];
-            if (body >= 0 && touch(s, w_.state).touches) rests[body] = 0;
-        }
+    void hold_up(const Bodies& bodies, std::vector<char>& held_up) const override {
+        for (const GroundStrip& s : strips())
+            if (const int body = bodies.of_node[s.end[0].node]; body >= 0 && s.touches) held_up[body] = 1;
+    }
+    /// Strips of what has come to rest stay as they are, with what they store, until it takes part again.
+    void rest_changed() override {
+        for (GroundStrip& s : strips())
+            if (!s.gone && w_.rests(s.end[0].node)) keep(s, touch(s, w_.state));
+        forget();
     }
     /// Of the trial where the state is at its pose just now, as step control has it, else as it was kept.
     double stored(const State& state) const override {
@@ -214,14 +218,12 @@ public:
         double sum = 0;
         for (std::size_t i = 0; i < list.size(); ++i) {
             const GroundStrip& s = list[i];
-            const bool tried = touches_.size() == list.size() && (s.touches || touches_[i].touches) &&
+            const bool tried = touches_.size() == list.size() && !w_.rests(s.end[0].node) &&
+                               (s.touches || touches_[i].touches) &&
                                touches_[i].at == place_of(s.end[0], state, arm_of(s.end[0], state));
-            if (!tried) {
-                sum += energy(s);
-                continue;
-            }
-            sum += touches_[i].press.stored;
-            for (int e : {0, 1}) sum += 0.5 * s.end[e].stiffness * touches_[i].friction[e].slip.squaredNorm();
+            sum += tried ? touches_[i].press.stored : energy(s);
+            for (int e = 0; tried && e < 2; ++e)
+                sum += 0.5 * s.end[e].stiffness * touches_[i].friction[e].slip.squaredNorm();
         }
         return sum;
     }
@@ -253,14 +255,14 @@ private:
         margin_ = near_depths * largest;
         listed_at_ = at.displacement;
         for (int i = 0; i < int(all.size()); ++i)
-            if (!all[i].gone && (acts_apart(all[i]) || is_near(all[i], at))) near_.push_back(i);
+            if (!all[i].gone && !w_.rests(all[i].end[0].node) && (acts_apart(all[i]) || is_near(all[i], at)))
+                near_.push_back(i);
     }
     template <class At>
     bool is_near(const GroundStrip& s, const At& at) const {
-        const auto within = [&](const GroundEnd& end) {
+        return std::any_of(s.end, s.end + 2, [&](const GroundEnd& end) {
             return overlap_of(end, plane(s), place_of(end, at, Vec3::Zero())) >= -margin_ - just_touches * end.radius;
-        };
-        return within(s.end[0]) || within(s.end[1]);
+        });
     }
     /// What touched where the step begins, what changes as it leaves, and what is on an arm that may rotate.
     static bool acts_apart(const GroundStrip& s) {
@@ -269,8 +271,8 @@ private:
     template <class At>
     bool is_listed(const At& at) const {
         double most[4] = {0, 0, 0, 0};  // by turns: in a single one each comparison waits for the one before
-        for (std::size_t n = 0; n < listed_at_.size(); ++n)
-            most[n % 4] = std::max(most[n % 4], (at.displacement[n] - listed_at_[n]).squaredNorm());
+        for (int n = 0; n < int(listed_at_.size()); ++n)
+            if (!w_.rests(n)) most[n % 4] = std::max(most[n % 4], (at.displacement[n] - listed_at_[n]).squaredNorm());
         return std::max(std::max(most[0], most[1]), std::max(most[2], most[3])) < margin_ * margin_;
     }
     std::vector<int> all_strips() const {
@@ -279,11 +281,11 @@ private:
         return all;
     }
 
-    /// o of an end at such a place, m: none of its own where it is left out, held or at rest, but the other end of its
-    /// strip may lie on the ground.
+    /// o of an end at such a place, m: none of its own where it is left out or held, but the other end of its strip may
+    /// lie on the ground.
     double overlap_at(const GroundEnd& end, const GroundPlane& plane, const Vec3& place) const {
         const double o = overlap_of(end, plane, place);
-        return end.left_out || is_held(end.node) || w_.rests(end.node) ? std::min(0.0, o) : o;
+        return end.left_out || is_held(end.node) ? std::min(0.0, o) : o;
     }
     /// Whether neither end is within reach of the ground.
     template <class At>

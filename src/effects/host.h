@@ -37,8 +37,6 @@ public:
     virtual void blocks_changed(const Pose& at) = 0;
     /// Mass that hangs rigidly on a node, 6 x 6 in space, in the effective stiffness.
     virtual void set_offset_mass(int node, const Mat6& mass) = 0;
-    /// These nodes (not negative) take no part in the solution; empty: all do.
-    virtual void leave_out(const std::vector<int>& resting) = 0;
     /// A force has vanished at once: the next step begins with a recomputed acceleration.
     virtual void accelerations_anew() = 0;
     /// Constraints have ended: the others are recomputed at the end of the step. Statics keeps its own.
@@ -54,6 +52,11 @@ public:
     virtual void note_activation(const std::string& effect, bool awake, const std::string& why) = 0;
     /// Effect::keep_from_rest of all.
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
+    /// Effect::hold_up of all.
+    virtual void hold_up(const Bodies& bodies, std::vector<char>& held_up) = 0;
+    /// Workspace::resting is another one: the nodes of it that are not negative take no part in the solution, and all
+    /// effects are told.
+    virtual void rest_changed() = 0;
     /// Loads at points between the ends of a pair of elements (SectionForceSource::add_points of all).
     virtual std::vector<beam::BowPoint> points_on_pair(int first, int plane, const Pose& at, double factor) = 0;
     virtual void count_break() = 0;

@@ -141,6 +141,17 @@ struct Workspace : RunParts, AppliedLoads, TrialMotion, TrialForces, KeptChanges
 
     /// True if the node belongs to a body at rest.
     bool rests(int node) const { return !resting.empty() && resting[node] >= 0; }
+    /// Calls f(from, to) for the ranges of nodes between first and end that take part in steps.
+    template <class F>
+    void for_awake(int first, int end, F f) const {
+        if (resting.empty()) return f(first, end);
+        for (int to = first; to < end;) {
+            int from = to;
+            while (from < end && resting[from] >= 0) ++from;
+            for (to = from; to < end && resting[to] < 0;) ++to;
+            if (from < to) f(from, to);
+        }
+    }
     /// F on a node at the trial pose.
     Vec6 load(int node) const {
         if (kind.dynamic) return external[node];

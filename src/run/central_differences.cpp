@@ -10,15 +10,18 @@ namespace hinge {
 void CentralDifferences::predict(const Step& step) {
     const double dt = step.dt;
     w_.pool.share(int(w_.rotation_step.size()), some_nodes, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) {
-            const Lanes v = load_row<6>(w_.state.velocity[i].data()), a = load_row<6>(w_.state.acceleration[i].data());
-            const Lanes move = dt * v + (0.5 * dt * dt) * a;
-            store_row<3>(w_.trial.displacement[i].data(), load_row<3>(w_.state.displacement[i].data()) + move);
-            store_row<3>(w_.rotation_step[i].data(), second_three(move));
-            store_row<6>(w_.trial.velocity[i].data(), v + dt * a);
-            store_row<6>(w_.trial.acceleration[i].data(), Lanes{});
-        }
-        move_to_rotated(first, end);
+        w_.for_awake(first, end, [&](int from, int to) {
+            for (int i = from; i < to; ++i) {
+                const Lanes v = load_row<6>(w_.state.velocity[i].data()),
+                            a = load_row<6>(w_.state.acceleration[i].data());
+                const Lanes move = dt * v + (0.5 * dt * dt) * a;
+                store_row<3>(w_.trial.displacement[i].data(), load_row<3>(w_.state.displacement[i].data()) + move);
+                store_row<3>(w_.rotation_step[i].data(), second_three(move));
+                store_row<6>(w_.trial.velocity[i].data(), v + dt * a);
+                store_row<6>(w_.trial.acceleration[i].data(), Lanes{});
+            }
+            move_to_rotated(from, to);
+        });
     });
 }
 
@@ -65,6 +68,7 @@ void CentralDifferences::accelerate(Step& step) {
     const double check = w_.pool.sum(nodes, some_nodes, [&](int first, int end) {
         Lanes sum{}, power{};
         for (int i = first; i < end; ++i) {
+            if (w_.rests(i)) continue;
             const Lanes f = load_row<6>(external[i].data()) - load_row<6>(resisting[i].data());
             const Lanes a = load_row<6>(inverse[i].data()) * f;
             sum += f;

@@ -13,7 +13,9 @@ Failure DynamicForces::failure_of_elements() const {
 }
 
 void DynamicForces::recover(double time) {
-    for (Vec6& n : w_.resisting) n.setZero();
+    w_.for_awake(0, int(w_.resisting.size()), [&](int from, int to) {
+        std::fill(w_.resisting.begin() + from, w_.resisting.begin() + to, Vec6::Zero());
+    });
     w_.assembly.set_step(step_.dt);
     find_fixed_ends(w_, effects_, 1);
     w_.assembly.run(w_.state, w_.trial, w_.resisting, w_.force, w_.yielding);

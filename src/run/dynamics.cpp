@@ -228,8 +228,26 @@ void Dynamics::set_offset_mass(int node, const Mat6& mass) {
     if (EffectiveStiffness* effective = integrator_->effective()) effective->set_offset_mass(node, mass);
 }
 
-void Dynamics::leave_out(const std::vector<int>& resting) {
-    if (EffectiveStiffness* effective = integrator_->effective()) effective->leave_out(resting);
+/// What rests is left as it is in both, the state and the trial, which take turns.
+void Dynamics::rest_changed() {
+    const auto copy = [](const auto& from, auto& to, std::size_t i) {
+        if (i < from.size() && i < to.size()) to[i] = from[i];
+    };
+    for (std::size_t n = 0; n < w_.resting.size(); ++n) {
+        if (w_.resting[n] < 0) continue;
+        copy(state_.displacement, w_.trial.displacement, n), copy(state_.rotation, w_.trial.rotation, n);
+        copy(state_.small_rotation, w_.trial.small_rotation, n);
+        copy(state_.velocity, w_.trial.velocity, n), copy(state_.acceleration, w_.trial.acceleration, n);
+        w_.resisting[n].setZero(), w_.rotation_step[n].setZero();
+    }
+    const std::vector<Element>& elements = structure_->elements();
+    for (std::size_t e = 0; e < elements.size(); ++e)
+        if (w_.rests(elements[e].node[0])) {
+            w_.force[e] = state_.force[e];
+            copy(state_.twist, w_.trial.twist, e), copy(state_.turned, w_.trial.turned, e);
+        }
+    if (EffectiveStiffness* effective = integrator_->effective()) effective->leave_out(w_.resting);
+    Run::rest_changed();
 }
 
 // ---- the run --------------------------------------------------------------------------------------------------------

@@ -73,7 +73,7 @@ private:
     void stiffness_changed(int element) override { integrator_->stiffness_changed(element); }
     void blocks_changed(const Pose& at) override;
     void set_offset_mass(int node, const Mat6& mass) override;
-    void leave_out(const std::vector<int>& resting) override;
+    void rest_changed() override;
     void accelerations_anew() override { forces_.acceleration_due = true; }
     void constraints_changed() override { element_breaks_.constraints_due = true; }
     void mass_changed(int element) override { mass_.changed(element); }

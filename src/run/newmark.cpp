@@ -140,15 +140,17 @@ void Newmark::predict(const Step& step) {
         return move_to_rotated(0, int(w_.rotation_step.size()));
     }
     w_.pool.share(int(w_.rotation_step.size()), some_nodes, [&](int first, int end, int) {
-        for (int i = first; i < end; ++i) {
-            const Lanes v = load_row<6>(s.velocity[i].data()), a = load_row<6>(s.acceleration[i].data());
-            const Lanes move = dt * v + (0.5 * dt * dt) * a;
-            store_row<3>(trial.displacement[i].data(), load_row<3>(s.displacement[i].data()) + move);
-            store_row<3>(w_.rotation_step[i].data(), second_three(move));
-            store_row<6>(trial.velocity[i].data(), v + dt * a);
-            store_row<6>(trial.acceleration[i].data(), a);
-        }
-        move_to_rotated(first, end);
+        w_.for_awake(first, end, [&](int from, int to) {
+            for (int i = from; i < to; ++i) {
+                const Lanes v = load_row<6>(s.velocity[i].data()), a = load_row<6>(s.acceleration[i].data());
+                const Lanes move = dt * v + (0.5 * dt * dt) * a;
+                store_row<3>(trial.displacement[i].data(), load_row<3>(s.displacement[i].data()) + move);
+                store_row<3>(w_.rotation_step[i].data(), second_three(move));
+                store_row<6>(trial.velocity[i].data(), v + dt * a);
+                store_row<6>(trial.acceleration[i].data(), a);
+            }
+            move_to_rotated(from, to);
+        });
     });
 }
 

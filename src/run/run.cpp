@@ -118,6 +118,14 @@ void Run::keep_from_rest(const Bodies& bodies, std::vector<char>& rests) {
     for (const auto& e : effects_->all) e->keep_from_rest(bodies, rests);
 }
 
+void Run::hold_up(const Bodies& bodies, std::vector<char>& held_up) {
+    for (const auto& e : effects_->all) e->hold_up(bodies, held_up);
+}
+
+void Run::rest_changed() {
+    for (const auto& e : effects_->all) e->rest_changed();
+}
+
 std::vector<beam::BowPoint> Run::points_on_pair(int first, int plane, const Pose& at, double factor) {
     std::vector<beam::BowPoint> points;
     for (const auto& source : effects_->section_forces) source->add_points(first, plane, at, factor, points);

@@ -131,7 +131,6 @@ protected:
     void stiffness_changed(int) override {}
     void blocks_changed(const Pose&) override {}
     void set_offset_mass(int, const Mat6&) override {}
-    void leave_out(const std::vector<int>&) override {}
     void accelerations_anew() override {}
     void constraints_changed() override {}
     void mass_changed(int) override {}
@@ -140,6 +139,8 @@ protected:
     void reached(const std::vector<Reached>& elements) override;
     void note_activation(const std::string& effect, bool awake, const std::string& why) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
+    void hold_up(const Bodies& bodies, std::vector<char>& held_up) override;
+    void rest_changed() override;
     std::vector<beam::BowPoint> points_on_pair(int first, int plane, const Pose& at, double factor) override;
     void count_break() override { ++breaks_; }
     bool has_effective_stiffness() const override { return true; }

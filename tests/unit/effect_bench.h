@@ -13,7 +13,6 @@ public:
     void stiffness_changed(int) override {}
     void blocks_changed(const Pose&) override {}
     void set_offset_mass(int, const Mat6&) override {}
-    void leave_out(const std::vector<int>&) override {}
     void accelerations_anew() override {}
     void constraints_changed() override {}
     void mass_changed(int) override {}
@@ -22,6 +21,8 @@ public:
     void reached(const std::vector<Reached>&) override {}
     void note_activation(const std::string&, bool, const std::string&) override {}
     void keep_from_rest(const Bodies&, std::vector<char>&) override {}
+    void hold_up(const Bodies&, std::vector<char>&) override {}
+    void rest_changed() override {}
     std::vector<beam::BowPoint> points_on_pair(int, int, const Pose&, double) override { return {}; }
     void count_break() override {}
     bool has_effective_stiffness() const override { return true; }

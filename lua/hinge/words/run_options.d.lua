@@ -149,7 +149,12 @@ function model:dynamic(options) end
 ---fails, whatever energy_tolerance is. While no step is undone, no bit changes. Default with energy-momentum: 0.01,
 ---every step
 ---@field step_control? number
----@field rest? boolean true (default): a body at rest in equilibrium is not computed until something acts on it
+---true (default): a body is not computed until something reaches it if it is in equilibrium where the run begins, or
+---if it has come to rest on a ground without `restitution` and `stiffness`. That is, for three times as long as it
+---would take to fall by the half depth r of its members, no node moves by more than r / 500 or rotates by more than
+---0.002 rad, and the kinetic energy is below a thousandth of m g r. It then goes to energy.ground_dissipated.
+---run.state_changes lists when. Not with energy-momentum
+---@field rest? boolean
 ---threads that share the work of a step. "auto", the default: one for each 1,000 elements, so that a model of less than
 ---2,000 has one; no more than 16, than the process has cores, or than its share of them where cases of a study run side
 ---by side. Results are the same to the bit for any number
