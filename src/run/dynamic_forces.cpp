@@ -83,7 +83,7 @@ std::optional<Notice> DynamicForces::return_to_yield_surface() {
         for (std::size_t i = 0; i < w_.state.force.size(); ++i)
             if (strained(int(i))) w_.state.force[i] = w_.force[i];
         for (const auto& e : effects_.all) e->returned_to_yield(step_);
-        if (w_.points_moved) w_.assembly.update_active(w_.state), w_.points_moved = false;
+        if (w_.points_moved) read_active(w_);
         found = Notice{.kind = Notice::Kind::starts_beyond_yield,
                        .element = first,
                        .count = long(count),

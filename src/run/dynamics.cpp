@@ -200,7 +200,7 @@ void Dynamics::commit() {
     if (element_breaks_.constraints_due) element_breaks_.rebuild_constraints();
     length_.note_skipped();
     if (built::fracture && !step_.breaks.empty()) break_elements();
-    if (w_.points_moved) assembly_.update_active(state_), w_.points_moved = false;
+    if (w_.points_moved) read_active(w_);
     const StepControl& control = length_.control();
     if (control.on() && !control.by_default() && forces_.acceleration_due) length_.start_from(energy().error);
     sleepers_.update(*this);

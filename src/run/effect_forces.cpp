@@ -15,6 +15,13 @@ void add_blocks(const EffectList& effects, const Pose& at, Blocks& to) {
         if (force->has_blocks()) force->add_blocks(at, to);
 }
 
+void read_active(Workspace& w) {
+    w.assembly.update_active(w.state);
+    for (std::size_t e = 0; !w.resting.empty() && e < w.state.broken.size(); ++e)
+        if (w.rests(w.structure.elements()[e].node[0])) w.assembly.deactivate(int(e));
+    w.points_moved = false;
+}
+
 void find_fixed_ends(Workspace& w, const EffectList& effects, double factor) {
     std::vector<beam::FixedEnd>& all = w.assembly.fixed_ends();
     const bool asked = w.structure.can_yield() || any_of(effects.breakers, &Breaker::by_strain);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "run/effect_forces.h"
 #include "state/breaking.h"
 
 namespace hinge {
@@ -17,7 +18,7 @@ bool ElementBreaks::apply(const std::vector<Break>& breaks) {
         for (const auto& listener : effects_.break_listeners) listener->broke(b);
         w_.assembly.deactivate(b.element);
     }
-    if (w_.points_moved) w_.assembly.update_active(w_.state), w_.points_moved = false;
+    if (w_.points_moved) read_active(w_);
     if (w_.constraints) rebuild_constraints();
     Mass& mass = mass_.renewed(w_.state);
     const double before = forces_.work_of_supports(w_.state.velocity, w_.state.velocity);
