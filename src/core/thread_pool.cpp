@@ -27,7 +27,7 @@ constexpr int most_threads = 16;
 
 /// How many times this process has been forked from one that had loaded the engine.
 std::atomic<unsigned> forks{0};
-const int counts_forks = ::pthread_atfork(nullptr, nullptr, [] { ++forks; });
+[[maybe_unused]] const int counts_forks = ::pthread_atfork(nullptr, nullptr, [] { ++forks; });
 std::atomic<int> processes_side_by_side{1};
 
 /// Cores of time that the control group lets this process have; 0: no limit is known.
@@ -57,7 +57,6 @@ int threads_for(std::size_t elements) {
 }
 
 ThreadPool::ThreadPool(int threads, bool or_fewer) : process_(forks), parts_(std::max(threads, 1)) {
-    static_cast<void>(counts_forks);
     try {
         for (int i = 1; i < threads; ++i) others_.emplace_back([this, i] { serve(i); });
     } catch (const std::system_error& e) {

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/rotation.h"
 #include "core/text.h"
 #include "effects/declared.h"
 #include "effects/kinds.h"
@@ -156,12 +157,17 @@ private:
     }
     double time_still(double radius) const { return falls * std::sqrt(2 * radius / gravity_); }
 
+    Quat rotation_of(std::size_t node) const {
+        return w_.structure.large() ? w_.state.rotation[node]
+                                    : rotated(w_.state.small_rotation[node], Quat::Identity());
+    }
+
     /// Leaves those of the bodies that have not moved for long enough. Where one has moved, it is watched from now on.
     void keep_still(const Bodies& bodies, double now, std::vector<char>& lies) {
         const State& s = w_.state;
         watched_.resize(bodies.of_node.size());
         struct Body {
-            double radius = 0, weight = 0, energy = 0, moved = 0, rotated = 0, since = 0;
+            double radius = 0, weight = 0, energy = 0, moved = 0, rotated = 0;
             bool is_new = false;
         };
         std::vector<Body> all(bodies.count);
@@ -187,9 +193,8 @@ private:
             const Watched& at = watched_[n];
             Body& body = all[b];
             if (at.since < 0) body.is_new = true;
-            body.since = std::max(body.since, at.since);
             body.moved = std::max(body.moved, (s.displacement[n] - at.displacement).norm());
-            body.rotated = std::max(body.rotated, s.rotation[n].angularDistance(at.rotation));
+            body.rotated = std::max(body.rotated, rotation_of(n).angularDistance(at.rotation));
         }
         for (std::size_t n = 0; n < watched_.size(); ++n) {
             const int b = bodies.of_node[n];
@@ -201,7 +206,7 @@ private:
             const bool moves = body.is_new || !(body.radius > 0) || !(body.moved <= still_part * body.radius) ||
                                !(body.rotated <= still_part) ||
                                !(body.energy <= still_energy * body.weight * body.radius);
-            if (moves) watched_[n] = {now, s.displacement[n], s.rotation[n]};
+            if (moves) watched_[n] = {now, s.displacement[n], rotation_of(n)};
         }
         for (std::size_t n = 0; n < watched_.size(); ++n) {
             const int b = bodies.of_node[n];

@@ -85,4 +85,14 @@ case("a run of two threads goes on in another process, and ends there", function
   checks.equal(run:finish().hash, expected, "the run itself")
 end)
 
+case("cases that run side by side share the cores", function()
+  local cores = core.cores()
+  for _, jobs in ipairs { 1, cores, 2 * cores } do
+    core.start(core.cores, os.tmpname(), 0, false, jobs)
+    local _, how, status = core.wait(20)
+    checks.equal(how, "exit", ("%d jobs"):format(jobs))
+    checks.equal(status, jobs <= cores and cores // jobs or 1, ("cores of a case of %d"):format(jobs))
+  end
+end)
+
 checks.done()
