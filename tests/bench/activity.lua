@@ -39,7 +39,7 @@ local function bars(p, falling)
   local explicit = p.integrator == "explicit"
   local run = model:dynamic { dt = explicit and 2e-5 or 1e-4, integrator = explicit and "explicit" or nil,
     duration = 3, record = false, threads = 1, step_control = not explicit and 0 or nil }
-  while run.time < 1 do run:step() end
+  while run.time < 1.5 do run:step() end
   return time_steps(run, 1000)
 end
 

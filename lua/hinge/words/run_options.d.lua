@@ -150,7 +150,7 @@ function model:dynamic(options) end
 ---every step
 ---@field step_control? number
 ---true (default): a body is not computed until something reaches it if it is in equilibrium where the run begins, or
----if it has come to rest on a ground without `restitution` and `stiffness`. That is, for three times as long as it
+---if it has come to rest on a ground without `restitution` and `stiffness`. That is, for ten times as long as it
 ---would take to fall by the half depth r of its members, no node moves by more than r / 500 or rotates by more than
 ---0.002 rad, and the kinetic energy is below a thousandth of m g r. It then goes to energy.ground_dissipated.
 ---run.state_changes lists when. Not with energy-momentum
