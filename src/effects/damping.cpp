@@ -29,8 +29,10 @@
 #include <utility>
 
 #include "core/text.h"
+#include "effects/damped_blocks.h"
 #include "effects/declared.h"
 #include "effects/facts.h"
+#include "effects/footing.h"
 #include "effects/joined_bodies.h"
 #include "effects/kinds.h"
 #include "model/member_text.h"
@@ -54,8 +56,6 @@ constexpr int shares_follow = 4;
 constexpr int few_steps = 10;
 constexpr double small_part = 0.1;
 
-bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
-
 /// Of each element, as the last declaration that fits it has it; empty where all is zero.
 std::vector<ElementDamping> damping_of_elements(const Structure& structure) {
     std::vector<ElementDamping> of(structure.elements().size());
@@ -69,28 +69,13 @@ std::vector<ElementDamping> damping_of_elements(const Structure& structure) {
     return of;
 }
 
-/// Which supports a body is damped relative to, along x, y and z each.
-struct Footing {
-    std::vector<int> supports[3];
-
-    /// The mean over them of what `of` (a node, a direction) says; 0 without supports.
-    template <class Of>
-    Vec3 mean(Of of) const {
-        Vec3 all = Vec3::Zero();
-        for (int c : {0, 1, 2}) {
-            for (const int node : supports[c]) all[c] += of(node, c);
-            if (!supports[c].empty()) all[c] /= double(supports[c].size());
-        }
-        return all;
-    }
-};
-
 class RayleighDamping : public Effect, public Force, public BreakListener, public WholeRates {
 public:
     RayleighDamping(Workspace& w, Host& host, std::vector<ElementDamping> damping)
-        : Effect(damping_effect, w, host, {.mean_forces = true}), damping_(std::move(damping)) {
-        for (std::size_t e = 0; e < damping_.size(); ++e)
-            if (damps(damping_[e])) damped_.push_back(int(e));
+        : Effect(damping_effect, w, host, {.mean_forces = true}),
+          damping_(std::move(damping)),
+          damped_(damped_of(damping_)),
+          blocks_(w.structure, w.state, damped_, damping_) {
         of_element_.resize(damped_.size());
         by_stiffness_.resize(damped_.size(), Vec12::Zero());
         by_stiffness_before_ = by_stiffness_;
@@ -332,9 +317,11 @@ private:
     void find_forces() {
         for (std::size_t i = 0; i < footings_.size(); ++i)
             velocities_[i] = footings_[i].mean([&](int n, int c) { return w_.trial.velocity[n][c]; });
-        w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
-            for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i], by_stiffness_[i]);
-        });
+        if (w_.structure.large() && w_.trial.heat.empty() && w_.state.turned.empty()) find_by_eight();
+        else
+            w_.pool.share(int(damped_.size()), 64, [&](int first, int end, int) {
+                for (int i = first; i < end; ++i) of_element_[i] = force_of(damped_[i], by_stiffness_[i]);
+            });
         for (Vec6& n : now_) n.setZero();
         for (std::size_t i = 0; i < damped_.size(); ++i)
             for (int end : {0, 1})
@@ -343,6 +330,41 @@ private:
             if (!w_.rests(node))
                 now_[node] +=
                     alpha_at(node) * (offset_mass_in_space(mass, w_.trial.rotation[node]) * velocity_relative(node));
+    }
+
+    /// Eight elements at once, and again those of them that are not as DampedBlocks takes them.
+    void find_by_eight() {
+        if (!footings_.empty()) {
+            relative_.resize(now_.size());
+            for (std::size_t n = 0; n < relative_.size(); ++n) relative_[n] = velocity_relative(int(n));
+        }
+        const std::vector<Vec6>& relative = footings_.empty() ? w_.trial.velocity : relative_;
+        w_.pool.share(blocks_.size(), 8, [&](int first, int end, int) {
+            for (int block = first; block < end; ++block) {
+                const int from = block * lane_count, to = std::min(from + lane_count, int(damped_.size()));
+                unsigned alone = ~0u;
+                if (std::any_of(damped_.begin() + from, damped_.begin() + to, [this](int e) { return damps_now(e); }))
+                    alone = blocks_.find(block, w_.state, w_.trial, relative, &of_element_[std::size_t(from)],
+                                         &by_stiffness_[std::size_t(from)]);
+                for (int i = from; i < to; ++i)
+                    if (const int e = damped_[std::size_t(i)]; alone >> (i - from) & 1 || by_itself(e))
+                        of_element_[std::size_t(i)] = force_of(e, by_stiffness_[std::size_t(i)]);
+            }
+        });
+        for (const ElasticRate& r : w_.elastic_rates)
+            if (damps(damping_[r.element])) {
+                const std::size_t i = std::size_t(index_of(r.element));
+                of_element_[i] = force_of(r.element, by_stiffness_[i]);
+            }
+    }
+    /// Whether an element is not as DampedBlocks takes it; those that flow are not either.
+    bool by_itself(int element) const {
+        return !damps_now(element) || is_lone(w_.structure, w_.state, element) ||
+               (!w_.trial.twist.empty() && w_.trial.twist[element] != 0) ||
+               (w_.structure.wears_stiffness() && !in_pair(w_.structure, w_.state, element));
+    }
+    bool damps_now(int element) const {
+        return !w_.state.broken[element] && !w_.rests(w_.structure.elements()[element].node[0]);
     }
 
     /// The part of beta at the trial pose.
@@ -358,7 +380,7 @@ private:
     Vec12 force_of(int element, Vec12& by_stiffness) const {
         const Element& e = w_.structure.elements()[element];
         by_stiffness.setZero();
-        if (w_.state.broken[element] || w_.rests(e.node[0])) return Vec12::Zero();
+        if (!damps_now(element)) return Vec12::Zero();
         const ElementDamping& c = damping_[element];
         const ElementFrame place = element_frame(w_.structure, element, w_.trial);
         Vec12 force = Vec12::Zero();
@@ -378,6 +400,8 @@ private:
 
     std::vector<ElementDamping> damping_;
     std::vector<int> damped_;                                ///< elements
+    DampedBlocks blocks_;                                    ///< of those
+    std::vector<Vec6> relative_;                             ///< of all nodes, where supports move: velocity_relative
     std::vector<Vec12> of_element_;                          ///< of those
     std::vector<Vec12> by_stiffness_, by_stiffness_before_;  ///< the part of beta, and where the last step ended
     std::map<int, Dashpot> dashpots_;                        ///< of elements that flow or have flowed

@@ -7,6 +7,7 @@
 #include "beam/pair_return.h"
 #include "core/built.h"
 #include "state/element_block.h"
+#include "state/gather.h"
 #include "state/hinges.h"
 
 namespace hinge {
@@ -21,20 +22,6 @@ namespace {
 /// 1e-6 of the work so, and of 5e-5 where bending counts as rotation does.
 constexpr double bending_counts = 1.0 / 64;
 
-/// Three numbers of each node, from the given one of its numbers on.
-template <class T>
-[[gnu::always_inline]] inline Triple<Lanes> gather(const std::vector<T>& from, const int* node, int offset = 0) {
-    Lanes v[lane_count];
-    pick_rows<3>(from.data()->data() + offset, node, sizeof(T) / sizeof(double), v);
-    return {v[0], v[1], v[2]};
-}
-
-[[gnu::always_inline]] inline Quadruple<Lanes> gather(const std::vector<Quat>& from, const int* node) {
-    Lanes v[lane_count];
-    pick_rows<4>(from.data()->coeffs().data(), node, 4, v);  // x y z w
-    return {v[3], v[0], v[1], v[2]};
-}
-
 /// Turns the nodes' rotations to those of the elements' ends (state/turned_ends.h), of the eight from `element` on.
 [[gnu::noinline]] void turn(Quadruple<Lanes> (&end)[2], const std::vector<TurnedEnds>& turned, int element) {
     for (int e : {0, 1}) {
@@ -44,15 +31,6 @@ template <class T>
                 by[c][i] = turned[std::min(std::size_t(element + i), turned.size() - 1)].by[e][c];
         end[e] = beam::product(end[e], {by[0], by[1], by[2], by[3]});
     }
-}
-
-struct Motion {
-    Triple<Lanes> linear, angular;
-};
-[[gnu::always_inline]] inline Motion gather_motion(const std::vector<Vec6>& from, const int* node) {
-    Lanes v[lane_count];
-    pick_rows<6>(from.data()->data(), node, 6, v);
-    return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
 }
 
 /// Small displacement: the frame of the start, and the deformation to first order.
