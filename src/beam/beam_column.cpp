@@ -80,9 +80,8 @@ Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, dou
     return on_both(f);
 }
 
-PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
+PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, double N) {
     const Modes y = modes_of(d1, d2);
-    const double N = forces_of(k, y).N_whole;
     Eigen::Matrix<double, 5, 5> H = Eigen::Matrix<double, 5, 5>::Zero();
     Modes with_N = Modes::Zero();  // d2/dN dy
     with_N[0] = 2;
@@ -102,6 +101,10 @@ PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6&
     // lazyProduct: at this size plain loops beat the packed product
     const Eigen::Matrix<double, 5, 12> HG = H.lazyProduct(G);
     return G.transpose().lazyProduct(HG);
+}
+
+PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2) {
+    return pair_stiffness(k, d1, d2, forces_of(k, modes_of(d1, d2)).N_whole);
 }
 
 }  // namespace hinge::beam

@@ -308,5 +308,7 @@ double pair_energy(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
 Vec12 pair_forces(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, double* N = nullptr);
 /// Stiffness of a pair in addition to that of its elements, 12 x 12, symmetric.
 PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2);
+/// The same where the axial force N of the pair is known.
+PairMatrix pair_stiffness(const PairKind<double>& k, const Vec6& d1, const Vec6& d2, double N);
 
 }  // namespace hinge::beam

@@ -8,8 +8,9 @@ namespace hinge::beam {
 namespace {
 
 constexpr int most_steps = 60;
-// of the last step and of one near the end, in the energy norm, over that of the elements
-constexpr double found = 1e-7, close = 1e-3;
+constexpr double still_quick = 0.1;  ///< a step that is more than this part of the one before: then K is computed anew
+// of the last step, of one near the end, and of what may be left, in the energy norm, over that of the elements
+constexpr double found = 1e-7, close = 1e-3, exact = 1e-13;
 
 using Few = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
 using FewSquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
@@ -90,18 +91,27 @@ bool ElasticPair::take_off_springs(Vec6& d1, Vec6& d2) const {
     };
     const auto whole = [&](const Few& t) { return energy(*this, at(t)) + 0.5 * t.dot(rigid * t); };
     Few t = (firm + rigid).llt().solve(sprung.of(forces(*this, d)));
-    double scale = std::numeric_limits<double>::min();  // of the energy
+    double scale = std::numeric_limits<double>::min(), before = 0;  // of the energy; the size of the step before
+    Eigen::LLT<FewSquare> factor;
     for (int i : {0, 1}) scale += 0.5 * d.segment<6>(6 * i).dot(of[i].times(d.segment<6>(6 * i)));
     for (int step = 0; step < most_steps; ++step) {
         const Vec12 own = at(t);
-        const PairMatrix K = own_matrix(*this) + pair_stiffness(kind, own.head<6>(), own.tail<6>());
         const Few off = sprung.of(forces(*this, own)) - rigid * t;
-        Eigen::LLT<FewSquare> factor(sprung.of(K) + rigid);
-        if (factor.info() != Eigen::Success) factor.compute(firm + rigid);
-        Few way = factor.solve(off);
-        const double size = std::sqrt(off.dot(way) / scale);
+        Few way = off;
+        double size = 0;
+        const auto solve = [&] { way = factor.solve(off), size = std::sqrt(off.dot(way) / scale); };
+        bool fresh = step == 0;
+        if (!fresh) solve(), fresh = !(size <= still_quick * before);
+        if (fresh) {
+            const PairMatrix K = own_matrix(*this) + pair_stiffness(kind, own.head<6>(), own.tail<6>());
+            factor.compute(sprung.of(K) + rigid);
+            if (factor.info() != Eigen::Success) factor.compute(firm + rigid);
+            solve();
+        }
+        const double left = fresh ? 0 : size * size / before;  // by a step with a K that is not of this t
+        before = size;
         if (!std::isfinite(size)) return false;
-        if (size <= found) {
+        if (size <= found && left <= exact) {
             const Vec12 last = at(t + way);
             d1 = last.head<6>(), d2 = last.tail<6>();
             return true;
@@ -131,25 +141,33 @@ double ElasticPair::energy_beyond(const Vec6& d1, const Vec6& d2) const {
     return sum;
 }
 
-Vec12 ElasticPair::forces_beyond(const Vec6& d1, const Vec6& d2, double* N) const {
-    if (!has_springs()) return pair_forces(kind, d1, d2, N);
-    Vec6 own1 = d1, own2 = d2;
-    if (!take_off_springs(own1, own2)) return Vec12::Constant(std::numeric_limits<double>::quiet_NaN());
-    return forces(*this, both(own1, own2), N) - both(of[0].times(d1), of[1].times(d2));
+ElasticPair::At ElasticPair::at(const Vec6& d1, const Vec6& d2) const {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    At at = {{d1, d2}, Vec12::Constant(none), none};
+    if (!has_springs()) at.beyond = pair_forces(kind, d1, d2, &at.N);
+    else if (take_off_springs(at.own[0], at.own[1]))
+        at.beyond = forces(*this, both(at.own[0], at.own[1]), &at.N) - both(of[0].times(d1), of[1].times(d2));
+    return at;
 }
 
-PairMatrix ElasticPair::stiffness_beyond(const Vec6& d1, const Vec6& d2) const {
-    if (!has_springs()) return pair_stiffness(kind, d1, d2);
-    Vec6 own1 = d1, own2 = d2;
-    if (!take_off_springs(own1, own2)) return PairMatrix::Constant(std::numeric_limits<double>::quiet_NaN());
-    const PairMatrix own = own_matrix(*this), K = own + pair_stiffness(kind, own1, own2);
+Vec12 ElasticPair::forces_beyond(const Vec6& d1, const Vec6& d2, double* N) const {
+    const At there = at(d1, d2);
+    if (N) *N = there.N;
+    return there.beyond;
+}
+
+/// With springs (K^-1 + c e e^T)^-1, one spring after the other.
+PairMatrix ElasticPair::stiffness_beyond(const At& at) const {
+    if (!has_springs()) return pair_stiffness(kind, at.own[0], at.own[1], at.N);
+    const PairMatrix own = own_matrix(*this);
+    PairMatrix K = own + pair_stiffness(kind, at.own[0], at.own[1], at.N);
     const Sprung sprung(springs);
-    Eigen::Matrix<double, Eigen::Dynamic, 12, 0, 8, 12> rows(sprung.count, 12);
-    for (int i = 0; i < sprung.count; ++i) rows.row(i) = K.row(sprung.at[i]);
-    FewSquare middle = sprung.of(K);
-    middle.diagonal() += sprung.compliance.cwiseInverse();
-    const PairMatrix less = rows.transpose() * middle.ldlt().solve(rows);
-    return K - 0.5 * (less + less.transpose()) - own;
+    for (int i = 0; i < sprung.count; ++i) {
+        const Vec12 column = K.col(sprung.at[i]);
+        const double c = sprung.compliance[i];
+        K -= (c / (1 + c * column[sprung.at[i]])) * column * column.transpose();
+    }
+    return K - own;
 }
 
 }  // namespace hinge::beam

@@ -38,10 +38,18 @@ struct ElasticPair {
     bool has_springs() const { return springs[0].any() || springs[1].any(); }
     /// Their own parts of d1 and d2, without those of the springs.
     bool take_off_springs(Vec6& d1, Vec6& d2) const;
+    /// The pair where its elements with their springs have the deformations d1 and d2.
+    struct At {
+        Vec6 own[2];   ///< without the parts of the springs
+        Vec12 beyond;  ///< forces_beyond
+        double N;      ///< axial force, N
+    };
+    At at(const Vec6& d1, const Vec6& d2) const;
     // What the pair has in addition to elements of stiffness `of` with the deformations d1 and d2.
     double energy_beyond(const Vec6& d1, const Vec6& d2) const;                      ///< J
     Vec12 forces_beyond(const Vec6& d1, const Vec6& d2, double* N = nullptr) const;  ///< as pair_forces
-    PairMatrix stiffness_beyond(const Vec6& d1, const Vec6& d2) const;
+    PairMatrix stiffness_beyond(const At& at) const;
+    PairMatrix stiffness_beyond(const Vec6& d1, const Vec6& d2) const { return stiffness_beyond(at(d1, d2)); }
 };
 
 }  // namespace hinge::beam

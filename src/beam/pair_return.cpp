@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace hinge::beam {
 namespace {
@@ -72,11 +73,10 @@ public:
     }
 
     void at(const Vec6 (&plastic)[2], Vec6 (&p)[2], Mat12& K) const override {
-        const Vec6 elastic[2] = {d_[0] - plastic[0], d_[1] - plastic[1]};
-        const Vec12 beyond = pair_.forces_beyond(elastic[0], elastic[1]);
-        K = pair_.stiffness_beyond(elastic[0], elastic[1]);
+        const ElasticPair::At& there = elastic_at(plastic[0], plastic[1]);
+        K = pair_.stiffness_beyond(there);
         for (int i : {0, 1}) {
-            p[i] = of_[i].times(elastic[i]) + beyond.segment<6>(6 * i);
+            p[i] = of_[i].times(d_[i] - plastic[i]) + there.beyond.segment<6>(6 * i);
             K.block<6, 6>(6 * i, 6 * i) += of_[i].matrix();
         }
     }
@@ -89,11 +89,18 @@ private:
     };
 
     At at(const ElementFlow& one, const ElementFlow& two) const {
-        At a{{one, two}, {}, 0};
-        const Vec6 elastic[2] = {d_[0] - one.plastic, d_[1] - two.plastic};
-        const Vec12 beyond = pair_.forces_beyond(elastic[0], elastic[1], &a.N);
-        for (int i : {0, 1}) a.p[i] = of_[i].times(elastic[i]) + beyond.segment<6>(6 * i);
+        const ElasticPair::At& there = elastic_at(one.plastic, two.plastic);
+        At a{{one, two}, {}, there.N};
+        for (int i : {0, 1}) a.p[i] = of_[i].times(d_[i] - a.of[i].plastic) + there.beyond.segment<6>(6 * i);
         return a;
+    }
+    /// The elastic side beside these plastic deformations; the last one is kept.
+    const ElasticPair::At& elastic_at(const Vec6& one, const Vec6& two) const {
+        if (!known_ || known_at_[0] != one || known_at_[1] != two) {
+            known_ = pair_.at(d_[0] - one, d_[1] - two);
+            known_at_[0] = one, known_at_[1] = two;
+        }
+        return *known_;
     }
     double energy(const At& a) const {
         const Vec6 elastic[2] = {d_[0] - a.of[0].plastic, d_[1] - a.of[1].plastic};
@@ -301,6 +308,8 @@ private:
     const Vec6 (&d_)[2];
     const SectionLaw& law_;
     SectionConditions conditions_[2];
+    mutable std::optional<ElasticPair::At> known_;  ///< elastic_at of these
+    mutable Vec6 known_at_[2];
     mutable int work_ = 0;  ///< evaluations and rounds so far
     double tolerance_;
     inline static const ElementFlow no_flow_{};

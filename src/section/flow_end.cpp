@@ -1,17 +1,43 @@
 #include "section/flow_end.h"
 
 namespace hinge::beam {
+namespace {
+
+/// The factor that follows the rotation times those of the work, after a flow of work D at the initial strength.
+MaterialLaw::Factor factor_at(const FlowProblem& problem, const FlowingEnd& end, double D) {
+    const MaterialLaw::Factor own = problem.factor_at(end.history, D / problem.material.zone.energy, end.moment);
+    return {end.turned.factor * own.value, end.turned.factor * own.slope};
+}
+
+/// q and the curvature; `steeper`: a slope in addition to that of the factor `f`, over the work, 1/J.
+void harden_forces(const FlowProblem& problem, const FlowingEnd& end, const MaterialLaw::Factor& f, double steeper,
+                   const Vec4& Ce, WorkOfFlow& w) {
+    w.curvature = f.value * w.curvature + (f.slope / problem.material.zone.energy + steeper) * w.q * w.q.transpose();
+    w.curvature.diagonal() += end.hardens;
+    w.q = f.value * w.q + Ce;
+}
+
+}  // namespace
 
 void harden(const FlowProblem& problem, const FlowingEnd& end, const Vec4& e, WorkOfFlow& w) {
     if (problem.keeps_strength()) return;
-    const double energy = problem.material.zone.energy, D = w.initial, turned = end.turned.factor;
-    const MaterialLaw::Factor own = problem.factor_at(end.history, D / energy, end.moment),
-                              f = {turned * own.value, turned * own.slope};
+    const double D = w.initial;
     const Vec4 Ce = end.hardens.cwiseProduct(e);
-    w.curvature = f.value * w.curvature + f.slope / energy * w.q * w.q.transpose();
-    w.curvature.diagonal() += end.hardens;
-    w.q = f.value * w.q + Ce;
-    w.value = turned * D * problem.mean_factor(end.history, D / energy, end.moment, false) + 0.5 * e.dot(Ce);
+    harden_forces(problem, end, factor_at(problem, end, D), 0, Ce, w);
+    w.value =
+        end.turned.factor * D * problem.mean_factor(end.history, D / problem.material.zone.energy, end.moment, false) +
+        0.5 * e.dot(Ce);
+}
+
+void harden_and_turn(const FlowProblem& problem, const FlowingEnd& end, const Vec4& e, WorkOfFlow& w) {
+    if (problem.keeps_strength()) return;
+    const MaterialLaw::Factor f = factor_at(problem, end, w.initial);
+    harden_forces(problem, end, f, end.turned.slope * f.value / end.turned.factor, end.hardens.cwiseProduct(e), w);
+}
+
+MaterialLaw::Factor resistance_on_ray(const FlowProblem& problem, const FlowingEnd& end, double D, double t) {
+    const MaterialLaw::Factor f = factor_at(problem, end, t * D);
+    return {f.value * D, f.slope * D * D / problem.material.zone.energy};
 }
 
 FlowSoFar flow_so_far(const FlowProblem& problem, const ElementFlow& flow, int section, const double* history) {

@@ -1,6 +1,8 @@
 // An end of an element that can flow: what a search for the plastic flow of sections moves.
 #pragma once
 
+#include <cmath>
+
 #include "section/flow_problem.h"
 #include "section/section_law.h"
 
@@ -20,7 +22,8 @@ struct FlowSoFar {
 struct FlowingEnd {
     double n1, n2;                ///< of the section's moments, from those at the element's ends
     Vec4 per;                     ///< 1 over the strength
-    Vec4 fixed;                   ///< normalised fixed-end part, less the back resultants at the start
+    Vec4 by_loads;                ///< normalised fixed-end part
+    Vec4 fixed;                   ///< that, less the back resultants at the start
     Vec4 k;                       ///< stiffness against its own flow
     Vec4 hardens = Vec4::Zero();  ///< what e adds to the back resultants
     MaterialLaw::Turned turned;   ///< factor that follows the rotation, at the end of the round before
@@ -33,7 +36,7 @@ struct FlowingEnd {
 
     FlowingEnd() = default;
     FlowingEnd(double r, const Vec4& per_strength, const Stiffness& of)
-        : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength), fixed(Vec4::Zero()) {
+        : n1(-(1 - r) / 2), n2((1 + r) / 2), per(per_strength), by_loads(Vec4::Zero()), fixed(Vec4::Zero()) {
         k << n1 * n1 * of.x11 + 2 * n1 * n2 * of.x12 + n2 * n2 * of.x22,
             n1 * n1 * of.y11 + 2 * n1 * n2 * of.y12 + n2 * n2 * of.y22, of.axial, of.twist;
         k = k.cwiseProduct(per.cwiseProduct(per));
@@ -44,16 +47,18 @@ struct FlowingEnd {
     FlowingEnd(double r, const Stiffness& of, const SectionConditions& at, int section, const FlowProblem& problem,
                const FlowSoFar& so_far)
         : FlowingEnd(r, problem.per_strength, of) {
-        fixed = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
+        by_loads = per.cwiseProduct(resultants(at.fixed_end->at(r), r));
         set_history(at, section, problem, so_far);
     }
+    /// What the material adds after a flow of `so_far`.
     void set_history(const SectionConditions& at, int section, const FlowProblem& problem, const FlowSoFar& so_far) {
         moment = {at.dt, at.temperature};
         history = at.history_of(section, problem.history_size), own = problem.own(history);
         turned = problem.turned(history, so_far.e, so_far.strain * problem.material.zone.energy);
         Vec4 back = Vec4::Zero();
+        hardens.setZero();
         problem.add_back(history, so_far.strain, so_far.e, back, hardens);
-        fixed -= back;
+        fixed = by_loads - back;
     }
     bool flows() const { return !e.isZero(0); }
     void knows(const Vec4& at, const WorkOfFlow& work) const { known_at = at, known = work; }
@@ -76,6 +81,29 @@ struct FlowingEnd {
 
 /// Phi(D) + e.C e / 2 in the place of D.
 void harden(const FlowProblem& problem, const FlowingEnd& end, const Vec4& e, WorkOfFlow& w);
+/// q and the curvature alone, and that with the slope of the factor that follows the rotation.
+void harden_and_turn(const FlowProblem& problem, const FlowingEnd& end, const Vec4& e, WorkOfFlow& w);
+
+/// What an end of work D at e resists at t e along its ray, times e, and the slope of that over t.
+MaterialLaw::Factor resistance_on_ray(const FlowProblem& problem, const FlowingEnd& end, double D, double t);
+/// The t above 0 at which force - t stiffness is resistance(t), a MaterialLaw::Factor, from `t` on; 0: there is none.
+/// `off_by`: what of the force may be left.
+template <class Resistance>
+double find_on_ray(double force, double stiffness, double t, double off_by, Resistance resistance) {
+    constexpr int most_steps = 100;
+    if (!(force - resistance(0).value > 0)) return 0;
+    double low = 0, high = force / stiffness;  // what is left is above 0 at low, and not above at high
+    t = t > 0 && t < high ? t : 0.5 * high;
+    for (int i = 0; i < most_steps && high - low > 1e-15 * high; ++i) {
+        const MaterialLaw::Factor f = resistance(t);
+        const double off = force - t * stiffness - f.value;
+        (off > 0 ? low : high) = t;
+        const double next = t - off / (-stiffness - f.slope);
+        if (std::abs(off) <= off_by * force) break;
+        t = next > low && next < high ? next : 0.5 * (low + high);
+    }
+    return t;
+}
 
 /// What section `section` has flowed in the step, where its material needs that.
 FlowSoFar flow_so_far(const FlowProblem& problem, const ElementFlow& flow, int section, const double* history);

@@ -1,5 +1,7 @@
 // The flow of all four ends of a pair at once: Newton's method for the equilibrium of the ends that flow, with the
-// stiffness of the whole pair.
+// stiffness of the whole pair. The strength that follows the flow, and the back resultants, are those of the flow that
+// each step has. Where the stiffness is not positive with them, or the method does not converge at once, it gives up,
+// and rounds of the elements by themselves go on (flow_return.cpp).
 #include <cmath>
 
 #include "core/positive.h"
@@ -9,7 +11,11 @@
 namespace hinge::beam {
 namespace {
 
-constexpr int most_steps_of_pair = 6;
+constexpr int most_steps_of_pair = 6, most_under_rate = 12;
+/// Under a rate law the strength rises steeply where flow begins: from too much flow Newton's method leads to less than
+/// none, and from too little up to what is looked for.
+constexpr double shrinks = 0.1;
+constexpr double near_enough = 1e-3;        ///< of the force along the ray at which Newton's method starts
 constexpr double must_fall = 0.5;           ///< to what part a step must bring what is missed
 constexpr double missed_over_change = 0.1;  ///< of the tolerance on the flow: what equilibrium may be off
 constexpr double stiffer = 1e-13;           ///< of the elastic stiffness: N may flow at either end
@@ -37,8 +43,9 @@ struct PairEnd {
 };
 
 template <int count>
-bool solve_pair(const FlowProblem& problem, const PairElastic& pair, PairEnd* const (&flowing)[4], double tolerance,
-                Vec6 (&p)[2]) {
+bool solve_pair(const FlowProblem& problem, const PairElastic& pair, const SectionConditions* at,
+                PairEnd* const (&flowing)[4], double tolerance, Vec6 (&p)[2]) {
+    const int most_steps = problem.follows_rate ? most_under_rate : most_steps_of_pair;
     double last = INFINITY;
     for (int step = 0;; ++step) {
         Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()};
@@ -49,9 +56,12 @@ bool solve_pair(const FlowProblem& problem, const PairElastic& pair, PairEnd* co
         Mat4 bend[count];
         double size = 1;
         for (int i = 0; i < count; ++i) {
-            const FlowingEnd& end = flowing[i]->end;
+            FlowingEnd& end = flowing[i]->end;
             WorkOfFlow w = problem.work_at(end.e, end.own);
-            harden(problem, end, end.e, w);
+            if (problem.in_rounds())
+                end.set_history(at[flowing[i]->element], flowing[i]->section, problem,
+                                {w.initial / problem.material.zone.energy, end.e});
+            harden_and_turn(problem, end, end.e, w);
             const Vec4 carries = end.carries(p[flowing[i]->element]);
             off.template segment<4>(4 * i) = carries - w.q;
             bend[i] = w.curvature;
@@ -59,7 +69,7 @@ bool solve_pair(const FlowProblem& problem, const PairElastic& pair, PairEnd* co
         }
         const double missed = off.norm();
         if (missed <= missed_over_change * tolerance * size) return true;
-        if (step == most_steps_of_pair || !(missed < must_fall * last)) return false;
+        if (step == most_steps || !(missed < must_fall * last)) return false;
         last = missed;
         EndsMatrix<count> H;
         for (int i = 0; i < count; ++i) {
@@ -85,8 +95,9 @@ bool solve_pair(const FlowProblem& problem, const PairElastic& pair, PairEnd* co
         for (int i = 0; i < count; ++i) {
             Vec4& e = flowing[i]->end.e;
             const Vec4 next = e + off.template segment<4>(4 * i);
-            if (!(next.dot(e) > 0)) return false;  // an end that turns back may not flow
-            e = next;
+            if (next.dot(e) > 0) e = next;
+            else if (problem.follows_rate) e *= shrinks, last = INFINITY;
+            else return false;  // an end that turns back may not flow
         }
     }
 }
@@ -97,15 +108,26 @@ bool scale_along_ray(const FlowProblem& problem, const PairElastic& pair, PairEn
     Vec6 plastic[2] = {Vec6::Zero(), Vec6::Zero()}, p[2];
     Mat12 K;
     pair.at(plastic, p, K);
-    double falls = 0;
+    double force = 0, work[4], whole = 0;
     for (int i = 0; i < count; ++i) {
         const FlowingEnd& end = flowing[i]->end;
         plastic[flowing[i]->element] += end.plastic();
-        falls += end.carries(p[flowing[i]->element]).dot(end.e) - problem.work_at(end.e, end.own).value;
+        force += end.carries(p[flowing[i]->element]).dot(end.e);
+        whole += work[i] = problem.work_at(end.e, end.own).value;
     }
     Vec12 x;
     x << plastic[0], plastic[1];
-    const double by = falls / x.dot(K * x);
+    const double stiffness = x.dot(K * x);
+    double by = (force - whole) / stiffness;
+    if (!problem.keeps_strength())
+        by = find_on_ray(force, stiffness, by, near_enough, [&](double t) {
+            MaterialLaw::Factor sum{0, 0};
+            for (int i = 0; i < count; ++i) {
+                const MaterialLaw::Factor f = resistance_on_ray(problem, flowing[i]->end, work[i], t);
+                sum.value += f.value, sum.slope += f.slope;
+            }
+            return sum;
+        });
     if (!(by > 0) || !std::isfinite(by)) return false;
     for (int i = 0; i < count; ++i) flowing[i]->end.e *= by;
     return true;
@@ -115,7 +137,6 @@ bool scale_along_ray(const FlowProblem& problem, const PairElastic& pair, PairEn
 
 bool return_together(const FlowProblem& problem, const PairElastic& pair, const SectionConditions* at, double tolerance,
                      ElementFlow (&flow)[2]) {
-    if (problem.in_rounds()) return false;
     const bool as_before = !flow[0].flows() && !flow[1].flows();
     if (as_before && problem.flow_at < 0) return false;
     PairEnd all[4];
@@ -132,10 +153,10 @@ bool return_together(const FlowProblem& problem, const PairElastic& pair, const 
     }
     if (as_before && !(count > 0 && scale_along_ray(problem, pair, flowing, count))) return false;
     Vec6 p[2];
-    const bool found = count == 1   ? solve_pair<1>(problem, pair, flowing, tolerance, p)
-                       : count == 2 ? solve_pair<2>(problem, pair, flowing, tolerance, p)
-                       : count == 3 ? solve_pair<3>(problem, pair, flowing, tolerance, p)
-                       : count == 4 ? solve_pair<4>(problem, pair, flowing, tolerance, p)
+    const bool found = count == 1   ? solve_pair<1>(problem, pair, at, flowing, tolerance, p)
+                       : count == 2 ? solve_pair<2>(problem, pair, at, flowing, tolerance, p)
+                       : count == 3 ? solve_pair<3>(problem, pair, at, flowing, tolerance, p)
+                       : count == 4 ? solve_pair<4>(problem, pair, at, flowing, tolerance, p)
                                     : false;
     if (!found) return false;
     for (const PairEnd& of : all) {

@@ -12,6 +12,7 @@ FlowProblem::FlowProblem(const PlasticWork& of, const Vec4& strength, SectionMat
         back_follows_strain |= m->back_follows_strain();
         back_follows_flow |= m->back_follows_flow();
         follows_rotation |= m->follows_rotation();
+        follows_rate |= m->follows_rate();
         wears_stiffness |= m->wears_stiffness();
     }
     flow_at = remembers_flow ? history_size : -1;
@@ -41,7 +42,8 @@ double FlowProblem::mean_factor(const double* history, double strain, const Mome
     MaterialLaw::Integrals more;
     const double* own = history;
     for (const auto& m : material.laws) {
-        if (m->follows_rate()) rate *= m->factor(own, strain, at).value, more = m->integrals(strain, at.dt);
+        if (m->follows_rate() && of_work) rate *= m->factor(own, strain, at).value;
+        else if (m->follows_rate()) more = m->integrals(strain, at.dt);
         else mean *= m->mean_factor(own, strain, at);
         if (own) own += m->history_size();
     }

@@ -84,7 +84,7 @@ struct FlowProblem {
     // where in the history the last e is, and the law's own variables; -1: nowhere
     int history_size = 0, flow_at = -1, own_at = -1;
     bool moves_surface = false, back_follows_strain = false, back_follows_flow = false, follows_rotation = false,
-         wears_stiffness = false;
+         follows_rate = false, wears_stiffness = false;
 
     bool keeps_strength() const { return material.laws.empty(); }
     /// True if the flow is found in rounds, each of which holds constant what follows the flow.

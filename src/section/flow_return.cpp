@@ -13,11 +13,10 @@ constexpr int most_rounds = 200;
 bool back_is_found(const FlowProblem& problem, const FlowingEnd& end, const SectionConditions& at, int section,
                    const FlowSoFar& now, const Vec6& trial) {
     FlowingEnd again = end;
-    again.fixed = Vec4::Zero(), again.hardens = Vec4::Zero();
+    again.by_loads = Vec4::Zero();
     again.set_history(at, section, problem, now);
     const Vec4 moved = again.hardens.cwiseProduct(now.e) - again.fixed;
-    const Vec4 by_loads = end.per.cwiseProduct(resultants(at.fixed_end->at(end.at()), end.at())),
-               went_by = end.hardens.cwiseProduct(now.e) - (end.fixed - by_loads);
+    const Vec4 went_by = end.hardens.cwiseProduct(now.e) - (end.fixed - end.by_loads);
     return (moved - went_by).norm() <= flow_tolerance * (1 + end.carries(trial).norm());
 }
 

@@ -40,25 +40,8 @@ using Vec8 = Eigen::Matrix<double, 8, 1>;
 bool move_along_ray(const FlowProblem& problem, const FlowingEnd& end, const Vec4& trial, Vec4& e, WorkOfFlow& w) {
     const double stiffness = e.dot((end.k + end.hardens).cwiseProduct(e)), force = trial.dot(e), D = w.initial;
     double t = (force - D) / stiffness;
-    if (!problem.keeps_strength()) {
-        const double energy = problem.material.zone.energy;
-        const auto left = [&](double x, double* slope = nullptr) {
-            const MaterialLaw::Factor f = problem.factor_at(end.history, x * D / energy, end.moment);
-            if (slope) *slope = -stiffness - end.turned.factor * f.slope * D * D / energy;
-            return force - x * stiffness - end.turned.factor * f.value * D;
-        };
-        if (!(left(0) > 0)) return false;
-        double low = 0, high = force / stiffness;  // it is above 0 at low, and not above at high
-        t = t > 0 && t < high ? t : 0.5 * high;
-        for (int i = 0; i < most_steps && high - low > 1e-15 * high; ++i) {
-            double slope;
-            const double off = left(t, &slope);
-            (off > 0 ? low : high) = t;
-            const double next = t - off / slope;
-            if (std::abs(off) <= 1e-14 * force) break;
-            t = next > low && next < high ? next : 0.5 * (low + high);
-        }
-    }
+    if (!problem.keeps_strength())
+        t = find_on_ray(force, stiffness, t, 1e-14, [&](double at) { return resistance_on_ray(problem, end, D, at); });
     if (!(t > 0)) return false;
     e *= t, w.scale(t);
     return true;
