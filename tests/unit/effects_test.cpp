@@ -197,6 +197,48 @@ TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiff
     }
 }
 
+TEST_CASE("damping: the forces of eight elements at once are those of one by one") {
+    constexpr double alpha = 0.7, beta = 0.002;
+    Dice dice(5);
+    Frame frame;
+    frame.section = square(0.1), frame.elements = 2;
+    int last = frame.node(0, 0, 0);
+    for (int m = 1; m < 8; ++m) {  // 14 elements: two blocks, of which the second is not full
+        const int next = frame.node(m, dice(-1, 1), dice(-1, 1));
+        frame.member(last, next, Vec3::UnitZ());
+        last = next;
+    }
+    frame.model->declare(damping_effect, Damping{alpha, beta});
+    EffectOnBench bench(frame, damping_kind());
+    const int broken = 4;
+    bench.state.broken[broken] = 1;
+    Configuration& trial = bench.w.trial;
+    for (std::size_t n = 0; n < trial.velocity.size(); ++n) {
+        for (int c = 0; c < 3; ++c) trial.displacement[n][c] = dice(-0.1, 0.1);
+        for (int c = 0; c < 6; ++c) trial.velocity[n][c] = dice(-1, 1);
+        trial.rotation[n] = rotated(dice.vector(0.4), trial.rotation[n]);
+    }
+    std::vector<Vec6> expected = bench.zero();
+    double size = 0, missed = 0;
+    for (int i = 0; i < int(bench.structure->elements().size()); ++i) {
+        if (i == broken) continue;
+        const Element& e = bench.structure->elements()[i];
+        const ElementFrame place = element_frame(*bench.structure, i, trial);
+        Vec12 v;
+        v << trial.velocity[e.node[0]], trial.velocity[e.node[1]];
+        const Vec6 rate = deformation_rates(place, v.head<6>(), v.tail<6>());
+        const Vec12 f = nodal_forces(place, beta * e.stiffness.times(rate)) +
+                        alpha * bench.structure->inertia(i).times(axes_of(place), v);
+        for (int end : {0, 1}) expected[e.node[end]] += f.segment<6>(6 * end);
+    }
+    const std::vector<Vec6> found = bench.forces();
+    for (std::size_t n = 0; n < found.size(); ++n) {
+        size = largest_of(size, largest_entry(expected[n]));
+        missed = largest_of(missed, largest_entry(found[n] - expected[n]));
+    }
+    CHECK_FIGURE("C v", missed, rounding * size);
+}
+
 TEST_CASE("ground: points press with k o, along the slope of their energy, and not from above") {
     constexpr double k = 2e6, o = 1e-3;
     Frame frame = free_bar();
