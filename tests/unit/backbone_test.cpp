@@ -1,5 +1,6 @@
 // The backbone of a hinge: strength over plastic rotation, on eq 14 and on the exact interaction.
 
+#include "beam/pair_return.h"
 #include "core/errors.h"
 #include "driven_element.h"
 
@@ -122,6 +123,60 @@ TEST_CASE("backbone: random paths are found, and dissipation is never negative")
         paths.walk(element, dice);
     }
     paths.check(10000);
+}
+
+// The second route is the yield function with what the step has left in the history: 1 where a section flows.
+TEST_CASE("backbone: the ends of a pair come to the strength of the rotation that they come to") {
+    Dice dice(17);
+    double off = 0, beyond = 0;
+    long lost = 0, flowing = 0, steps = 0;
+    for (int path = 0; path < 200; ++path) {
+        Backbone of;
+        of.points = {{0, 1}, {0.02, dice(1, 1.2)}, {0.06, dice(0.5, 1)}, {0.2, 0.4}};
+        if (dice.pick(2)) of.wear = dice(0.5, 4);
+        MaterialLaws laws = {backbone_law(of)};
+        if (dice.pick(3) == 0) laws.push_back(hardening_law({E / 100, dice.pick(2) * 0.2 * fy, 0}, fy));
+        const auto law = law_with(laws, dice.pick(2));
+        const int size = law->history_size();
+        std::vector<double> history(std::size_t(4 * size), 0.0);
+        SectionConditions at[2];
+        for (int i : {0, 1}) {
+            at[i].history = &history[std::size_t(2 * i * size)];
+            for (int j : {0, 1}) law->start(i == j, &history[std::size_t((2 * i + j) * size)]);
+        }
+        const double GA = E / 2.6 * A * 5 / 6;
+        const ElasticPair pair{pair_kind({E * Ix, E * Iy, E * A, E / 2.6 * J, GA, GA}, length),
+                               {elastic(gauss_point), elastic(-gauss_point)}};
+        Vec6 d[2] = {Vec6::Zero(), Vec6::Zero()}, way[2], plastic[2] = {Vec6::Zero(), Vec6::Zero()};
+        for (Vec6& one : way)
+            one = (Vec6() << dice.vector(0.003), dice(-0.003, 0.003), dice(-1e-4, 1e-4), dice(-1e-3, 1e-3)).finished();
+        for (int step = 0; step < 40; ++step) {
+            if (step % 13 == 12)
+                for (Vec6& one : way) one *= -1;
+            for (int i : {0, 1}) d[i] += way[i];
+            const Vec6 trial[2] = {d[0] - plastic[0], d[1] - plastic[1]};
+            ReturnMapResult flow[2];
+            ++steps;
+            if (!return_to_surface(pair, trial, *law, flow, 1e-11, at)) {
+                ++lost;
+                break;
+            }
+            for (int i : {0, 1}) {
+                plastic[i] += flow[i].plastic;
+                for (int j : {0, 1}) {
+                    double* own = &history[std::size_t((2 * i + j) * size)];
+                    law->commit(flow[i], j, 0, own);
+                    const double f = law->yield_function(resultants(flow[i].p, ends[j]), own) - 1;
+                    beyond = largest_of(beyond, f);
+                    if (flow[i].lambda[j] > 0) off = largest_of(off, std::abs(f)), ++flowing;
+                }
+            }
+        }
+    }
+    CHECK(flowing > 5000);
+    CHECK(lost < 0.002 * steps);
+    CHECK_FIGURE("f - 1 where a section flows", off, 1e-7);
+    CHECK_FIGURE("f - 1 anywhere", beyond, 1e-7);
 }
 
 // 1e-6 of the elastic stiffness, in bending about one axis: beside other resultants the tangent leaves out a part that
