@@ -150,12 +150,6 @@ ElasticPair::At ElasticPair::at(const Vec6& d1, const Vec6& d2) const {
     return at;
 }
 
-Vec12 ElasticPair::forces_beyond(const Vec6& d1, const Vec6& d2, double* N) const {
-    const At there = at(d1, d2);
-    if (N) *N = there.N;
-    return there.beyond;
-}
-
 /// With springs (K^-1 + c e e^T)^-1, one spring after the other.
 PairMatrix ElasticPair::stiffness_beyond(const At& at) const {
     if (!has_springs()) return pair_stiffness(kind, at.own[0], at.own[1], at.N);

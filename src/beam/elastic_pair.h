@@ -41,13 +41,13 @@ struct ElasticPair {
     /// The pair where its elements with their springs have the deformations d1 and d2.
     struct At {
         Vec6 own[2];   ///< without the parts of the springs
-        Vec12 beyond;  ///< forces_beyond
+        Vec12 beyond;  ///< forces_beyond, N and N m
         double N;      ///< axial force, N
     };
     At at(const Vec6& d1, const Vec6& d2) const;
     // What the pair has in addition to elements of stiffness `of` with the deformations d1 and d2.
-    double energy_beyond(const Vec6& d1, const Vec6& d2) const;                      ///< J
-    Vec12 forces_beyond(const Vec6& d1, const Vec6& d2, double* N = nullptr) const;  ///< as pair_forces
+    double energy_beyond(const Vec6& d1, const Vec6& d2) const;                              ///< J
+    Vec12 forces_beyond(const Vec6& d1, const Vec6& d2) const { return at(d1, d2).beyond; }  ///< as pair_forces
     PairMatrix stiffness_beyond(const At& at) const;
     PairMatrix stiffness_beyond(const Vec6& d1, const Vec6& d2) const { return stiffness_beyond(at(d1, d2)); }
 };

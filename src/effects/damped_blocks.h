@@ -10,6 +10,7 @@
 
 namespace hinge {
 
+/// Whether the damping of an element is not zero.
 inline bool damps(const ElementDamping& c) { return c.of_mass != 0 || c.of_stiffness != 0; }
 /// The elements that damping acts on, in rising order.
 inline std::vector<int> damped_of(const std::vector<ElementDamping>& damping) {

@@ -62,7 +62,6 @@ struct FlowingEnd {
     }
     bool flows() const { return !e.isZero(0); }
     void knows(const Vec4& at, const WorkOfFlow& work) const { known_at = at, known = work; }
-    double at() const { return n1 + n2; }  ///< its position in the element, -1 to 1
     /// Normalised resultants, with the fixed-end part and less the back resultants at the start, of the element forces.
     Vec4 carries(const Vec6& p) const {
         return per.cwiseProduct(Vec4(n1 * p[0] + n2 * p[1], n1 * p[2] + n2 * p[3], p[4], p[5])) + fixed;

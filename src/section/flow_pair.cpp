@@ -15,7 +15,7 @@ constexpr int most_steps_of_pair = 6, most_under_rate = 12;
 /// Under a rate law the strength rises steeply where flow begins: from too much flow Newton's method leads to less than
 /// none, and from too little up to what is looked for.
 constexpr double shrinks = 0.1;
-constexpr double near_enough = 1e-3;        ///< of the force along the ray at which Newton's method starts
+constexpr double near_enough = 1e-3;        ///< of the force: what may be left along the ray from which it starts
 constexpr double must_fall = 0.5;           ///< to what part a step must bring what is missed
 constexpr double missed_over_change = 0.1;  ///< of the tolerance on the flow: what equilibrium may be off
 constexpr double stiffer = 1e-13;           ///< of the elastic stiffness: N may flow at either end

@@ -13,7 +13,8 @@
 // over D, b the back resultants at the start of the step, and C e what the step adds to them. G is convex still, as
 // long as the factor does not fall. A factor that follows the rotation of a hinge may fall: it is constant in a round
 // of the search, and the next round takes it as it is where the round before led. From the start of the step the rounds
-// come to the first state of equilibrium on the way down, since a weaker hinge turns farther.
+// come to the first state of equilibrium on the way down, since a weaker hinge turns farther. The ends of a pair are
+// tried first with the factor of the flow that they have (flow_pair.cpp).
 //
 // Resultants q are normalised by the strengths, and e is the plastic deformation times these, J.
 #pragma once

@@ -367,8 +367,7 @@ TEST_CASE("beam-column: flow takes no more than the elastic energy that it frees
         CHECK(flow[1].dissipation >= 0);
         CHECK(flow[0].dissipation + flow[1].dissipation <= before - after + 1e-9 * before);
         const Vec12 p = y.pair.forces(flow[0].elastic, flow[1].elastic);
-        double N = 0;
-        y.pair.forces_beyond(flow[0].elastic, flow[1].elastic, &N);
+        const double N = y.pair.at(flow[0].elastic, flow[1].elastic).N;
         pressed += -N * largest_of(y.pair.kind.c[0], y.pair.kind.c[1]) > 3.5;
         for (int i : {0, 1}) {
             off_law = largest_of(off_law, largest_entry(p.segment<6>(6 * i) - flow[i].p) / largest_entry(flow[i].p));

@@ -1,7 +1,7 @@
 // An element of a rectangular section whose deformation a test prescribes, step by step.
 #pragma once
 
-#include "beam/timoshenko.h"
+#include "beam/pair_return.h"
 #include "helpers.h"
 #include "outlines.h"
 #include "section/laws/laws.h"
@@ -75,6 +75,43 @@ struct Driven {
         plastic += flow.plastic, p = flow.p;
         converged = converged && flow.converged;
         return flow;
+    }
+};
+
+/// The same of the two elements of a pair, between points of Gauss.
+struct DrivenPair {
+    const SectionLaw& law;
+    std::vector<double> history;
+    SectionConditions at[2];
+    ElasticPair pair;
+    Vec6 d[2] = {Vec6::Zero(), Vec6::Zero()}, plastic[2] = {Vec6::Zero(), Vec6::Zero()};
+
+    /// The outer ends are those of the member.
+    explicit DrivenPair(const SectionLaw& of)
+        : law(of),
+          history(4 * std::size_t(of.history_size())),
+          pair{kind(), {elastic(gauss_point), elastic(-gauss_point)}} {
+        for (int i : {0, 1}) {
+            at[i].history = section(i, 0);
+            for (int s : {0, 1}) law.start(i == s, section(i, s));
+        }
+    }
+    DrivenPair(const DrivenPair&) = delete;
+    static PairKind<double> kind() {
+        const double GA = E / 2.6 * A * 5 / 6;
+        return pair_kind({E * Ix, E * Iy, E * A, E / 2.6 * J, GA, GA}, length);
+    }
+    double* section(int element, int s) { return history.data() + (2 * element + s) * law.history_size(); }
+    /// Moves both elements on, by `flow`. False: it is not found, and nothing has changed.
+    bool move(const Vec6 (&by)[2], double dt, ReturnMapResult (&flow)[2]) {
+        const Vec6 trial[2] = {d[0] + by[0] - plastic[0], d[1] + by[1] - plastic[1]};
+        for (SectionConditions& of : at) of.dt = dt;
+        if (!return_to_surface(pair, trial, law, flow, 1e-11, at)) return false;
+        for (int i : {0, 1}) {
+            d[i] += by[i], plastic[i] += flow[i].plastic;
+            for (int s : {0, 1}) law.commit(flow[i], s, dt, section(i, s));
+        }
+        return true;
     }
 };
 

@@ -199,8 +199,9 @@ TEST_CASE("damping: alpha resists with alpha m v, beta with beta times the stiff
 
 TEST_CASE("damping: the forces of eight elements at once are those of one by one") {
     constexpr double alpha = 0.7, beta = 0.002;
+    const MassShape shape = GENERATE(MassShape::linear, MassShape::cubic);
     Dice dice(5);
-    Frame frame;
+    Frame frame({.mass = shape});
     frame.section = square(0.1), frame.elements = 2;
     int last = frame.node(0, 0, 0);
     for (int m = 1; m < 8; ++m) {  // 14 elements: two blocks, of which the second is not full

@@ -251,6 +251,42 @@ TEST_CASE("strain rate: random steps of any length are found, at the strength of
     CHECK_FIGURE("beyond the surface", off, 1e-8);
 }
 
+TEST_CASE("strain rate: the ends of a pair are at the strength of their rates, from one step to the next") {
+    Dice dice(83);
+    double off = 0, beyond = 0;
+    long flowing = 0, lost = 0;
+    for (int path = 0; path < 200; ++path) {
+        const auto law = law_with({strain_rate_law({.D = 40.4, .q = 5})}, true);
+        DrivenPair pair(*law);
+        Vec6 way[2];
+        for (Vec6& one : way)
+            one = (Vec6() << dice.vector(0.002), dice(-0.002, 0.002), dice(-1e-4, 1e-4), dice(-1e-3, 1e-3)).finished();
+        const double dt = std::exp(dice(-9, -2));
+        for (int step = 0; step < 40; ++step) {
+            const double part = step % 13 == 12 ? -1 : std::exp(dice(-4, 0));  // the rate changes by much
+            const Vec6 by[2] = {part * way[0], part * way[1]};
+            ReturnMapResult flow[2];
+            if (!pair.move(by, dt, flow)) {
+                ++lost;
+                break;
+            }
+            for (int i : {0, 1})
+                for (int s : {0, 1}) {
+                    const double rate = 2 * flow[i].lambda[s] / zone_of(length / 2).energy / dt,
+                                 f = std::sqrt(law->yield_function(flow[i].p, ends[s])) /
+                                         (1 + std::pow(rate / 40.4, 0.2)) -
+                                     1;
+                    beyond = largest_of(beyond, f);
+                    if (flow[i].lambda[s] > 0) off = largest_of(off, std::abs(f)), ++flowing;
+                }
+        }
+    }
+    CHECK(flowing > 5000);
+    CHECK(lost == 0);
+    CHECK_FIGURE("strength over that of the rate, less 1, where a section flows", off, 1e-7);
+    CHECK_FIGURE("the same anywhere", beyond, 1e-7);
+}
+
 // 1e-6 of the elastic stiffness; of Armstrong and Frederick's law the tangent leaves out that the back stress follows
 // the strain, which is not symmetric, and is not compared here.
 TEST_CASE("hardening and rate: the tangent against differences") {
