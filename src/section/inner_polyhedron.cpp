@@ -61,33 +61,57 @@ int ray_before(const Eigen::Vector2d& m) {
 
 }  // namespace
 
-/// The radius of each level in the direction of each ray, of polygons whose corners are on the surface.
-void InnerPolyhedron::add_side(const Slice& slice) {
+namespace {
+
+/// The polygon of a level. `quarter`: the first quarter of it is computed, the others are its mirror images.
+std::vector<Eigen::Vector2d> contour_points(const InnerPolyhedron::Slice& slice, double n, bool quarter) {
     constexpr int first = 16;
     constexpr double full_turn = 2 * std::numbers::pi;
+    const int parts = quarter ? first / 4 : first;
+    std::vector<Eigen::Vector2d> points;
+    Eigen::Vector2d start[first + 1];
+    for (int k = 0; k <= parts; ++k) start[k] = k == first ? start[0] : slice(n, full_turn * k / first);
+    for (int k = 0; k < parts; ++k)
+        add_points(slice, n, full_turn * k / first, full_turn * (k + 1) / first, start[k], start[k + 1], 12, points);
+    if (!quarter) return points;
+    points.push_back(start[parts]);
+    const std::size_t count = points.size();
+    for (std::size_t i = count - 1; i-- > 0;) points.emplace_back(-points[i].x(), points[i].y());
+    for (std::size_t i = 1; i < count; ++i) points.emplace_back(-points[i].x(), -points[i].y());
+    for (std::size_t i = count - 1; i-- > 1;) points.emplace_back(points[i].x(), -points[i].y());
+    return points;
+}
+
+/// Where the ray leaves the polygon.
+double radius_along(const Eigen::Vector2d& to, const std::vector<Eigen::Vector2d>& points) {
+    double radius = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector2d &p = points[i], edge = points[(i + 1) % points.size()] - p;
+        const double across = cross(to, edge);
+        if (!(std::abs(across) > 0)) continue;
+        const double along = cross(to, p) / -across;
+        if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * edge));
+    }
+    return radius;
+}
+
+}  // namespace
+
+/// The radius of each level in the direction of each ray, of polygons whose corners are on the surface.
+void InnerPolyhedron::add_side(const Slice& slice, bool quarter) {
     const std::size_t before = inverse_.size();
     inverse_.resize(before + std::size_t(levels) * rays, 0.0);
     for (int level = 0; level < levels; ++level) {
-        const double n = double(level) / levels;
-        std::vector<Eigen::Vector2d> points;
-        Eigen::Vector2d start[first + 1];
-        for (int k = 0; k < first; ++k) start[k] = slice(n, full_turn * k / first);
-        start[first] = start[0];
-        for (int k = 0; k < first; ++k)
-            add_points(slice, n, full_turn * k / first, full_turn * (k + 1) / first, start[k], start[k + 1], 12,
-                       points);
-        for (int ray = 0; ray < rays; ++ray) {
-            const Eigen::Vector2d to = all_rays()[ray].to;
-            double radius = 0;
-            for (std::size_t i = 0; i < points.size(); ++i) {
-                const Eigen::Vector2d &p = points[i], edge = points[(i + 1) % points.size()] - p;
-                const double across = cross(to, edge);
-                if (!(std::abs(across) > 0)) continue;
-                const double along = cross(to, p) / -across;
-                if (along >= -1e-9 && along <= 1 + 1e-9) radius = std::max(radius, to.dot(p + along * edge));
-            }
-            inverse_[before + std::size_t(level) * rays + ray] =
-                radius > 0 ? 1 / ((1 - 1e-6) * radius) : std::numeric_limits<double>::infinity();
+        const std::vector<Eigen::Vector2d> points = contour_points(slice, double(level) / levels, quarter);
+        double* row = &inverse_[before + std::size_t(level) * rays];
+        const int computed = quarter ? rays / 4 + 1 : rays;
+        for (int ray = 0; ray < computed; ++ray) {
+            const double radius = radius_along(all_rays()[ray].to, points);
+            row[ray] = radius > 0 ? 1 / ((1 - 1e-6) * radius) : std::numeric_limits<double>::infinity();
+        }
+        for (int ray = computed; ray < rays; ++ray) {
+            const int upper = ray <= rays / 2 ? ray : rays - ray;
+            row[ray] = row[upper <= rays / 4 ? upper : rays / 2 - upper];
         }
     }
 }

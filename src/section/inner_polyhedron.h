@@ -17,8 +17,9 @@ public:
     using Slice = std::function<Eigen::Vector2d(double n, double angle)>;
 
     /// Adds a side of the surface: first that of N >= 0; then, where it is different, that of N <= 0 with the signs of
-    /// all forces changed.
-    void add_side(const Slice& slice);
+    /// all forces changed. `quarter`: the side is symmetric in the sign of Mx and in that of My, so that a quarter of
+    /// it is computed.
+    void add_side(const Slice& slice, bool quarter = false);
 
     /// The face in the direction of a moment at an axial force: at axial force n (0 to 1) and in the direction of m the
     /// radius is a mean of those of two levels, each on the side between two rays.

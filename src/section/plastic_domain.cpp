@@ -256,10 +256,26 @@ Eigen::Vector2d PlasticDomain::slice(double n, double angle) const {
     if (!concrete()) return contour(n, angle);
     return contour(n + centre_[2], angle) - centre_.head<2>() - n * end_;
 }
+/// Each support is an integral over the whole outline: some that agree with those of both mirror images tell.
+bool PlasticDomain::doubly_symmetric() const {
+    constexpr int tries = 12;
+    for (int i = 0; i < tries; ++i) {
+        const double angle = (i + 0.37) * full_turn / 4 / tries, e = (i % 4 - 1.3) / 3;
+        const Vec3 v(std::cos(angle), std::sin(angle), e);
+        Vec3 point;
+        const double h = support(v, point);
+        for (const Vec3& mirrored : {Vec3(-v[0], v[1], e), Vec3(v[0], -v[1], e)})
+            if (!(std::abs(support(mirrored, point) - h) <= 1e-12 * h)) return false;
+    }
+    return true;
+}
+
 /// Points at N below the centre's are taken to the other side, through the centre.
 void PlasticDomain::make_polyhedron() {
-    polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return slice(n, angle); });
-    if (states_) polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return -slice(-n, angle); });
+    const bool quarter = doubly_symmetric();
+    polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return slice(n, angle); }, quarter);
+    if (states_)
+        polyhedron_.add_side([&](double n, double angle) -> Eigen::Vector2d { return -slice(-n, angle); }, quarter);
 }
 
 /// The largest within the surface, of equal half axes of both moments: sqrt(a^2 k^2 + b^2 e^2) <= h for all strains.

@@ -115,6 +115,7 @@ private:
     void set_states(const Outline& outline, const Reinforcement& concrete);
     Vec3 about_centre(const Vec3& forces, double& side) const;
     Eigen::Vector2d slice(double n, double angle) const;
+    bool doubly_symmetric() const;
     void make_polyhedron();
     void make_ellipsoid();
     void make_ellipsoid_of_concrete();

@@ -58,11 +58,27 @@ function case.prepare(folder)
   for _, name in ipairs { "summary.json", "case.json" } do os.remove(folder .. "/" .. name) end
 end
 
---- Runs one case into `folder`, as hinge run does, and writes case.json, the files that it has read. what: scenario, or
--- nil where script is one of plain statements; script (path), case, overrides ({ { name, text } }), varied (names). An
--- error is there as `error`, { kind =, text = }. Returns the exit status of the process.
+-- The modules of hinge that are loaded, by name.
+local function modules()
+  local names = {}
+  for name in pairs(package.loaded) do names[name] = name:find "^hinge%." and true or nil end
+  return names
+end
+
+--- Loads what cases before have loaded, so that the processes of the next ones find it there.
+function case.load_modules(names)
+  for _, name in ipairs(names or {}) do
+    if not package.loaded[name] then require(name) end
+  end
+end
+
+--- Runs one case into `folder`, as hinge run does, and writes case.json: the files that it has read, the modules of
+-- hinge that it has loaded, and an error, { kind =, text = }. what: scenario, or nil where script is one of plain
+-- statements; script (path), case, overrides ({ { name, text } }), varied (names). Returns the exit status of the
+-- process.
 function case.run(what, folder)
   local raised
+  local before = modules()
   local status = runner.guard(function()
     local result = runner.run { scenario = what.scenario, script = what.script, case = what.case,
       overrides = what.overrides, out = folder, out_given = true, see = function(results, parameters, scenario)
@@ -72,7 +88,12 @@ function case.run(what, folder)
     return result
   end, nil, function(failure) raised = { kind = failure.kind, text = failure.message or failure.text } end)
   if raised and raised.kind == "memory" then return out_of_memory end
-  core.write_json(folder .. "/case.json", { files = files.read(core.whole_path(folder)), error = raised })
+  local loaded = {}
+  for _, name in ipairs(check.keys(modules())) do
+    if not before[name] then loaded[#loaded + 1] = name end
+  end
+  core.write_json(folder .. "/case.json",
+    { files = files.read(core.whole_path(folder)), modules = loaded, error = raised })
   return status
 end
 
@@ -84,7 +105,7 @@ function case.outcome(folder, ended)
   local summary, left = json(folder .. "/summary.json") or {}, json(folder .. "/case.json") or {}
   local kept = { verdict = summary.verdict, reason = summary.reason, cause = summary.cause,
     results = flat(summary.results), energy_error = summary.energy_error, steps = summary.steps, files = left.files,
-    warnings = summary.warnings }
+    modules = left.modules, warnings = summary.warnings }
   if ended.late then
     kept.verdict, kept.reason = "timed out", ("stopped after %g s"):format(ended.late)
   elseif ended.kind == "signal" and ended.stopped then

@@ -35,6 +35,7 @@ function pool.run(next, done, tick, options)
     local outcome = case.outcome(task.folder, { kind = kind, code = code, late = task.late,
       stopped = task.stopped })
     outcome.seconds, outcome.memory = core.clock() - task.began, memory
+    case.load_modules(outcome.modules)
     done(task, outcome)
   end
 
