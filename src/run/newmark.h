@@ -55,11 +55,12 @@ private:
     static constexpr int most_unsettled = 8;  ///< iterations that contact may ask for
     template <class Self, class A>
     static void fields(Self& s, A& a);
-    void mark_yielding();
+    void mark_yielding(bool begins);
     void renew_effective_stiffness();
     void solve_for_change(Step& step);
     void take_out_ways();
     void find_massless();
+    void rotate_by_spins(double to_u);
     bool rotates_by_rounding(double to_u) const;
 
     const DynamicSettings& settings_;
@@ -72,6 +73,8 @@ private:
     bool massless_changes_ = false;  ///< elements or joints may break, and leave nodes without mass
     std::vector<Way> ways_;          ///< of supports over the step, with the displacement predictor
     std::vector<double> lumped_;     ///< kg, of each node: the weights of velocities and changes
+    std::vector<Vec3> spin_;         ///< rad, of each node, in a correction of a long step
+    std::vector<Quat> rotated_;      ///< and its rotation after it
     std::vector<Mat6> tangents_;     ///< of the elements that flow
     std::vector<int> was_yielding_;
     std::vector<PlasticIncrement> hinges_;  ///< of the last step, with the displacement predictor

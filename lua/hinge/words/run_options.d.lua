@@ -170,7 +170,7 @@ function model:dynamic(options) end
 ---first one of the step. 0 (default): one solution a step. Newton's method is used if hinges form or displacements are
 ---large, in steps that are too long for one solution; the fastest vibration decides which steps are too long
 ---@field iterations? integer
----@field tolerance? number see iterations; default 1e-10, energy-momentum 1e-8
+---@field tolerance? number see iterations; default 1e-10, with 0 iterations 1e-6, energy-momentum 1e-8
 ---number format of the effective stiffness. single (default): half the memory; it changes the energy in Case I by
 ---2e-10. Double is used in any case if steps are longer than the fastest waves need
 ---@field precision? "single"|"double"
