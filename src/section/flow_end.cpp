@@ -64,7 +64,7 @@ FlowSoFar add_flow(const FlowProblem& problem, const FlowingEnd& end, int sectio
     if (problem.keeps_strength()) return {0, end.e};
     const double D = w.initial, strain = D / problem.material.zone.energy, beyond = w.value - w.q.dot(end.e);
     out.potential += beyond;
-    out.path_work += beyond + D * (problem.turned(end.history, end.e, D).mean *
+    out.path_work += beyond + D * (problem.mean_turned(end.history, end.e, D) *
                                        problem.mean_factor(end.history, strain, end.moment, true) -
                                    end.turned.factor * problem.mean_factor(end.history, strain, end.moment, false));
     if (problem.back_follows_strain) out.path_work += problem.more_by_back(end.history, strain, end.e);

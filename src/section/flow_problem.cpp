@@ -62,11 +62,20 @@ MaterialLaw::Turned FlowProblem::turned(const double* history, const Vec4& e, do
     for (const auto& m : material.laws) {
         if (m->follows_rotation()) {
             const MaterialLaw::Turned own = m->turned(material.zone, history, e, done);
-            out = {out.factor * own.factor, out.slope * own.factor + out.factor * own.slope, out.mean * own.mean};
+            out = {out.factor * own.factor, out.slope * own.factor + out.factor * own.slope};
         }
         if (history) history += m->history_size();
     }
     return out;
+}
+
+double FlowProblem::mean_turned(const double* history, const Vec4& e, double done) const {
+    double mean = 1;
+    for (const auto& m : material.laws) {
+        if (m->follows_rotation()) mean *= m->mean_turned(material.zone, history, e, done);
+        if (history) history += m->history_size();
+    }
+    return mean;
 }
 
 void FlowProblem::add_back(const double* history, double strain, const Vec4& e, Vec4& back, Vec4& modulus) const {

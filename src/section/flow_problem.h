@@ -102,6 +102,7 @@ struct FlowProblem {
     double mean_factor(const double* history, double strain, const Moment& at, bool of_work) const;
     /// The factor that follows the rotation, after a step with e that did `work` at the initial strength.
     MaterialLaw::Turned turned(const double* history, const Vec4& e, double work) const;
+    double mean_turned(const double* history, const Vec4& e, double work) const;
     /// MaterialLaw::add_back and more_by_back of all material laws.
     void add_back(const double* history, double strain, const Vec4& e, Vec4& back, Vec4& modulus) const;
     double more_by_back(const double* history, double strain, const Vec4& e) const;

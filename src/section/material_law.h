@@ -71,12 +71,15 @@ public:
     virtual double initial() const { return 1; }
     struct Turned {
         double factor = 1, slope = 0;  ///< at the end of the step; its change with the step's work, 1/J
-        double mean = 1;               ///< over the work of the step
     };
     /// Of a law whose factor follows the plastic rotation: after a step with plastic deformation e, which does `work`
     /// at the initial strength, J. It may fall. It is looked for in rounds, and is constant in each.
     virtual Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const {
         return (void)zone, (void)history, (void)e, (void)work, Turned{};
+    }
+    /// The mean of that factor over the work of the step.
+    virtual double mean_turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const {
+        return (void)zone, (void)history, (void)e, (void)work, 1;
     }
     virtual bool follows_rotation() const { return false; }
 

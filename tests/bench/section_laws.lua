@@ -9,6 +9,21 @@ local with = require "scenes".with
 local bays, storeys, bay, height = 4, 8, 6, 3.5 -- m
 local floor_density = 60000 -- kg/m^3: the beams carry floors
 
+-- Linear hardening as a function of the script: of one flow, and of several at once.
+local H, fy = 2.1e9, 275e6
+local function hardens(flow, history)
+  local strain = history[1] + flow.strain
+  return 1 + H / fy * strain, nil, { strain }
+end
+local function harden(flows, history)
+  local strengths, backs, histories, strains = {}, {}, {}, flows.strain
+  for i = 1, flows.count do
+    local strain = history[1] + strains[i]
+    strengths[i], backs[i], histories[i] = 1 + H / fy * strain, { 0, 0, 0, 0 }, { strain }
+  end
+  return strengths, backs, histories
+end
+
 local laws = {
   { "eq 14", interaction = "paper" },
   { "exact" },
@@ -20,6 +35,8 @@ local laws = {
   { "the same, with wear", backbone = hinge.backbone { points = { { 0, 1 }, { 0.03, 1.1 }, { 0.1, 0.4 } }, wear = 1 } },
   { "and with wear of stiffness", backbone = hinge.backbone { points = { { 0, 1 }, { 0.03, 1.1 }, { 0.1, 0.4 } },
     wear = 1, stiffness_wear = true } },
+  { "exact, hardening in Lua", law = { variables = 1, step = hardens } },
+  { "the same, several flows at once", law = { variables = 1, batch = harden } },
 }
 
 -- Seconds of two seconds of motion, and the run.
@@ -36,10 +53,10 @@ local function shaken(law)
       model:fix(at[i][k], k == 0 and "all" or "y,rx,rz")
       if k > 0 then
         model:member { at[i][k - 1], at[i][k], section = column, material = columns, up = { 1, 0, 0 },
-          backbone = law.backbone }
+          backbone = law.backbone, law = law.law }
         if i > 0 then
           model:member { at[i - 1][k], at[i][k], section = beam, material = beams, up = { 0, 0, 1 },
-            backbone = law.backbone }
+            backbone = law.backbone, law = law.law }
         end
       end
     end

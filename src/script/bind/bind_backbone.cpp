@@ -147,47 +147,45 @@ int same_backbone(lua_State* L) {
 
 constexpr int most_variables = 32;  ///< of the history of a law
 
-/// Numbers of the list at the top of the stack, which is taken off; `names`: in the place of 1, 2, ...
-std::vector<double> numbers_of(lua_State* L, int count, const LuaFunction& f, const std::string& what) {
-    std::vector<double> out;
-    const bool list = lua_type(L, -1) == LUA_TTABLE;
-    for (int i = 1; list && i <= count; ++i) {
-        lua_rawgeti(L, -1, i);
-        out.push_back(lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan(""));
+constexpr const char* who_law = "model:member: the function in field 'law'";
+
+/// Reads `count` numbers of the list at the top of the stack, which is taken off.
+void read_numbers(lua_State* L, int count, double* out, const LuaFunction& f, const char* what) {
+    bool good = lua_type(L, -1) == LUA_TTABLE;
+    for (int i = 0; good && i < count; ++i) {
+        lua_rawgeti(L, -1, i + 1);
+        good = lua_type(L, -1) == LUA_TNUMBER && std::isfinite(out[i] = lua_tonumber(L, -1));
         lua_pop(L, 1);
     }
-    const bool good = list && std::all_of(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
     if (!good)
-        throw HookError(f.place() + ": " + what + " is " + show(L, -1) + "; it must be a list of " +
-                        std::to_string(count) + " finite numbers");
+        throw HookError(f.place() + ": " + who_law + ": the " + what + " that it returned is " + show(L, -1) +
+                        "; it must be a list of " + std::to_string(count) + " finite numbers");
     lua_pop(L, 1);
-    return out;
 }
-
-constexpr const char* who_law = "model:member: the function in field 'law'";
 
 double checked_strength(lua_State* L, const LuaFunction& f, const beam::SectionFlow& flow) {
     const double strength = lua_type(L, -1) == LUA_TNUMBER ? lua_tonumber(L, -1) : std::nan("");
-    const std::string shown = show(L, -1);
-    lua_pop(L, 1);
     if (!(std::isfinite(strength) && strength >= least))
-        throw HookError(f.place() + ": " + who_law + " returned " + shown +
+        throw HookError(f.place() + ": " + who_law + " returned " + show(L, -1) +
                         " at a growth of the mean plastic strain of " + show(flow.strain) +
                         "; it must return a number of 0.01 or more, the strength over the fully plastic one");
+    lua_pop(L, 1);
     return strength;
 }
 
 /// The back resultants at the top of the stack, which are taken off; nil: 0.
 Vec4 back_of(lua_State* L, const LuaFunction& f) {
     if (lua_isnil(L, -1)) return lua_pop(L, 1), Vec4(Vec4::Zero());
-    const std::vector<double> back =
-        numbers_of(L, 4, f, std::string(who_law) + ": the back resultants that it returned");
-    return {back[0], back[1], back[2], back[3]};
+    Vec4 back;
+    read_numbers(L, 4, back.data(), f, "back resultants");
+    return back;
 }
 /// The history variables there; nil: none, as they were.
 std::vector<double> history_of(lua_State* L, int variables, const LuaFunction& f) {
     if (lua_isnil(L, -1)) return lua_pop(L, 1), std::vector<double>();
-    return numbers_of(L, variables, f, std::string(who_law) + ": the history that it returned");
+    std::vector<double> out(std::size_t(variables), 0.0);
+    read_numbers(L, variables, out.data(), f, "history");
+    return out;
 }
 
 void push_history(lua_State* L, int variables, const double* history) {
@@ -212,7 +210,7 @@ std::vector<beam::SectionAnswer> ask_law(const LuaFunction& f, int variables, st
         for (const auto& [name, field] : flow_fields) lua_pushnumber(L, flow.*field), lua_setfield(L, -2, name);
         lua_pushboolean(L, flow.at_end), lua_setfield(L, -2, "at_end");
         push_history(L, variables, history);
-        call_hook(L, f, 2, 3, who_law);
+        call_hook(L, f, 2, 3, [] { return who_law; });
         beam::SectionAnswer answer;
         answer.history = history_of(L, variables, f);
         answer.back = back_of(L, f);
@@ -238,7 +236,7 @@ std::vector<beam::SectionAnswer> ask_batch(const LuaFunction& f, int variables,
         lua_setfield(L, -2, name);
     }
     push_history(L, variables, history);
-    call_hook(L, f, 2, 3, who_law);
+    call_hook(L, f, 2, 3, [] { return who_law; });
     static const char* const what[] = {"strengths", "back resultants", "histories"};
     for (int i = 0; i < 3; ++i)
         if (const int type = lua_type(L, i - 3); type != LUA_TTABLE && (i == 0 || type != LUA_TNIL))

@@ -84,7 +84,7 @@ ConnectorLaw law_of(const LuaFunction& f, int k, int number) {
         for (const auto& [name, value] : state) lua_pushnumber(L, value), lua_setfield(L, -2, name.c_str());
         lua_pushnumber(L, dt);
         const std::string law = "the law of " + std::string(directions[k]) + " of connector " + std::to_string(number);
-        call_hook(L, f, 4, 2, law);
+        call_hook(L, f, 4, 2, [&] { return law; });
         const std::string who = f.place() + ": " + law;
         const bool good = lua_type(L, top + 1) == LUA_TNUMBER && std::isfinite(lua_tonumber(L, top + 1));
         const double force = lua_tonumber(L, top + 1);

@@ -53,7 +53,7 @@ void read_pairs(const LuaFunction& f, const std::shared_ptr<ScriptModel>& m, Con
         f.push(L);
         push_handle<MemberBox>(L, own, a);
         push_handle<MemberBox>(L, own, b);
-        call_hook(L, f, 2, 1, "contact rule, " + pair);
+        call_hook(L, f, 2, 1, [&] { return "contact rule, " + pair; });
         std::optional<contact::ContactSettings> found = usual;
         const std::string who = f.place() + ": model:contact: the function 'pairs' for " + pair;
         try {
@@ -91,8 +91,9 @@ std::function<void(const contact::ContactEvent&, int, int)> telling(const LuaFun
         push_handle<MemberBox>(L, own, b), lua_setfield(L, -2, "b");
         lua_pushinteger(L, event.element[0] + 1), lua_setfield(L, -2, "element_a");
         lua_pushinteger(L, event.element[1] + 1), lua_setfield(L, -2, "element_b");
-        call_hook(L, f, 1, 0,
-                  std::string(name) + ", members " + std::to_string(a + 1) + " and " + std::to_string(b + 1));
+        call_hook(L, f, 1, 0, [&] {
+            return std::string(name) + ", members " + std::to_string(a + 1) + " and " + std::to_string(b + 1);
+        });
     };
 }
 

@@ -20,10 +20,10 @@ History read_history(Options& o, const char* field, const std::string& each, con
             lua_State* running = f.running();
             f.push(running);
             lua_pushnumber(running, t);
-            call_hook(running, f, 1, 1, who + ", field '" + field + "', t = " + show(t) + " s");
+            call_hook(running, f, 1, 1, [&] { return who + ", field '" + field + "', t = " + show(t) + " s"; });
             const bool good = lua_type(running, -1) == LUA_TNUMBER && std::isfinite(lua_tonumber(running, -1));
             const double v = lua_tonumber(running, -1);
-            const std::string shown = show(running, -1);
+            const std::string shown = good ? "" : show(running, -1);
             lua_pop(running, 1);
             if (!good)
                 throw HookError(f.place() + ": " + who + ": the function in field '" + field + "' returned " + shown +
@@ -96,7 +96,7 @@ std::function<Vec3(double)> read_acting(Options& o, const char* field, const cha
         } else {
             lua_pushnil(running);
         }
-        call_hook(running, f, 2, 3, who + ", t = " + show(t) + " s");
+        call_hook(running, f, 2, 3, [&] { return who + ", t = " + show(t) + " s"; });
         Vec3 v;
         try {
             if (lua_istable(running, top + 1)) {

@@ -92,7 +92,9 @@ public:
             f.push(L_);
             push<RunBox>(L_, record_);
             hold_registry(L_, *record_->model);
-            call_hook(L_, f, 1, 0, "run:on_step after step " + std::to_string(r.run->steps_done()) + ", which is done");
+            call_hook(L_, f, 1, 0, [&] {
+                return "run:on_step after step " + std::to_string(r.run->steps_done()) + ", which is done";
+            });
         }
     }
 

@@ -101,9 +101,7 @@ void LuaValue::push(lua_State* L) const {
 
 lua_State* LuaFunction::running() const { return context_->running; }
 
-void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what) {
-    const int status = lua_pcall(L, arguments, results, 0);
-    if (status == LUA_OK) return;
+void hook_failed(lua_State* L, const LuaFunction& function, int status, const std::string& what) {
     if (status == LUA_ERRMEM) lua_pop(L, 1), throw std::bad_alloc();
     const char* text = lua_tostring(L, -1);
     std::string message = text ? text : function.place() + ": the function raised a value that is not a string";

@@ -48,7 +48,18 @@ private:
     std::string place_;
 };
 
-/// Calls the function below its arguments; a Lua error becomes HookError with its message and `what`.
-void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, const std::string& what = "");
+/// Throws HookError for a call that ended with `status`: its message and `what`.
+[[noreturn]] void hook_failed(lua_State* L, const LuaFunction& function, int status, const std::string& what);
+
+/// Calls the function below its arguments; a Lua error becomes HookError with its message and the text that what()
+/// makes then.
+template <class What>
+void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results, What what) {
+    if (const int status = lua_pcall(L, arguments, results, 0); status != LUA_OK)
+        hook_failed(L, function, status, what());
+}
+inline void call_hook(lua_State* L, const LuaFunction& function, int arguments, int results) {
+    call_hook(L, function, arguments, results, [] { return ""; });
+}
 
 }  // namespace hinge::script

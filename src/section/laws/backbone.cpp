@@ -63,17 +63,21 @@ public:
 
     bool follows_rotation() const override { return true; }
     Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
-        if (history && history[inside] > 0) return {greatest_, 0, greatest_};
+        if (history && history[inside] > 0) return {greatest_, 0};
         const Step s = step(zone, history, e);
         Turned out;
-        const double floor = std::max(least_strength, std::min(of_.residual, s.strength));
+        const double floor = floor_of(s);
         out.factor = std::max(floor, s.strength * s.worn_to);
-        out.mean = std::max(floor, 0.5 * s.mean * (s.worn_from + s.worn_to));
         if (out.factor > floor && work > 0) {
             if (s.largest_to > s.largest_from) out.slope = s.slope * s.worn_to * s.to.dot(s.by) / s.to.norm() / work;
             if (of_.wear > 0) out.slope -= s.strength * s.worn_by / work;
         }
         return out;
+    }
+    double mean_turned(const PlasticZone& zone, const double* history, const Vec4& e, double) const override {
+        if (history && history[inside] > 0) return greatest_;
+        const Step s = step(zone, history, e);
+        return std::max(floor_of(s), 0.5 * s.mean * (s.worn_from + s.worn_to));
     }
     void commit(const PlasticZone& zone, const Vec4& e, double, double, double* history) const override {
         if (history[inside] > 0) return;
@@ -95,6 +99,7 @@ private:
         double worn_from, worn_to;        ///< factors
         double worn_by = 0;               ///< half of the step's plastic work over wear My, were nothing worn
     };
+    double floor_of(const Step& s) const { return std::max(least_strength, std::min(of_.residual, s.strength)); }
     Step step(const PlasticZone& zone, const double* history, const Vec4& e) const {
         Step s;
         s.by = Eigen::Vector2d(e[0], e[1]).cwiseProduct(zone.per_strength.head<2>());

@@ -3,6 +3,8 @@
 // what the round before found. Back resultants that grow in proportion to the flow are found in the first round.
 #include <array>
 #include <cmath>
+#include <span>
+#include <vector>
 
 #include "section/laws/laws.h"
 
@@ -10,8 +12,9 @@ namespace hinge::beam {
 namespace {
 
 constexpr double slope_step = 1e-6;  ///< part of a step by which the slope is found
-/// Parts of a step that the function is asked for at once: Simpson's rule, and the slope.
-constexpr std::array parts{1.0, 0.5, 1 + slope_step};
+/// Parts of a step that the function is asked for at once: its end and the slope there, or its middle.
+constexpr std::array at_end_of_step{1.0, 1 + slope_step};
+constexpr std::array at_middle{0.5};
 
 class OwnLaw : public MaterialLaw {
 public:
@@ -34,16 +37,19 @@ public:
     double initial() const override { return initial_; }
 
     bool follows_rotation() const override { return true; }
-    /// The mean is that of Simpson's rule over the step.
     Turned turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
         const double now = history ? history[strength] : initial_;
-        if (!(work > 0)) return {now, 0, now};
+        if (!(work > 0)) return {now, 0};
         const std::vector<SectionAnswer>& at = ask(zone, history, e, work);
-        Turned out;
-        out.factor = at[0].strength;
-        out.mean = (now + 4 * at[1].strength + out.factor) / 6;
-        out.slope = (at[2].strength - out.factor) / (slope_step * work);
-        return out;
+        return {at[0].strength, (at[1].strength - at[0].strength) / (slope_step * work)};
+    }
+    /// By Simpson's rule over the step.
+    double mean_turned(const PlasticZone& zone, const double* history, const Vec4& e, double work) const override {
+        const double now = history ? history[strength] : initial_;
+        if (!(work > 0)) return now;
+        return (now + 4 * ask(zone, history, e, work, at_middle)[0].strength +
+                ask(zone, history, e, work)[0].strength) /
+               6;
     }
 
     bool back_follows_flow() const override { return true; }
@@ -79,21 +85,23 @@ private:
     struct Question {
         Vec4 e = Vec4::Zero();
         double work = 0;
+        std::span<const double> parts;
         bool at_end = true;
         std::vector<double> history;
         std::vector<SectionAnswer> answers;
     };
 
     /// The answers at `parts` of a step with e that does `work`.
-    const std::vector<SectionAnswer>& ask(const PlasticZone& zone, const double* history, const Vec4& e,
-                                          double work) const {
+    const std::vector<SectionAnswer>& ask(const PlasticZone& zone, const double* history, const Vec4& e, double work,
+                                          std::span<const double> parts = at_end_of_step) const {
         std::vector<double> start(std::size_t(variables_), 0.0);
         if (history) std::copy_n(history + first, variables_, start.begin());
         const bool end = !history || history[at_end] > 0;
         for (const Question& q : asked_)
-            if (q.work == work && q.e == e && q.at_end == end && q.history == start && !q.answers.empty())
+            if (q.work == work && q.e == e && q.parts.data() == parts.data() && q.at_end == end && q.history == start &&
+                !q.answers.empty())
                 return q.answers;
-        std::array<SectionFlow, parts.size()> flows;
+        std::vector<SectionFlow> flows(parts.size());
         for (std::size_t i = 0; i < parts.size(); ++i) {
             const Vec4 d = parts[i] * e.cwiseProduct(zone.per_strength);
             flows[i] = {d[0], d[1], d[2], d[3], parts[i] * work / zone.energy, end};
@@ -101,7 +109,7 @@ private:
         Question& q = asked_[next_++ % asked_.size()];
         q.answers.clear();
         q.answers = rule_(flows, start.data());
-        q.e = e, q.work = work, q.at_end = end, q.history = std::move(start);
+        q.e = e, q.work = work, q.parts = parts, q.at_end = end, q.history = std::move(start);
         return q.answers;
     }
     void keep(const SectionAnswer& answer, double* history) const {
