@@ -65,10 +65,11 @@ local function modules()
   return names
 end
 
---- Loads what cases before have loaded, so that the processes of the next ones find it there.
+--- Loads what cases before have loaded, so that the processes of the next ones find it there. What cannot be loaded
+-- here is left to them.
 function case.load_modules(names)
   for _, name in ipairs(names or {}) do
-    if not package.loaded[name] then require(name) end
+    if not package.loaded[name] then pcall(require, name) end
   end
 end
 
