@@ -348,6 +348,24 @@ case("hinge.study varies functions that no file holds", function()
   end
 end)
 
+case("a case finds the modules of hinge loaded that those before it have used, and nothing else of them", function()
+  local asked = hinge.scenario { parameters = { n = 1 }, run = function(p)
+    local was = package.loaded["hinge.sections.named"] ~= nil
+    local section = hinge.section.named "HEB 300"
+    local first = rawget(_G, "seen") == nil
+    rawset(_G, "seen", p.n)
+    return { was = was, first = first, area = section.area }
+  end }
+  local now = hinge.study(asked, { vary = { n = { 1, 2, 3 } }, jobs = 1, out = folder .. "/loaded",
+    pictures = false })
+  for i, one in ipairs(now.cases) do
+    equal(one.results.was, i > 1, ("case %d: whether the module was there"):format(i))
+    equal(one.results.first, true, ("case %d: whether its globals are its own"):format(i))
+    near(one.results.area, 149.1e-4, 1e-5, ("case %d: area"):format(i))
+  end
+  equal(#now.cases, 3, "cases")
+end)
+
 case("a failed case is in the table and in no plot, correlation or note", function()
   -- A case that failed may have returned something: it is in the table, and in nothing that is drawn from all cases.
   local failing = hinge.scenario { parameters = { x = 1, y = 1 }, run = function(p, job)
