@@ -4,7 +4,8 @@
 -- Shows   seconds of each law, the median of runs by turns, over those of eq 14; the energy error beside them
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
 local hinge = require "hinge"
-local with = require "scenes".with
+local scenes = require "scenes"
+local with = scenes.with
 
 local bays, storeys, bay, height = 4, 8, 6, 3.5 -- m
 local floor_density = 60000 -- kg/m^3: the beams carry floors
@@ -44,23 +45,11 @@ local function shaken(law)
   local model = hinge.model { interaction = law.interaction or "exact", elements_per_member = 4 }
   local steel = with({ E = 210e9, density = 7850, yield_stress = 275e6 }, law.material)
   local columns, beams = hinge.material(steel), hinge.material(with(steel, { density = floor_density }))
-  local column, beam = hinge.section.named "HEB 300", hinge.section.named "IPE 400"
-  local at = {}
-  for i = 0, bays do
-    at[i] = {}
-    for k = 0, storeys do
-      at[i][k] = model:node { bay * i, 0, height * k }
-      model:fix(at[i][k], k == 0 and "all" or "y,rx,rz")
-      if k > 0 then
-        model:member { at[i][k - 1], at[i][k], section = column, material = columns, up = { 1, 0, 0 },
-          backbone = law.backbone, law = law.law }
-        if i > 0 then
-          model:member { at[i - 1][k], at[i][k], section = beam, material = beams, up = { 0, 0, 1 },
-            backbone = law.backbone, law = law.law }
-        end
-      end
-    end
-  end
+  local column, beam, laws_of = hinge.section.named "HEB 300", hinge.section.named "IPE 400",
+    { backbone = law.backbone, law = law.law }
+  local at = scenes.plane_frame(model, { bays = bays, storeys = storeys, bay = bay, height = height,
+    column = with({ section = column, material = columns }, laws_of),
+    beam = with({ section = beam, material = beams }, laws_of) })
   model:gravity { 0, 0, -9.81 }
   local rest = model:static { steps = 2, record = false }:finish()
   model:damping { ratio = 0.03, periods = { 1.5, 0.2 } }

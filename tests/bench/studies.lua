@@ -7,6 +7,7 @@
 -- Writes  studies.csv in its output folder
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../script/?.lua;" .. package.path
 local support = require "support"
+local scenes = require "scenes"
 local core = require "hinge.core"
 local hinge = require "hinge"
 
@@ -21,23 +22,11 @@ local function shaken(amplitude, seconds, frames)
   local columns = hinge.material { E = 210e9, density = 7850, yield_stress = 275e6 }
   local beams = hinge.material { E = 210e9, density = 60000, yield_stress = 275e6 } -- they carry floors
   local column, beam = hinge.section.named "HEB 300", hinge.section.named "IPE 400"
-  local at, feet = {}, {}
+  local at, feet = nil, {}
   for frame = 1, frames do
-    for i = 0, storeys do
-      for j = 0, bays do
-        local node = model:node { 6 * j, 10 * frame, 3.5 * i }
-        model:fix(node, i == 0 and "all" or "y,rx,rz")
-        at[i * (bays + 1) + j] = node
-        if i == 0 then
-          feet[#feet + 1] = node
-        else
-          model:member { at[(i - 1) * (bays + 1) + j], node, section = column, material = columns, up = { 1, 0, 0 } }
-          if j > 0 then
-            model:member { at[i * (bays + 1) + j - 1], node, section = beam, material = beams, up = { 0, 0, 1 } }
-          end
-        end
-      end
-    end
+    at = scenes.plane_frame(model, { bays = bays, storeys = storeys, bay = 6, height = 3.5, y = 10 * frame,
+      column = { section = column, material = columns }, beam = { section = beam, material = beams } })
+    for i = 0, bays do feet[#feet + 1] = at[i][0] end
   end
   model:gravity { 0, 0, -9.81 }
   local rest = model:static { steps = 2, record = false }:finish()
@@ -49,7 +38,7 @@ local function shaken(amplitude, seconds, frames)
   local before = ms(begun)
   begun = os.clock()
   run:finish()
-  return before, ms(begun), at[storeys * (bays + 1)]:displacement(run)
+  return before, ms(begun), at[0][storeys]:displacement(run)
 end
 
 return hinge.scenario {

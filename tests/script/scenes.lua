@@ -35,6 +35,25 @@ function scenes.cantilever(options)
   return model, tip, member, wall
 end
 
+--- Adds a frame that stays in its plane of x and z, clamped at its feet. `options`: bays, storeys, bay, height, y (0,
+--- where the plane is), column =, beam = (of model:member, without nodes and up). Returns its nodes as [axis][level],
+--- from 0.
+function scenes.plane_frame(model, options)
+  local o, at = options, {}
+  for i = 0, o.bays do
+    at[i] = {}
+    for k = 0, o.storeys do
+      at[i][k] = model:node { o.bay * i, o.y or 0, o.height * k }
+      model:fix(at[i][k], k == 0 and "all" or "y,rx,rz")
+      if k > 0 then
+        model:member(scenes.with(o.column, { at[i][k - 1], at[i][k], up = { 1, 0, 0 } }))
+        if i > 0 then model:member(scenes.with(o.beam, { at[i - 1][k], at[i][k], up = { 0, 0, 1 } })) end
+      end
+    end
+  end
+  return at
+end
+
 --- A portal in the plane of x and z: feet 1 and 4, heads 2 and 3. `options`: model =, width (4), height (3),
 --- column =, beam = (of model:member), feet ("all", what is fixed there), heads (nothing, what is fixed there).
 --- Returns the model, its nodes and its members (column, beam, column; the beam from 2 to 3).
