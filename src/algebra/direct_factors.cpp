@@ -23,14 +23,23 @@ void DirectFactors::add(int row, int column, const Mat6& block) {
                 factors_->entries.emplace_back(6 * row + r, 6 * column + c, v);
 }
 
+/// A pivot on the diagonal, which keeps the pattern, is taken unless another of its column is ten times as large.
+constexpr double diagonal_enough = 0.1;
+
 bool DirectFactors::factorise(int nodes) {
     const Doing doing("a factorisation of the stiffness,", 6L * nodes, "unknowns");
     Eigen::SparseMatrix<double> A(6 * nodes, 6 * nodes);
     A.setFromTriplets(factors_->entries.begin(), factors_->entries.end());
     factors_->entries = {};
     factors_->diagonal = A.diagonal();
-    if (unsymmetric_) factors_->lu = std::make_unique<Eigen::SparseLU<Eigen::SparseMatrix<double>>>(A);
-    else factors_->ldlt.compute(A);
+    if (unsymmetric_) {
+        factors_->lu = std::make_unique<Factors::Unsymmetric>();
+        factors_->lu->isSymmetric(true);
+        factors_->lu->setPivotThreshold(diagonal_enough);
+        factors_->lu->compute(A);
+    } else {
+        factors_->ldlt.compute(A);
+    }
     return good();
 }
 
@@ -82,5 +91,10 @@ Eigen::VectorXd DirectFactors::negative_direction() const {
 }
 
 bool DirectFactors::negative_determinant() const { return factors_->lu->signDeterminant() < 0; }
+
+long DirectFactors::size() const {
+    if (unsymmetric_) return long(factors_->lu->nnzL()) + long(factors_->lu->nnzU());
+    return long(factors_->ldlt.matrixL().nestedExpression().nonZeros()) + long(factors_->diagonal.size());
+}
 
 }  // namespace hinge

@@ -34,6 +34,8 @@ public:
     Eigen::VectorXd negative_direction() const;
     /// True if the determinant is negative (odd number of negative eigenvalues). Unsymmetric factors.
     bool negative_determinant() const;
+    /// How many numbers the factors hold: of L, or of L and U.
+    long size() const;
 
 private:
     struct Factors;

@@ -22,7 +22,19 @@ struct DirectFactors::Factors {
     std::vector<Eigen::Triplet<double>> entries;
     Eigen::VectorXd diagonal;
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
-    std::unique_ptr<Eigen::SparseLU<Eigen::SparseMatrix<double>>> lu;
+    /// SparseLU takes the place of each column, where AMDOrdering tells which column has a place.
+    struct Ordering {
+        using PermutationType = Eigen::AMDOrdering<int>::PermutationType;
+        template <class Matrix>
+        void operator()(const Matrix& A, PermutationType& place) const {
+            PermutationType columns;
+            Eigen::AMDOrdering<int>()(A, columns);
+            place = columns.inverse();
+        }
+    };
+    /// Ordered by its pattern, which is symmetric even where the values are not.
+    using Unsymmetric = Eigen::SparseLU<Eigen::SparseMatrix<double>, Ordering>;
+    std::unique_ptr<Unsymmetric> lu;
 };
 
 }  // namespace hinge
