@@ -4,6 +4,7 @@
 
 #include "core/text.h"
 #include "effects/declared.h"
+#include "effects/line_mass.h"
 #include "effects/loads.h"
 #include "effects/member_loads.h"
 #include "effects/point_mass.h"
@@ -29,6 +30,7 @@ constexpr double heavier = 1.3;
 /// Along gravity, N, of what acts without a history.
 struct Weights {
     double members = 0, point_masses = 0, on_members = 0, on_nodes = 0;
+    double line_masses = 0;           ///< of `members`, what they carry per length
     double in_density = 0;            ///< of `members`, what their densities hold beside the material itself
     double mass = 0, point_mass = 0;  ///< kg, of members and of points
     double loads() const { return on_members + on_nodes; }
@@ -57,8 +59,10 @@ std::optional<Weights> weights_of(const Structure& s) {
         w.mass += e.mass();
         const Material& material = *model.members()[e.member].material;
         const double usual = usual_density(material.E);
+        const double on_line = model.members()[e.member].line_mass * e.length;
         if (usual > 0 && material.density > heavier * usual)
-            w.in_density += g * (1 - usual / material.density) * e.mass();
+            w.in_density += g * (1 - usual / material.density) * (e.mass() - on_line);
+        w.line_masses += g * on_line;
     }
     for (const AddedMass& m : added_masses(model)) w.point_mass += m.mass.mass;
     w.members = g * w.mass, w.point_masses = g * w.point_mass;
@@ -70,7 +74,8 @@ std::optional<Weights> weights_of(const Structure& s) {
 std::string weight_by_source(const Structure& structure) {
     const auto w = weights_of(structure);
     if (!w) return "";
-    std::string text = "  along gravity: members " + digits(w->members) + " N";
+    std::string text = "  along gravity: members " + digits(w->members - w->line_masses) + " N";
+    if (w->line_masses > 0) text += ", masses on members " + digits(w->line_masses) + " N";
     if (w->point_masses > 0)
         text += ", point masses " + digits(w->point_masses) + " N (" + digits(w->point_mass) + " kg)";
     if (w->on_members != 0) text += ", loads on members " + digits(w->on_members) + " N";
@@ -103,7 +108,8 @@ std::vector<Warning> floors_twice(const Structure& s) {
         members{w->on_members, "loads on members along gravity", member_loads_effect},
         nodes{w->on_nodes, "loads on nodes along gravity", loads_effect},
         loads{w->loads(), "loads along gravity", w->on_members > 0 ? member_loads_effect : loads_effect},
-        points{w->point_masses, "point masses", point_mass_effect, "which weigh "};
+        points{w->point_masses, "point masses", point_mass_effect, "which weigh "},
+        lines{w->line_masses, "masses on members", line_mass_effect, "which weigh "};
     const auto are_alike = [](const Way& a, const Way& b, double by) {
         return a.weight > 0 && b.weight > 0 && a.weight <= by * b.weight && b.weight <= by * a.weight;
     };
@@ -120,7 +126,10 @@ std::vector<Warning> floors_twice(const Structure& s) {
         if (are_alike(a, points, alike)) return twice(a, points, no_loads);
     for (const Way& a : {members, nodes, loads})
         if (are_alike(density, a, alike)) return twice(density, a, no_loads);
-    if (are_alike(density, points, alike)) return twice(density, points, one);
+    for (const Way& a : {loads, members, nodes})
+        if (are_alike(a, lines, equal_loads)) return twice(a, lines, no_loads);
+    for (const auto& [a, b] : {std::pair{density, points}, std::pair{density, lines}, std::pair{lines, points}})
+        if (are_alike(a, b, alike)) return twice(a, b, one);
     if (are_alike(members, nodes, equal_loads)) return twice(members, nodes, one);
     return {};
 }

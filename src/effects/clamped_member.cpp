@@ -115,6 +115,18 @@ double fall_of_A(double p) {
 
 }  // namespace
 
+PairForces::PairForces() {
+    for (int k = 0; k < terms; ++k) even[k].setZero(), odd[k].setZero(), side[k].setZero();
+}
+
+void PairForces::add(const Vec3& force, double x) {
+    double power = 1;
+    for (int k = 0; k < terms; ++k) {
+        even[k] += power * force, odd[k] += power * x * force, side[k] += power * std::abs(x) * force;
+        power *= x * x;
+    }
+}
+
 double PressedPair::of_even(int plane, double q) const {
     const double p = p_[plane];
     if (p == 0) return 0;
@@ -145,6 +157,27 @@ double PressedPair::of_force(int end, int plane, double x) const {
     symmetric += more_[plane] * (symmetric - beam::arm_of_pair * 2 * (1 - std::abs(x))) - 0.5 * (1 - x * x);
     antisymmetric -= 0.5 * x * (x * x - 1);
     return sign[plane] * l_ * 0.5 * (end == 0 ? symmetric + antisymmetric : antisymmetric - symmetric);
+}
+
+void PressedPair::add_forces(int plane, const PairForces& of, const Vec3& across, double (&ends)[2],
+                             double& middle) const {
+    const double p = p_[plane];
+    if (p == 0) return;
+    // sums of f cos u x, of f sin(u x) / u and of f sin(u |x|) / u, with cosh and sinh in tension; cos u and sin(u) / u
+    double cosine = 0, odd = 0, side = 0, C = 0, S = 0, even_part = 1, odd_part = 1;
+    for (int k = 0; k < PairForces::terms; ++k) {
+        cosine += even_part * across.dot(of.even[k]), C += even_part;
+        odd += odd_part * across.dot(of.odd[k]), side += odd_part * across.dot(of.side[k]), S += odd_part;
+        even_part *= -p / ((2 * k + 1) * (2 * k + 2)), odd_part *= -p / ((2 * k + 2) * (2 * k + 3));
+    }
+    const double all = across.dot(of.even[0]), first = across.dot(of.odd[0]), inward = all - across.dot(of.side[0]);
+    double symmetric = (cosine - all * C) / (p * S), antisymmetric = (odd - first * S) / (C - S);
+    const double bow = 0.5 * ((all - C * cosine - p * S * side + cosine - all * C) / (p * S) - inward);
+    symmetric += more_[plane] * (symmetric - beam::arm_of_pair * 2 * inward) - 0.5 * (all - across.dot(of.even[1]));
+    antisymmetric -= 0.5 * (across.dot(of.odd[1]) - first);
+    ends[0] += sign[plane] * l_ * 0.5 * (symmetric + antisymmetric);
+    ends[1] += sign[plane] * l_ * 0.5 * (antisymmetric - symmetric);
+    middle -= sign[plane] * (1 + more_[plane]) * l_ * bow;
 }
 
 double PressedPair::of_couple(int end, int plane, double x) const {

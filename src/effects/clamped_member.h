@@ -83,6 +83,15 @@ struct MemberEnds {
     void add_section_forces(int element, int end, double length, const Vec3 m[2], SectionForces& forces) const;
 };
 
+/// Forces on a pair of elements as sums over their places x, -1 to 1 over the pair: of f x^2k, f x^(2k+1) and
+/// f |x|^(2k+1). What N does with them is a series in p of PressedPair, for |p| up to 6.5 to rounding.
+struct PairForces {
+    static constexpr int terms = 12;
+    Vec3 even[terms], odd[terms], side[terms];  ///< N
+    PairForces();
+    void add(const Vec3& force, double x);
+};
+
 /// |p| of PressedPair below which it is taken as none, and from which on it counts in full.
 inline constexpr double counts_from = 0.02, counts_in_full = 0.04;
 
@@ -131,6 +140,10 @@ public:
     double middle_of_spread(int plane, double q) const;
     double middle_of_force(int plane, double x) const;
     double middle_of_couple(int plane, double x) const;
+    /// Whether the series of PairForces hold.
+    bool is_mild() const { return std::abs(p_[0]) <= 6.5 && std::abs(p_[1]) <= 6.5; }
+    /// Adds what forces do, by their components along `across`: to the ends' moments and to that in the middle.
+    void add_forces(int plane, const PairForces& forces, const Vec3& across, double (&ends)[2], double& middle) const;
 
 private:
     double l_, p_[2], more_[2];

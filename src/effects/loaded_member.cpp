@@ -1,5 +1,6 @@
 #include "effects/loaded_member.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hinge {
@@ -31,7 +32,7 @@ LoadedMember loaded_member(const Workspace& w, const MemberLoad& load, int decla
                            const MemberEnds& ends, const std::vector<Portion>& parts) {
     const int first = ends.first, n = ends.count, all = member.count;
     const Element& e = w.structure.elements()[first];
-    LoadedMember l{ends, member, declared, load.axes == LoadAxes::local, load.history, {}, {}, {}};
+    LoadedMember l{ends, member, declared, {}, load.axes == LoadAxes::local, load.history, {}, {}, {}};
     l.held = load.held, l.on_node = is_on_node(load, all);
     l.may_jump = load.history && load.history.may_jump_in(steep * w.kind.dt);
     if (l.may_jump) l.over.kept = l.over.begin = l.over.end = load.history.from(w.state.time);
@@ -42,10 +43,12 @@ LoadedMember loaded_member(const Workspace& w, const MemberLoad& load, int decla
         const auto at_end = [&](int end) { return force_per_length(load, end, e.chord.normalized()); };
         l.spread[of] = (1 - xi) * at_end(0) + xi * at_end(1);
     }
-    if (load.spread() && load.is_partial() && w.structure.p_delta() && e.forms_pairs)
+    if (load.spread() && load.is_partial() && w.structure.p_delta() && e.forms_pairs) {
         l.pieces =
             portions_of_pair(load, begin, double(n) / all,
                              w.structure.model().members()[load.member].elements * e.length, e.chord.normalized());
+        for (Vec3& q : l.spread) q.setZero();
+    }
     if (!load.spread()) {
         l.at = std::clamp((load.at - begin) * all / n, 0.0, 1.0);
         l.point = load.force[0], l.couple = load.moment[0];
@@ -76,6 +79,44 @@ LoadedMember loaded_member(const Workspace& w, const MemberLoad& load, int decla
 
 }  // namespace
 
+void LoadedMember::drop() {
+    std::fill(shares.begin(), shares.end(), LoadShare());
+    for (int end : {0, 1})
+        for (int plane : {0, 1}) of_force[end][plane].setZero(), of_moment[end][plane].setZero();
+    for (int end : {0, 1}) spread[end].setZero();
+    point.setZero(), couple.setZero(), pieces.clear(), points.clear(), sums.reset();
+    dropped = true;
+}
+
+bool LoadedMember::merge(const LoadedMember& other) {
+    const auto simple = [](const LoadedMember& l) { return l.at < 0 && !l.local && !l.history; };
+    if (!simple(*this) || !simple(other) || ends.first != other.ends.first || ends.count != other.ends.count ||
+        held != other.held)
+        return false;
+    merged.push_back(other.declared);
+    for (std::size_t i = 0; i < shares.size(); ++i)
+        for (int end : {0, 1}) {
+            shares[i].force[end] += other.shares[i].force[end];
+            shares[i].moment[end] += other.shares[i].moment[end];
+        }
+    for (int end : {0, 1}) {
+        for (int plane : {0, 1})
+            of_force[end][plane] += other.of_force[end][plane], of_moment[end][plane] += other.of_moment[end][plane];
+        spread[end] += other.spread[end];
+    }
+    pieces.insert(pieces.end(), other.pieces.begin(), other.pieces.end());
+    return true;
+}
+
+void LoadedMember::gather() {
+    points = gathered(pieces);
+    if (pieces.empty() ||
+        std::any_of(pieces.begin(), pieces.end(), [](const Portion& p) { return !p.moment.isZero(0); }))
+        return;
+    sums = std::make_unique<PairForces>();
+    for (const Portion& p : pieces) sums->add(p.force, 2 * p.xi - 1);
+}
+
 std::vector<LoadedMember> loaded_members(const Workspace& w, const MemberLoad& load, int declared, int first, int end) {
     std::vector<LoadedMember> list;
     const Element& e = w.structure.elements()[first];
@@ -100,7 +141,7 @@ void find_moments(const Workspace& w, const LoadedMember& l, double factor, cons
     for (int end : {0, 1}) m[end] = factor * end_moment(l, end, axes);
 }
 void add_fixed_end(const Workspace& w, const LoadedMember& l, int element, double factor, const Pose& at,
-                   const Vec3 m[2], beam::FixedEnd& to) {
+                   const Vec3 m[2], const CompressionMoments& by_N, beam::FixedEnd& to) {
     const LoadShare& share = l.shares[element - l.ends.first];
     const Vec3 along = l.local ? Vec3(0, 0, 1) : direction_of(w.structure, element, at);
     const double own_part = l.on_node ? 0 : factor;
@@ -114,7 +155,6 @@ void add_fixed_end(const Workspace& w, const LoadedMember& l, int element, doubl
         to.add(end, there.x() + own.x(), there.y() + own.y(), side * own_part * along.dot(share.force[end]), own.z());
     }
     if (!l.ends.whole(w.state)) return;
-    const CompressionMoments by_N = compression_moments(w, l, factor, at, w.force_of_fixed_ends());
     for (int end = 0; end < 2 && by_N.counts; ++end) {
         const Vec3 there = by_N.pair.moment_at(element, end, by_N.m);
         to.add(end, there.x(), there.y(), 0, 0);
@@ -146,15 +186,19 @@ CompressionMoments compression_moments(const Workspace& w, const LoadedMember& l
         is.middle[plane] += M * by_N.middle_of_couple(plane, x);
     };
     for (int plane : {0, 1}) {
-        for (const Portion& p : l.pieces) add_point(plane, p.xi, p.force, p.moment);
-        if (!l.pieces.empty()) continue;
-        const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};
-        if (l.at < 0) {
-            for (int of : {0, 1}) is.m[of][plane] = by_N.of_spread(of, plane, q);
-            is.middle[plane] = by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]));
-            continue;
+        if (l.sums && by_N.is_mild()) {
+            const Vec3 along = factor * (l.local ? Vec3(Vec3::Unit(1 - plane)) : Vec3(is.chord.axes.col(1 - plane)));
+            double ends[2] = {0, 0};
+            by_N.add_forces(plane, *l.sums, along, ends, is.middle[plane]);
+            for (int of : {0, 1}) is.m[of][plane] += ends[of];
+        } else {
+            for (const Portion& p : l.points) add_point(plane, p.xi, p.force, p.moment);
         }
-        add_point(plane, l.at, l.point, l.couple);
+        if (l.at >= 0) add_point(plane, l.at, l.point, l.couple);
+        const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};
+        if (q[0] == 0 && q[1] == 0) continue;
+        for (int of : {0, 1}) is.m[of][plane] += by_N.of_spread(of, plane, q);
+        is.middle[plane] += by_N.middle_of_spread(plane, 0.5 * (q[0] + q[1]));
     }
     return is;
 }

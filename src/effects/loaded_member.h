@@ -18,22 +18,30 @@ struct LoadShare {
 /// each pair.
 struct LoadedMember {
     MemberEnds ends, member;
-    int declared;  ///< its place in the list of the model
+    int declared;             ///< its place in the list of the model
+    std::vector<int> merged;  ///< places of further loads that act as one with it (merge)
     bool local;
     History history;
     std::vector<LoadShare> shares;  ///< of the member's elements
     /// The correction's moment at each end about x and about y is linear in the load's components across: of the
     /// forces, N m, and of the moments, N m, both in the load's axes.
     Vec3 of_force[2][2], of_moment[2][2];
-    Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(),
-         couple = Vec3::Zero();  ///< N/m at these ends; N and N m of a point load
-    double at = -1;              ///< of the point load, 0 to 1 between them
+    /// N/m at these ends, of loads without pieces; N and N m of a point load.
+    Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(), couple = Vec3::Zero();
+    double at = -1;  ///< of the point load, 0 to 1 between them
     /// A load over a part of a pair of elements, as point loads between its ends, for what N does to them.
-    std::vector<Portion> pieces = {};
-    double factor = 1, kept_factor = 1;  ///< of its history, on the trial and on the state
+    std::vector<Portion> pieces = {}, points = {};  ///< points: the same, gathered
+    std::unique_ptr<PairForces> sums = {};          ///< of pieces without moments
+    double factor = 1, kept_factor = 1;             ///< of its history, on the trial and on the state
     bool held = false, may_jump = false;
     bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
     StepFactor over = {};  ///< where its history may jump within a step
+    bool dropped = false;  ///< nothing of it acts any longer
+    void drop();
+    /// Takes in another load on the same elements, where both are spread, constant and given in space. False where not.
+    bool merge(const LoadedMember& other);
+    /// All are merged: prepares what N does to the pieces.
+    void gather();
 };
 /// Changes by N of the moments at a pair's two ends, in its axes, and in the section between its elements.
 struct CompressionMoments {
@@ -54,7 +62,7 @@ Vec3 end_moment(const LoadedMember& l, int end, const Mat3& axes);
 void find_moments(const Workspace& w, const LoadedMember& l, double factor, const Pose& at, Vec3 m[2]);
 /// Adds a load's part of the resultants of an element, with the corrections m at its member's ends.
 void add_fixed_end(const Workspace& w, const LoadedMember& l, int element, double factor, const Pose& at,
-                   const Vec3 m[2], beam::FixedEnd& to);
+                   const Vec3 m[2], const CompressionMoments& by_N, beam::FixedEnd& to);
 /// `force`: p of all elements, of which N is taken.
 CompressionMoments compression_moments(const Workspace& w, const LoadedMember& l, double factor, const Pose& at,
                                        const std::vector<Vec6>& force);

@@ -11,6 +11,7 @@
 
 #include <map>
 
+#include "effects/joined_bodies.h"
 #include "effects/kinds.h"
 #include "effects/loaded_member.h"
 #include "model/member_ends.h"
@@ -18,28 +19,33 @@
 namespace hinge {
 namespace {
 
-class MemberLoads : public Effect, public Load, public Force, public SectionForceSource, public StepLimiter {
+class MemberLoads : public Effect,
+                    public Load,
+                    public Force,
+                    public SectionForceSource,
+                    public StepLimiter,
+                    public BreakListener {
 public:
-    MemberLoads(Workspace& w, Host& host) : Effect(member_loads_effect, w, host, {.mean_forces = true}) {
+    MemberLoads(const char* name, std::vector<MemberLoad> list, bool are_weights, Workspace& w, Host& host)
+        : Effect(name, w, host, {.mean_forces = true}), list_(std::move(list)), are_weights_(are_weights) {
         const Structure& s = w.structure;
         const std::vector<std::pair<int, int>> elements_of = elements_of_members(s);
         place_.assign(s.position().size(), -1);
-        for (const MemberLoad& load : declared()) {
+        for (const MemberLoad& load : list_) {
             const auto [first, end] = elements_of[load.member];
-            const std::size_t known = loads_.size();
-            for (LoadedMember& l : loaded_members(w, load, int(&load - declared().data()), first, end))
-                loads_.push_back(std::move(l));
+            for (LoadedMember& l : loaded_members(w, load, int(&load - list_.data()), first, end)) add(std::move(l));
             traits_.calls_script = traits_.calls_script || (load.has_history && !load.history.points());
-            for (std::size_t i = known; i < loads_.size(); ++i) {
-                const LoadedMember& l = loads_[i];
-                traits_.forces_vanish = traits_.forces_vanish || l.may_jump;
-                for (int k = 0; k < l.ends.count; ++k) on_element_[l.ends.first + k].push_back(int(i));
-            }
             for (int i = first; i < end; ++i)
                 for (int node : s.elements()[i].node)
                     if (place_[node] < 0) place_[node] = int(nodes_.size()), nodes_.push_back(node);
         }
+        for (LoadedMember& l : loads_) l.gather();
         before_.assign(nodes_.size(), Vec6::Zero());
+        drop_fallen();
+    }
+    void all_broke() override {
+        drop_fallen();
+        if (are_weights_) before_ = acting(w_.state);
     }
 
     // ---- loads in local axes: statics has the derivative of their directions by the nodes' motion
@@ -109,8 +115,9 @@ public:
             Vec3 m[2];
             const double now = factor_now(l, factor);
             find_moments(w_, l, now, at, m);
+            const CompressionMoments by_N = compression_moments(w_, l, now, at, w_.force_of_fixed_ends());
             for (int i = l.ends.first; i < l.ends.first + l.ends.count; ++i)
-                if (!w_.state.broken[i]) add_fixed_end(w_, l, i, now, at, m, all[i]);
+                if (!w_.state.broken[i]) add_fixed_end(w_, l, i, now, at, m, by_N, all[i]);
         }
     }
 
@@ -143,7 +150,8 @@ public:
                 Vec3 m[2];
                 const double now = factor_now(loads_[i], w_.factor);
                 find_moments(w_, loads_[i], now, w_.trial, m);
-                add_fixed_end(w_, loads_[i], y.element, now, w_.trial, m, part);
+                add_fixed_end(w_, loads_[i], y.element, now, w_.trial, m,
+                              compression_moments(w_, loads_[i], now, w_.trial, w_.force_of_fixed_ends()), part);
             }
             sums["work"] += work_on_flow(y, part);
         }
@@ -191,40 +199,10 @@ public:
 
     void show_loads(std::vector<ShownLoad>& to) const override {
         for (const LoadedMember& l : loads_) {
-            const MemberLoad& load = declared()[l.declared];
             const double factor = kept_factor(l);
-            if (factor == 0) continue;
-            const int n = l.member.count;
-            for (int element = l.ends.first; element < l.ends.first + l.ends.count; ++element) {
-                const int k = element - l.member.first;
-                const Element& e = w_.structure.elements()[element];
-                if (w_.state.broken[element]) continue;
-                ShownLoad shown{-1, element, -1, {}, {}};
-                const Mat3 to_space = factor * (l.local ? Mat3(axes_of(element_frame(w_.structure, element, w_.state)))
-                                                        : Mat3(Mat3::Identity()));
-                if (load.spread() && load.is_partial()) {
-                    const Stretch s = stretch_of(load, double(k) / n, (k + 1.0) / n, e.chord.normalized());
-                    if (!(s.to > s.from)) continue;
-                    shown.from = s.from * n - k, shown.to = s.to * n - k;
-                    for (int end : {0, 1})
-                        shown.force[end] = to_space * s.force[end], shown.moment[end] = to_space * s.moment[end];
-                } else if (!load.spread()) {
-                    if (k != element_at(load.at, n)) continue;
-                    shown.at = place_in(k, load.at, n);
-                    if (l.on_node) shown.node = e.node[shown.at > 0.5], shown.element = -1, shown.at = -1;
-                    shown.force[0] = to_space * load.force[0], shown.moment[0] = to_space * load.moment[0];
-                    shown.force[1].setZero(), shown.moment[1].setZero();
-                } else {
-                    const Vec3 along = e.chord.normalized();
-                    for (int end : {0, 1}) {
-                        const double xi = double(k + end) / n;
-                        shown.force[end] = to_space * ((1 - xi) * force_per_length(load, 0, along) +
-                                                       xi * force_per_length(load, 1, along));
-                        shown.moment[end] = to_space * ((1 - xi) * load.moment[0] + xi * load.moment[1]);
-                    }
-                }
-                to.push_back(shown);
-            }
+            if (factor == 0 || l.dropped) continue;
+            show(l, list_[l.declared], factor, to);
+            for (const int i : l.merged) show(l, list_[i], factor, to);
         }
     }
 
@@ -250,7 +228,10 @@ public:
 
     void save(Writer& to) const override { save_fields(*this, to); }
     void restore(Reader& from) override { fields(*this, from); }
-    bool restored(std::span<const State* const>) override { return before_.size() == nodes_.size(); }
+    bool restored(std::span<const State* const>) override {
+        drop_fallen();
+        return before_.size() == nodes_.size();
+    }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
@@ -262,8 +243,58 @@ public:
     }
 
 private:
-    const std::vector<MemberLoad>& declared() const {
-        return w_.structure.model().declared<MemberLoad>(member_loads_effect);
+    void show(const LoadedMember& l, const MemberLoad& load, double factor, std::vector<ShownLoad>& to) const {
+        const int n = l.member.count;
+        for (int element = l.ends.first; element < l.ends.first + l.ends.count; ++element) {
+            const int k = element - l.member.first;
+            const Element& e = w_.structure.elements()[element];
+            if (w_.state.broken[element]) continue;
+            ShownLoad shown{-1, element, -1, {}, {}};
+            shown.is_weight = are_weights_;
+            const Mat3 to_space = factor * (l.local ? Mat3(axes_of(element_frame(w_.structure, element, w_.state)))
+                                                    : Mat3(Mat3::Identity()));
+            if (load.spread() && load.is_partial()) {
+                const Stretch s = stretch_of(load, double(k) / n, (k + 1.0) / n, e.chord.normalized());
+                if (!(s.to > s.from)) continue;
+                shown.from = s.from * n - k, shown.to = s.to * n - k;
+                for (int end : {0, 1})
+                    shown.force[end] = to_space * s.force[end], shown.moment[end] = to_space * s.moment[end];
+            } else if (!load.spread()) {
+                if (k != element_at(load.at, n)) continue;
+                shown.at = place_in(k, load.at, n);
+                if (l.on_node) shown.node = e.node[shown.at > 0.5], shown.element = -1, shown.at = -1;
+                shown.force[0] = to_space * load.force[0], shown.moment[0] = to_space * load.moment[0];
+                shown.force[1].setZero(), shown.moment[1].setZero();
+            } else {
+                const Vec3 along = e.chord.normalized();
+                for (int end : {0, 1}) {
+                    const double xi = double(k + end) / n;
+                    shown.force[end] = to_space * ((1 - xi) * force_per_length(load, 0, along) +
+                                                   xi * force_per_length(load, 1, along));
+                    shown.moment[end] = to_space * ((1 - xi) * load.moment[0] + xi * load.moment[1]);
+                }
+            }
+            to.push_back(shown);
+        }
+    }
+    void add(LoadedMember l) {
+        std::vector<int>& here = on_element_[l.ends.first];
+        if (std::any_of(here.begin(), here.end(), [&](int i) { return loads_[i].merge(l); })) return;
+        traits_.forces_vanish = traits_.forces_vanish || l.may_jump;
+        for (int k = 0; k < l.ends.count; ++k) on_element_[l.ends.first + k].push_back(int(loads_.size()));
+        loads_.push_back(std::move(l));
+    }
+    /// A weight bends a member that falls, or is not whole, no more than its inertia does: it is none of these loads.
+    void drop_fallen() {
+        if (!are_weights_) return;
+        const Bodies bodies = find_bodies(w_.structure, w_.state);
+        std::vector<char> carried(bodies.count, 1);
+        if (w_.kind.dynamic)
+            carried = carried_bodies(w_.structure, w_.state, bodies, *declared_gravity(w_.structure.model()));
+        for (LoadedMember& l : loads_) {
+            const int body = bodies.of_node[w_.structure.elements()[l.ends.first].node[0]];
+            if (body < 0 || !carried[body] || !l.member.whole(w_.state)) l.drop();
+        }
     }
 
     void factors_at(double time, double StepFactor::*of_step) {
@@ -289,6 +320,8 @@ private:
         return sum;
     }
 
+    std::vector<MemberLoad> list_;
+    bool are_weights_;  ///< not loads of the script
     std::vector<LoadedMember> loads_;
     std::map<int, std::vector<int>> on_element_;  ///< places in loads_
     std::vector<int> nodes_, place_;              ///< of loaded members; of each node its place in that list, -1
@@ -328,13 +361,19 @@ std::vector<PlanLine> member_loads_plan(const Structure& s, const RunKind&) {
 
 }  // namespace
 
+std::unique_ptr<Effect> make_weights_on_members(const char* name, std::vector<MemberLoad> loads, Workspace& w,
+                                                Host& host) {
+    return std::make_unique<MemberLoads>(name, std::move(loads), true, w, host);
+}
+
 EffectKind member_loads_kind() {
     return {
         .name = member_loads_effect,
         .plan = member_loads_plan,
         .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
             if (!acts(w.structure)) return nullptr;
-            return std::make_unique<MemberLoads>(w, host);
+            return std::make_unique<MemberLoads>(
+                member_loads_effect, w.structure.model().declared<MemberLoad>(member_loads_effect), false, w, host);
         },
         .leave_out = leave_out_declared<member_loads_effect>,
         .declarer = {.loads =

@@ -1,6 +1,8 @@
 // Loads on members, as a script declares them.
 #pragma once
 
+#include <memory>
+
 #include "model/model.h"
 
 namespace hinge {
@@ -38,5 +40,14 @@ struct MemberLoad {
         if (s.is_partial()) a(s.from, s.to);
     }
 };
+
+class Effect;
+class Host;
+struct Workspace;
+
+/// The effect of weights that are given as such loads, under the name of another effect: in dynamics they act on
+/// members that are whole and carried (gravity.cpp), and no picture shows them.
+std::unique_ptr<Effect> make_weights_on_members(const char* name, std::vector<MemberLoad> loads, Workspace& w,
+                                                Host& host);
 
 }  // namespace hinge

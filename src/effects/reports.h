@@ -28,6 +28,7 @@ struct ShownLoad {
     double at = -1;            ///< on an element: at this share of its length, 0 to 1; -1: spread over it
     Vec3 force[2], moment[2];  ///< in space; N and N m; spread: at the two ends of the part that it covers, per m
     double from = 0, to = 1;   ///< that part of the element's length
+    bool is_weight = false;    ///< not drawn: what the weight of a line mass differs from an even one
     bool is_partial() const { return from > 0 || to < 1; }
 };
 

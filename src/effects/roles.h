@@ -40,7 +40,7 @@ public:
     /// Dynamics: subtracts from R the loads that follow the nodes of the trial configuration. Masses that such a load
     /// acts on add their inertia.
     virtual void subtract_following_loads(std::vector<Vec6>& resisting) { (void)resisting; }
-    /// Lists the loads of the script as they act where the state is. Weights are not among them.
+    /// Lists the loads of the script as they act where the state is, and weights along members that are not even.
     virtual void show_loads(std::vector<ShownLoad>& to) const { (void)to; }
 };
 

@@ -110,6 +110,8 @@ void Model::set_member_groups(int member, std::vector<int> groups) {
     check_open(), members_[member].groups = std::move(groups);
 }
 
+void Model::add_line_mass(int member, double per_length) { check_open(), members_[member].line_mass += per_length; }
+
 void Model::displace(int node, const Vec3& by) { check_open(), nodes_[node].position += by; }
 void Model::add_bow(int member, const Vec3& bow) { check_open(), members_[member].bow += bow; }
 
@@ -119,6 +121,8 @@ void Model::add_offsets(int member, const std::vector<Vec3>& inner) {
     if (own.empty()) own.assign(inner.size(), Vec3::Zero());
     for (std::size_t i = 0; i < inner.size(); ++i) own[i] += inner[i];
 }
+
+double MemberData::mass_per_length() const { return section->area * material->density + line_mass; }
 
 Vec3 MemberData::offset(int after) const {
     const auto on_curve = [this](int i) -> Vec3 {

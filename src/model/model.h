@@ -66,6 +66,7 @@ struct MemberData {
     double elements_part = 0;      ///< ratio that decided: compression over Euler's load, moment over the plastic one
     bool elements_capped = false;  ///< more would have been needed
     Carries carries = Carries::both;
+    double line_mass = 0;  ///< kg/m, mean over its length: what it carries beside its own mass (effects/line_mass.h)
     /// Bit i: end i is joined to its node by a joint (effects/joints.h), so that it has a node of its own.
     std::uint8_t joints = 0;
     bool is_moved = false;  ///< by offsets of its ends, beside which `up` is checked
@@ -75,6 +76,7 @@ struct MemberData {
     /// (beam_column.h) is that of a straight bar: the node in the middle of a pair stands halfway between its ends.
     Vec3 bow = Vec3::Zero();
     std::vector<Vec3> inner = {};
+    double mass_per_length() const;  ///< kg/m, with line_mass
     bool is_straight() const { return inner.empty() && bow.isZero(0); }
     Vec3 offset(int after) const;  ///< of the node after so many elements
 };
@@ -137,6 +139,7 @@ public:
     /// Throws InputError where add_member would.
     void check_member(const MemberData& member) const;
     void set_member_groups(int member, std::vector<int> groups);
+    void add_line_mass(int member, double per_length);  ///< kg/m, mean over its length
     /// Imperfections: moves the declared place of a node, m, and adds to what the nodes inside a member stand off its
     /// line.
     void displace(int node, const Vec3& by);

@@ -99,6 +99,7 @@ struct Structure::KindKey {
     int middle;        ///< the end (0, 1) at the middle of the pair
     double part;       ///< lumped_part
     Carries carries;
+    double line_mass;
     std::array<double, 4> rotation;
     auto operator<=>(const KindKey&) const = default;
 };
@@ -222,10 +223,12 @@ const Structure::Kind& Structure::kind_of(const MemberData& member, const Quat& 
                          middle,
                          part,
                          member.carries,
+                         member.line_mass,
                          {rotation.w(), rotation.x(), rotation.y(), rotation.z()}};
     const auto [at, fresh] = alike.try_emplace(key, nullptr);
     if (!fresh) return *at->second;
-    const beam::Rigidity rigidity = rigidity_of(section, material);
+    beam::Rigidity rigidity = rigidity_of(section, material);
+    rigidity.rhoA += member.line_mass;
     beam::YieldSurface strength =
         model_->options().plasticity ? yield_surface(section, material) : beam::YieldSurface{};
     if (member.carries != Carries::both) strength = {0, 0, strength.n, 0};

@@ -162,8 +162,9 @@ DrawnBars choose_bars(const Snapshot& snapshot, const View& view) {
     const double scale = chosen.scale;
     const std::vector<char> asked = asked_for(snapshot, view);
     std::vector<std::vector<const Load*>> loads(snapshot.bars.size());
-    for (const Load& load : snapshot.loads)
-        if (load.bar >= 0) loads[static_cast<std::size_t>(load.bar)].push_back(&load);
+    for (const auto* list : {&snapshot.loads, &snapshot.weights})
+        for (const Load& load : *list)
+            if (load.bar >= 0) loads[static_cast<std::size_t>(load.bar)].push_back(&load);
     for (const Bar& bar : snapshot.bars) {
         if (bar.member >= 0 && !asked[static_cast<std::size_t>(bar.member)]) continue;
         if (view.leave_out_broken && bar.state == BarState::broken) continue;

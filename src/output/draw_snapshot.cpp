@@ -207,6 +207,7 @@ private:
     double least_support() const { return sign_size(bars_, camera_, 0.2, 0.3 * em_, em_) * camera_.metres_per_pixel; }
     Actors scene_actors() const {
         Actors actors = member_actors(bars_, view_, camera_);
+        if (view_.floors) append(actors, floor_actors(snapshot_, bars_, chosen_.scale, camera_));
         append(actors, support_actors(supports_, camera_, least_support()));
         if (!shows_diagram()) append(actors, mark_actors());
         return actors;

@@ -66,6 +66,11 @@ struct Load {
     bool is_partial() const { return from > 0 || to < 1; }
 };
 
+/// A panel of a floor.
+struct Panel {
+    std::vector<int> points;  ///< at its corners, in their order
+};
+
 /// A plane that members fall on; the solid is on the side that `normal` points away from.
 struct Plane {
     std::array<double, 3> point, normal;
@@ -84,6 +89,8 @@ struct Snapshot {
     std::vector<Bar> bars;
     std::vector<Shape> shapes;
     std::vector<Load> loads;
+    std::vector<Load> weights;  ///< not drawn, but diagrams have them: weights along members that are not even
+    std::vector<Panel> floors;
     std::vector<Plane> ground;
     std::vector<std::string> groups;
     std::vector<std::array<int, 2>> memberships;  ///< a member, from 1, and one of its groups, from 0
@@ -107,7 +114,7 @@ struct View {
     std::vector<int> broken_in;  ///< and in how many of them each member broke, by its number less 1; else 0
     double largest = 0;          ///< value that a diagram draws in full size, N or N m; 0: the largest value
     bool ghost = false;          ///< the shape at the start, behind
-    bool supports = true, ground = true, hinges = true;
+    bool supports = true, ground = true, hinges = true, floors = true;
     bool loads = false;
     bool node_labels = false, member_labels = false;
     bool leave_out_broken = false;           ///< as in fig 18 of the paper

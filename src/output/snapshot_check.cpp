@@ -44,6 +44,11 @@ void check_snapshot(const Snapshot& snapshot) {
             if (!is_point(n))
                 throw InputError("snapshot: a connector joins point " + std::to_string(n) + "; there are " +
                                  std::to_string(points));
+    for (const Panel& panel : snapshot.floors)
+        for (const int n : panel.points)
+            if (!is_point(n))
+                throw InputError("snapshot: a floor has a corner at point " + std::to_string(n) + "; there are " +
+                                 std::to_string(points));
     for (std::size_t i = 0; i < snapshot.loads.size(); ++i) {
         const Load& load = snapshot.loads[i];
         const bool on_point = load.point >= 0 && static_cast<std::size_t>(load.point) < points && load.bar < 0,

@@ -307,6 +307,29 @@ void add_words(std::vector<Word>& to, std::span<const Arrow> arrows) {
     }
 }
 
+Actors floor_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, double scale, const Camera& camera) {
+    std::vector<char> drawn(snapshot.points.size(), 0);
+    for (const DrawnBar& bar : bars)
+        for (const int p : bar.bar->point) drawn[static_cast<std::size_t>(p)] = 1;
+    Mesh fill(camera.target), edges(camera.target);
+    for (const Panel& panel : snapshot.floors) {
+        const auto is_drawn = [&](int p) { return drawn[static_cast<std::size_t>(p)] != 0; };
+        if (panel.points.size() < 3 || !std::all_of(panel.points.begin(), panel.points.end(), is_drawn)) continue;
+        std::vector<Vec> at;
+        for (const int p : panel.points) at.push_back(drawn_at(snapshot, static_cast<std::size_t>(p), scale));
+        const Vec normal = unit(cross(at[1] - at[0], at.back() - at[0]));
+        std::vector<Mesh::Index> corners;
+        for (const Vec& p : at) corners.push_back(fill.vertex(p, normal, floor_fill));
+        for (std::size_t i = 2; i < at.size(); ++i) fill.triangle(corners[0], corners[i - 1], corners[i]);
+        for (std::size_t i = 0; i < at.size(); ++i) edges.line(at[i], at[(i + 1) % at.size()], floor_edge);
+    }
+    if (fill.empty()) return {};
+    auto area = fill.surface();
+    area->GetProperty()->LightingOff();
+    area->GetProperty()->SetOpacity(0.35);
+    return {area, edges.lines(1)};
+}
+
 GroundPatch ground_under(const Plane& plane, std::span<const Vec> points) {
     GroundPatch g;
     g.origin = plane.point, g.normal = unit(plane.normal);

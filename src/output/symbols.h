@@ -65,6 +65,9 @@ struct GroundPatch {
         return {at(low[0], low[1]), at(high[0], low[1]), at(high[0], high[1]), at(low[0], high[1])};
     }
 };
+/// Panels of floors whose corners are all at drawn bars.
+Actors floor_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, double scale, const Camera& camera);
+
 GroundPatch ground_under(const Plane& plane, std::span<const Vec> points);
 Actors ground_actors(const GroundPatch& patch, const Camera& camera);
 

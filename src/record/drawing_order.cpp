@@ -45,17 +45,19 @@ void snapshot(A& a, S& s) {
     arrays(a, s.memberships), arrays(a, s.connected);
     list(a, s.bars, [&](auto& b) { bar(a, b); });
     list(a, s.shapes, [&](auto& each) { a(each.kind, each.width, each.depth, each.web, each.flange); });
-    list(a, s.loads, [&](auto& each) {
-        a(each.kind, each.point, each.bar, each.at);
-        array(a, each.value[0]), array(a, each.value[1]);
-    });
+    for (auto* loads : {&s.loads, &s.weights})
+        list(a, *loads, [&](auto& each) {
+            a(each.kind, each.point, each.bar, each.at, each.from, each.to);
+            array(a, each.value[0]), array(a, each.value[1]);
+        });
+    list(a, s.floors, [&](auto& each) { a(each.points); });
     list(a, s.ground, [&](auto& each) { array(a, each.point), array(a, each.normal); });
 }
 
 template <class A, class V>
 void view(A& a, V& v) {
-    a(v.width, v.height, v.parallel, v.scale, v.show, v.largest, v.ghost, v.supports, v.ground, v.hinges, v.loads,
-      v.node_labels, v.member_labels, v.leave_out_broken, v.above, v.groups, v.title);
+    a(v.width, v.height, v.parallel, v.scale, v.show, v.largest, v.ghost, v.supports, v.ground, v.hinges, v.floors,
+      v.loads, v.node_labels, v.member_labels, v.leave_out_broken, v.above, v.groups, v.title);
     array(a, v.from), array(a, v.up), array(a, v.plane);
     bool boxed = v.box.has_value();
     a(boxed);

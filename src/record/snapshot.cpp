@@ -11,6 +11,7 @@
 #include "section/section_outline.h"
 #include "section/yield.h"
 #include "effects/declared.h"
+#include "effects/line_mass.h"
 #include "run/run.h"
 #include "record/joint_ratings.h"
 #include "state/configuration.h"
@@ -117,7 +118,7 @@ void add_loads(output::Snapshot& snapshot, const Run& run) {
             if (value[0].isZero(0) && value[1].isZero(0)) continue;
             output::Load load{kind, l.node, l.element, l.at, {}, l.from, l.to};
             for (int end : {0, 1}) load.value[end] = numbers(value[end]);
-            snapshot.loads.push_back(load);
+            (l.is_weight ? snapshot.weights : snapshot.loads).push_back(load);
         }
 }
 
@@ -143,6 +144,7 @@ void add_groups(output::Snapshot& snapshot, const Model& model) {
         for (const int g : model.members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
     for (const NodeLink& link : node_links(model))
         if (link.a >= 0) snapshot.connected.push_back({link.a, link.b});
+    for (const FloorPanel& panel : model.declared<FloorPanel>(floor_panels)) snapshot.floors.push_back({panel.nodes});
 }
 
 /// The end of a broken element that no node carries any more has a point of its own.

@@ -67,6 +67,7 @@ std::vector<FingerprintPart> fingerprint(const Dynamics& run) {
     parts.push_back(part("members", model.members(), [](Sum& a, const MemberData& m) {
         a(m.node, m.up, m.elements, m.carries);
         if (!m.is_straight()) a(m.bow, m.inner);
+        if (m.line_mass > 0) a(m.line_mass);
     }));
     parts.push_back(part("materials", model.members(), [](Sum& a, const MemberData& m) {
         a(m.material->E, m.material->G, m.material->density, m.material->yield_stress);

@@ -16,6 +16,7 @@ view.rules = {
   ghost = { "boolean", optional = true },
   supports = { "boolean", optional = true },
   ground = { "boolean", optional = true },
+  floors = { "boolean", optional = true },
   hinges = { "hinges", optional = true, words = "true, false or a list of run:hinges that was given a limit",
     good = function(v) return type(v) == "boolean" or require "hinge.results.hinges".can_be_drawn(v) end },
   loads = { "boolean", optional = true },

@@ -111,6 +111,7 @@ function job:picture(run, view, filename) end
 ---@field ghost? boolean true: the shape at the start, in grey; default false
 ---@field supports? boolean supports of the nodes, default true
 ---@field ground? boolean the planes that members may fall on, default true
+---@field floors? boolean the panels of model:floor, default true
 ---dots where plastic hinges are, and joints that have yielded, default true. A list of run:hinges that was given a
 ---limit: the hinges and joints that have one. Their colour says whether they have rotated to half of it, to it or
 ---beyond, and their area goes with that, up to twice the limit

@@ -1,6 +1,7 @@
 // model:load on members: per length, or at a point between the ends.
 #include <algorithm>
 
+#include "effects/line_mass.h"
 #include "effects/member_loads.h"
 #include "script/bind/model_methods.h"
 
@@ -32,44 +33,41 @@ bool read_spread(Options& o, const char* field, const char* unit, Vec3 (&ends)[2
     return true;
 }
 
-/// Where a spread load begins and ends.
-void read_part(Options& o, MemberLoad& load) {
-    constexpr const char* unit = "part of the member's length";
-    const auto from = o.maybe_number("from", unit, Range::not_negative),
-               to = o.maybe_number("to", unit, Range::not_negative);
-    if (!from && !to) return;
-    const char* field = from ? "from" : "to";
-    if (!load.spread())
-        o.complain(field, "given beside 'at'", "is where a spread load begins or ends, and 'at' is a point");
-    load.from = from.value_or(0), load.to = to.value_or(1);
-    if (load.to > 1) o.complain("to", show(load.to), "must be from 0, the member's first end, to 1");
-    if (!(load.from < load.to))
-        o.complain(field, show(from ? load.from : load.to),
-                   "'from' must be less than 'to': the load covers " + show(load.from) + " to " + show(load.to) +
-                       " of the member's length");
-}
+}  // namespace
 
-std::vector<int> read_members(Options& o, const Model& m) {
+LoadedMembers read_loaded_members(Options& o, const Model& m) {
     lua_State* L = o.L();
-    std::vector<int> members;
+    LoadedMembers loaded;
+    if (o.has("node")) o.complain("node", "given beside a member or group", "give one of them");
     if (o.has("member")) {
         if (o.has("group")) o.complain("group", "given beside member", "give one of the two");
         o.push_field("member");
-        members.push_back(member_argument(L, -1, "model:load: field 'member'", &m).index);
+        loaded.members.push_back(member_argument(L, -1, o.function() + ": field 'member'", &m).index);
     } else {
         o.push_field("group");
-        const int group = group_argument(L, -1, "model:load: field 'group'", m);
+        loaded.group = group_argument(L, -1, o.function() + ": field 'group'", m);
         for (std::size_t i = 0; i < m.members().size(); ++i) {
             const auto& of = m.members()[i].groups;
-            if (std::find(of.begin(), of.end(), group) != of.end()) members.push_back(int(i));
+            if (std::find(of.begin(), of.end(), loaded.group) != of.end()) loaded.members.push_back(int(i));
         }
-        if (members.empty()) o.complain("group", "'" + m.groups()[group] + "'", "there must be a member in it by now");
+        if (loaded.members.empty())
+            o.complain("group", "'" + m.groups()[loaded.group] + "'", "there must be a member in it by now");
     }
     lua_pop(L, 1);
-    return members;
+    return loaded;
 }
 
-}  // namespace
+void read_part(Options& o, double& from, double& to) {
+    constexpr const char* unit = "part of the member's length";
+    const auto first = o.maybe_number("from", unit, Range::not_negative),
+               last = o.maybe_number("to", unit, Range::not_negative);
+    from = first.value_or(0), to = last.value_or(1);
+    if (to > 1) o.complain("to", show(to), "must be from 0, the member's first end, to 1");
+    if (!(from < to))
+        o.complain(first ? "from" : "to", show(first ? from : to),
+                   "'from' must be less than 'to': the load covers " + show(from) + " to " + show(to) +
+                       " of the member's length");
+}
 
 void join_loads(ScriptModel& m, int member) {
     const auto& groups = m.members()[member].groups;
@@ -80,14 +78,19 @@ void join_loads(ScriptModel& m, int member) {
         load.number = int(m.declared<MemberLoad>(member_loads_effect).size());
         m.declare(member_loads_effect, std::move(load));
     }
+    for (auto [group, mass] : m.group_masses) {
+        if (std::find(groups.begin(), groups.end(), group) == groups.end()) continue;
+        mass.member = member;
+        add_line_mass(m, mass);
+    }
 }
 
 int add_member_load(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:load").value;
     Options o(L, 2, "model:load");
     o.expect({"node", "member", "group", "q", "force", "moment", "axes", "at", "from", "to", "history", "case"});
-    if (o.has("node")) o.complain("node", "given beside a member or group", "give one of them");
-    const std::vector<int> members = read_members(o, *m);
+    const LoadedMembers loaded = read_loaded_members(o, *m);
+    const std::vector<int>& members = loaded.members;
     MemberLoad load{};
     const std::string axes = o.word("axes", {"global", "projected", "local"}, "global");
     load.axes = axes == "local" ? LoadAxes::local : axes == "projected" ? LoadAxes::projected : LoadAxes::global;
@@ -95,7 +98,10 @@ int add_member_load(lua_State* L) {
         if (*at > 1) o.complain("at", show(*at), "must be from 0, the member's first end, to 1");
         load.at = *at;
     }
-    read_part(o, load);
+    for (const char* field : {"from", "to"})
+        if (!load.spread() && o.has(field))
+            o.complain(field, "given beside 'at'", "is where a spread load begins or ends, and 'at' is a point");
+    read_part(o, load.from, load.to);
     bool given = false;
     if (load.spread()) {
         if (o.has("force"))
@@ -122,12 +128,8 @@ int add_member_load(lua_State* L) {
     load.history = read_history(o, "history", "factor", *m, true);
     load.load_case = case_of(o, *m);
     load.has_history = bool(load.history);
-    if (o.has("group")) {
-        o.push_field("group");
-        m->group_loads.emplace_back(group_argument(L, -1, "model:load: field 'group'", *m),
-                                    int(m->declared<MemberLoad>(member_loads_effect).size()));
-        lua_pop(L, 1);
-    }
+    if (loaded.group >= 0)
+        m->group_loads.emplace_back(loaded.group, int(m->declared<MemberLoad>(member_loads_effect).size()));
     for (const int member : members) {
         load.member = member;
         load.number = int(m->declared<MemberLoad>(member_loads_effect).size());

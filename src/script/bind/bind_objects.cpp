@@ -230,8 +230,7 @@ int member_fields(lua_State* L) {
     const MemberData& data = m.model->members()[m.index];
     if (key == "index") lua_pushinteger(L, m.index + 1);
     else if (key == "length") lua_pushnumber(L, length_of(*m.model, m.index));
-    else if (key == "mass")
-        lua_pushnumber(L, length_of(*m.model, m.index) * data.section->area * data.material->density);
+    else if (key == "mass") lua_pushnumber(L, length_of(*m.model, m.index) * data.mass_per_length());
     else if (key == "a" || key == "b") push_handle<NodeBox>(L, m.model, data.node[key == "b"]);
     else if (key == "group")
         data.groups.empty() ? lua_pushnil(L) : (void)push_text(L, m.model->groups()[data.groups[0]]);
@@ -279,7 +278,7 @@ int group_fields(lua_State* L) {
             const MemberData& d = g.model->members()[i];
             if (!in_group(d, g.index)) continue;
             const double l = length_of(*g.model, int(i));
-            length += l, mass += l * d.section->area * d.material->density;
+            length += l, mass += l * d.mass_per_length();
         }
     if (key == "name") push_text(L, g.name);
     else if (key == "size") lua_pushinteger(L, size_of(g));

@@ -18,7 +18,16 @@ int case_argument(lua_State* L, int index, const std::string& what, const Model&
 /// The loads of a run: its field 'loads', or those of the run before.
 LoadChoice read_choice(Options& o, const Model& model, const RunRecord* from, bool is_static);
 
-/// The loads of the groups that a member has joined act on it too.
+/// Members in the field 'member', or those of the group in 'group', which is -1 where there is none.
+struct LoadedMembers {
+    std::vector<int> members;
+    int group = -1;
+};
+LoadedMembers read_loaded_members(Options& o, const Model& model);
+/// The part of a member's length in the fields 'from' and 'to', 0 and 1 where they are absent.
+void read_part(Options& o, double& from, double& to);
+
+/// The loads and the masses of the groups that a member has joined act on it too.
 void join_loads(ScriptModel& model, int member);
 
 }  // namespace hinge::script

@@ -85,6 +85,7 @@ int open_core(lua_State* L) {
     open_plots(L, module);
     open_frames(L, module);
     open_hinges(L, module);
+    open_floors(L, module);
     open_measure(L, module);
     open_processes(L, module);
     open_interpreters(L, module);

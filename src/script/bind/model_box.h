@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "effects/line_mass.h"
 #include "model/model.h"
 #include "script/lua/model_registry.h"
 #include "script/lua/options.h"
@@ -21,8 +22,9 @@ struct ScriptModel : Model {
     using Model::Model;
     std::string closed_at;  ///< the script's line that closed it, "" while it is open
     std::vector<std::weak_ptr<ScriptRun>> runs;
-    std::optional<int> gravity_case;               ///< that gravity belongs to, -1 for none
-    std::vector<Vec3> crooked;                     ///< by what imperfections have moved the first nodes, m
+    std::optional<int> gravity_case;                     ///< that gravity belongs to, -1 for none
+    std::vector<Vec3> crooked;                           ///< by what imperfections have moved the first nodes, m
+    std::vector<std::pair<int, LineMass>> group_masses;  ///< of model:mass { group = }
     std::vector<std::pair<int, int>> group_loads;  ///< of model:load { group = }: the group, the first load's number
 };
 struct ModelBox {

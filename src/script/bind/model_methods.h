@@ -12,6 +12,7 @@ namespace hinge::script {
 #undef HINGE_MODEL_METHOD
 #undef HINGE_MODEL_RUN
 int set_gravity(lua_State* L);
+int add_mass_on_member(lua_State* L);
 #define HINGE_LOAD_ON(target, function, ...) int function(lua_State* L);
 #include "script/bind/load_targets.inc"
 #undef HINGE_LOAD_ON

@@ -13,6 +13,7 @@ void open_objects(lua_State* L);               ///< nodes, members, groups, load
 void open_cases(lua_State* L);
 void open_run(lua_State* L);
 void open_checkpoint(lua_State* L, int module);  ///< run:checkpoint, run:resume, hinge.resume
+void open_floors(lua_State* L, int module);      ///< panels of model:floor
 void open_modes(lua_State* L);                   ///< run:modes, run:buckling
 void open_hinges(lua_State* L, int module);      ///< run:hinges (lua/hinge/results/hinges.lua)
 void open_reading(lua_State* L);                 ///< results of runs, nodes and members

@@ -158,6 +158,7 @@ void read_marks(lua_State* L, Options& o, output::View& view) {
     view.ghost = o.flag("ghost", view.ghost);
     view.supports = o.flag("supports", view.supports);
     view.ground = o.flag("ground", view.ground);
+    view.floors = o.flag("floors", view.floors);
     view.hinges = o.flag("hinges", view.hinges);
     view.loads = o.flag("loads", view.loads);
     if (o.push_field("labels") == LUA_TSTRING) {
