@@ -4,6 +4,9 @@ local core = require "hinge.core"
 local check = require "hinge.library.check"
 local free = require "hinge.program.job".free
 require "hinge.results.hinges" -- the method of runs
+core.add_model_method("floor", function(model, options, ...)
+  return require "hinge.model.floor"(model, options, nil, ...)
+end)
 
 local later = {
   results = function() return require "hinge.results" end,

@@ -9,6 +9,8 @@ local class = check.class(Grid, "hinge.grid")
 local member_options = { "section", "material", "up", "group", "elements", "backbone", "law", "carries",
   "ends", "release", "offset" }
 local list_rule = { "table", optional = true }
+local floor_options = { cells = true, storeys = true, members = true, group = true, load = true, mass = true,
+  span = true, direction = true, case = true, history = true }
 local of_member = {}
 for _, name in ipairs(member_options) do of_member[name] = true end
 
@@ -188,6 +190,47 @@ function Grid:braces(options, ...)
     if o.shape ~= "/" then made[#made + 1] = self:add(to[storey - 1], from[storey], of_members) end
   end
   return made
+end
+
+-- The corners of a cell such as "A1-B2", by the lines at two of its opposite corners.
+local function cell_of(self, where, cell)
+  local one, two = tostring(cell):match "^%s*(%a+%d+)%s*%-%s*(%a+%d+)%s*$"
+  if not one then
+    check.fail("%s: field 'cells' has %s; a cell is called by two opposite corners, such as 'A1-B2'", where,
+      check.show(cell))
+  end
+  local ends = lines_of(self, where, { one, two })
+  local x, y = {}, {}
+  for i, line in ipairs(ends) do x[i], y[i] = line:match "^(%a+)(%d+)$" end
+  if x[1] == x[2] or y[1] == y[2] then
+    check.fail("%s: the cell '%s' has no area; its corners must differ in both lines", where, cell)
+  end
+  return { x[1] .. y[1], x[2] .. y[1], x[2] .. y[2], x[1] .. y[2] }
+end
+
+function Grid:floor(options, ...)
+  local where = "grid:floor"
+  check.no_more(where, ...)
+  if type(options) ~= "table" then check.fail("%s: takes a table of options, got %s", where, check.show(options)) end
+  local others = {}
+  for field, value in pairs(options) do
+    if not floor_options[field] then check.unknown(where, "field", tostring(field), check.keys(floor_options)) end
+    if field ~= "cells" and field ~= "storeys" then others[field] = value end
+  end
+  for _, field in ipairs { "cells", "storeys" } do
+    if options[field] ~= nil then check.value(where, field, options[field], list_rule) end
+  end
+  local cells, outlines = {}, {}
+  local whole = { "A1-" .. self.names[#self.names] }
+  for i, cell in ipairs(options.cells or whole) do cells[i] = cell_of(self, where, cell) end
+  for _, storey in ipairs(storeys_of(self, where, options.storeys)) do
+    for _, cell in ipairs(cells) do
+      local corners = {}
+      for i, line in ipairs(cell) do corners[i] = self.columns_of[line][storey] end
+      outlines[#outlines + 1] = corners
+    end
+  end
+  return require "hinge.model.floor"(self.model, others, outlines)
 end
 
 -- Members through several nodes, one after the other: nodes or names of places.

@@ -5,9 +5,9 @@
 local function there(see, how) return { see = see, how = how } end
 local function missing(see, how) return { see = see, how = how, missing = true } end
 
-local floors = there({ "model:diaphragm", "hinge.pressure", "model:mass" },
-  "a floor may be rigid in its plane; its load and its mass act on the beams, and it does not bend")
-local plates = missing({ "hinge.pressure", "model:load", "model:mass" },
+local floors = there({ "model:floor", "model:diaphragm", "hinge.pressure" },
+  "the load and the mass of a floor act on the members around it; it may be rigid in its plane, and does not bend")
+local plates = missing({ "model:floor", "hinge.pressure", "model:mass" },
   "there are members alone; a plate is load and mass on them, without stiffness")
 local drift = there({ "results.storeys", "node:displacement" },
   "hinge.results.storeys has the drift and the shear force of each storey")

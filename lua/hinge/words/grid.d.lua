@@ -168,6 +168,31 @@ function grid:braces(options) end
 ---@field release? { a?: string|string[], b?: string|string[] }
 ---@field offset? { a?: vec3, b?: vec3 }
 
+---Floors in the plan of storeys, as model:floor.
+---```lua
+---local lines = hinge.grid { model = hinge.model(), x = { 0, 6, 12 }, y = { 0, 5 }, z = { 0, 3, 6 } }
+---lines:defaults { section = square, material = steel }
+---lines:beams { along = "x" }
+---lines:beams { along = "y" }
+---lines:floor { mass = 450, storeys = { 1 }, cells = { "A1-B2" } }
+---```
+---@param options hinge.grid_floor
+---@return hinge.floor
+function grid:floor(options) end
+
+---@class hinge.grid_floor
+---@field load? number|table<string, number> Pa; see hinge.floor_options, as for the fields below
+---@field mass? number kg/m^2
+---@field span? "two way"|"one way"|vec3
+---@field direction? vec3
+---@field case? hinge.case|string
+---@field history? fun(time: number): number|number[][]
+---@field members? hinge.member[]
+---@field group? hinge.group|string
+---@field storeys? integer[] default all
+---each by two opposite corners, such as "A1-C2"; default the whole plan
+---@field cells? string[]
+
 ---Members through several nodes, one after the other: nodes, or names of places, and what the members have.
 ---```lua
 ---plan:line { "A1, base", "A1, storey 1", "B1, storey 1", section = square, material = steel }

@@ -85,7 +85,9 @@ function model:case(name) end
 ---@param factors table<string, number>
 function model:combination(name, factors) end
 
----Attaches a point mass to a node. The mass has inertia, it has weight if the model has gravity, and it rotates with
+---Attaches a mass to a node, or along members.
+---
+---At a node it is a point mass. The mass has inertia, it has weight if the model has gravity, and it rotates with
 ---the node. Several masses on one node add up. In a step the mass is a rigid offset mass, like what is left of broken
 ---members (paper, fig 5). Its momentum, energy and weight are counted together with those of members. If fracture takes
 ---the last member of a node, the node flies on with its mass; if the mass has no rotary inertia, it stops rotating. A
@@ -95,11 +97,91 @@ function model:combination(name, factors) end
 ---balance at the end of each step, as in the statically condensed structure: forces that set in at once move them at
 ---once, and what that loses of the work is in run.energy.numerical. Such members go neither with the other integrators
 ---nor with contact and ground, and they cannot break; model:remove takes them out.
+---
+---Along a member, or all members of a group, it is a mass per length, such as cladding or a floor. Members that join
+---the group later have it, too. Masses on one member add up. Its inertia is that of an even mass with the same sum over
+---the whole member, without rotary inertia. Its weight acts where the mass is, as a load that is linear along its part
+---of the member. What is not even acts as long as the member is whole and carried; what falls has an even weight.
 ---```lua
 ---model:mass { node = tip, mass = 20, inertia = 0.1 } -- kg, kg m^2
+---model:mass { member = beam, per_length = 300 } -- kg/m
+---model:mass { member = beam, per_length = { b = 150 }, from = 0.5 } -- rises from 0 in the middle to 150 kg/m at end b
 ---```
----@param options hinge.mass_options
+---@param options hinge.mass_options|hinge.line_mass_options
 function model:mass(options) end
+
+---Puts the loads and the masses of floors on the members around them, by tributary areas. The members must close
+---panels: they lie in a plane along all edges of each panel and are joined at its corners. Members inside of `corners`
+---divide the floor into panels. A panel may have any number of straight sides, each of several members, and no corner
+---that points inward. A load acts as trapezoids along the members, a mass as by model:mass, and both have the exact sum
+---over the floor. The panels have no stiffness; model:diaphragm makes a floor rigid in its plane. Pictures show them
+---(option `floors`). A wrong floor is an error and changes nothing.
+---```lua
+---local house = hinge.model()
+---local lines = hinge.grid { model = house, x = { 0, 6, 12 }, y = { 0, 5 }, z = { 0, 3, 6 } }
+---lines:defaults { section = square, material = steel }
+---lines:beams { along = "x", group = "beams" }
+---lines:beams { along = "y", group = "beams" }
+---house:case "live"
+---local floor = house:floor { group = "beams", mass = 450, load = { live = 3e3 } } -- all storeys; kg/m^2, Pa
+---print(floor) -- 4 panels, 120 m^2, 360 kN, 54000 kg on 14 members
+---house:floor { corners = { { 0, 0, 3 }, { 12, 0, 3 }, { 12, 5, 3 }, { 0, 5, 3 } }, load = 500, case = "live",
+---  span = { 1, 0, 0 }, openings = { { { 1, 1, 3 }, { 3, 1, 3 }, { 3, 2, 3 }, { 1, 2, 3 } } } }
+---```
+---@param options hinge.floor_options
+---@return hinge.floor
+function model:floor(options) end
+
+---@class hinge.floor_options
+---m, points or nodes of one plane, in their order around the floor. Without it, all panels that the given members close
+---in horizontal planes are floors
+---@field corners? (vec3|hinge.node)[]
+---the members that may carry it; give them to leave out members that lie in the floor and do not, such as bracing. With
+---`corners` the default is all members of the model
+---@field members? hinge.member[]
+---@field group? hinge.group|string in the place of `members`
+---Pa, on the area of the floor in its plane, along `direction`; or a table with one for each load case. It has no mass
+---@field load? number|table<string, number>
+---kg/m^2, 0 or above. It has its weight from model:gravity
+---@field mass? number
+---"two way": each point of a panel belongs to the nearest side. "one way": half of each strip across the shorter sides
+---of a panel with four sides goes to either end of it. A direction { x, y, z } in the plane: one way along it. Default
+---"two way"
+---@field span? "two way"|"one way"|vec3
+---polygons of points in the floor, with `corners` alone. They carry nothing, and must not overlap. What is around them
+---goes to the members to which it would go without them
+---@field openings? vec3[][]
+---@field direction? vec3 of `load`, of any length; default { 0, 0, -1 }
+---@field case? hinge.case|string of a `load` that is a number
+---@field history? fun(time: number): number|number[][] of `load`, as in model:load
+
+---@class hinge.floor
+---@field area number m^2, without openings
+---@field load number N, of all cases together
+---@field mass number kg
+---@field panels hinge.floor_panel[]
+---@field parts hinge.floor_part[] of each member that carries something
+local floor = {}
+
+---A table of what each member carries.
+---```lua
+---local frame, ring = hinge.model(), {}
+---for i, p in ipairs { { 0, 0 }, { 6, 0 }, { 6, 4 }, { 0, 4 } } do ring[i] = frame:node { p[1], p[2], 3 } end
+---frame:line { ring[1], ring[2], ring[3], ring[4], ring[1], section = square, material = steel, group = "beams" }
+---print(frame:floor({ group = "beams", load = 3e3 }):text())
+---```
+---@return string
+function floor:text() end
+
+---@class hinge.floor_panel
+---@field nodes hinge.node[] at its corners
+---@field area number m^2, without openings
+
+---@class hinge.floor_part
+---@field member hinge.member
+---@field area number m^2
+---@field load number N, of all cases together
+---@field mass number kg
 
 ---Makes node `to` move with node `from` as a rigid body, however far both rotate. The link has no mass. It does no
 ---work: what acts on `to` acts on `from`, with its moment about `from`. Several links may begin at one node, and a node
@@ -142,6 +224,14 @@ function model:diaphragm(options) end
 ---the node that the others follow. Another node may be supported in the plane only where this one is, too. Default the
 ---first of `nodes`
 ---@field master? hinge.node
+
+---@class hinge.line_mass_options
+---@field member? hinge.member
+---@field group? hinge.group|string in the place of `member`
+---kg/m, 0 or above; or { a =, b = } where it begins and where it ends, linear between, of which one may be left out
+---@field per_length number|{ a: number?, b: number? }
+---@field from? number where it begins, as a part of the member's length from its first end; default 0
+---@field to? number where it ends; default 1
 
 ---@class hinge.mass_options
 ---@field node hinge.node it may be fixed: then the support carries it

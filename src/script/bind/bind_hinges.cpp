@@ -225,11 +225,12 @@ int push_last_run(lua_State* L) {
     return 1;
 }
 
-/// core.add_run_method(name, function): run:name(...) is then function(run, ...).
-int add_run_method(lua_State* L) {
+/// core.add_run_method(name, function): run:name(...) is then function(run, ...). core.add_model_method likewise.
+template <class Box>
+int add_method(lua_State* L) {
     if (lua_type(L, 1) != LUA_TSTRING || !lua_isfunction(L, 2))
-        throw InputError("add_run_method: takes a name and a function");
-    luaL_getmetatable(L, RunBox::lua_name);
+        throw InputError("a method takes a name and a function");
+    luaL_getmetatable(L, Box::lua_name);
     lua_getfield(L, -1, "methods");
     lua_pushvalue(L, 2);
     lua_setfield(L, -2, lua_tostring(L, 1));
@@ -242,7 +243,8 @@ void open_hinges(lua_State* L, int module) {
     static const luaL_Reg functions[] = {{"hinges_of", guarded<hinges_of>},
                                          {"pins_of", guarded<pins_of>},
                                          {"last_run", guarded<push_last_run>},
-                                         {"add_run_method", guarded<add_run_method>},
+                                         {"add_run_method", guarded<add_method<RunBox>>},
+                                         {"add_model_method", guarded<add_method<ModelBox>>},
                                          {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);

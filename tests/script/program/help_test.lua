@@ -93,7 +93,7 @@ case("hinge reference finds a call by words that the reference does not use", fu
 end)
 
 case("hinge reference of several words finds their page", function()
-  equal(ended(2, "nothing is called 'membrane'; 'membrane' is not available; see hinge.pressure, ", asks "membrane"),
+  equal(ended(2, "nothing is called 'membrane'; 'membrane' is not available; see model:floor, ", asks "membrane"),
     "", "the name of what there is not")
 end)
 
@@ -102,8 +102,8 @@ case("what the reference has is not denied", function()
   local words = require "hinge.program.other_words"
   for word, name in pairs { ["code check"] = "results.utilisation", ["design check"] = "results.utilisation",
     utilisation = "results.utilisation", eurocode = "results.utilisation", drift = "results.storeys",
-    ["storey drift"] = "results.storeys", ["interstorey drift"] = "results.storeys", slab = "model:diaphragm",
-    floor = "model:diaphragm", ["base shear"] = "results.base", envelope = "results.envelope",
+    ["storey drift"] = "results.storeys", ["interstorey drift"] = "results.storeys", slab = "model:floor",
+    floor = "model:floor", ["base shear"] = "results.base", envelope = "results.envelope",
     ["panel zone"] = "joint.panel_zone", connection = "hinge.joint", damper = "model:connector",
     ["column removal"] = "hinge.robustness", ["p delta"] = "hinge.model_options", wind = "hinge.pressure",
     ["effective length"] = "results.utilisation", isolator = "model:connector",
