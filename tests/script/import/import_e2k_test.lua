@@ -266,6 +266,40 @@ $ SHELL OBJECT LOADS
   equal(frame.connectors[1].a .. " " .. frame.connectors[1].stiffness.x, "2@Top 211000000.0", "spring")
 end)
 
+case("ETABS: a floor between members gives them its loads", function()
+  local frame, notes = e2k((storey:gsub('COLOURED "Yes"', ""):gsub('RELEASE "PINNED"', "")) .. [[
+$ POINT COORDINATES
+  POINT "3"  6 4
+$ LINE CONNECTIVITIES
+  LINE  "B2"  BEAM  "2"  "3"  0
+  LINE  "B3"  BEAM  "3"  "1"  0
+$ LINE ASSIGNS
+  LINEASSIGN  "B2"  "Top"  SECTION "C"
+  LINEASSIGN  "B3"  "Top"  SECTION "C"
+$ AREA CONNECTIVITIES
+  AREA "F1"  FLOOR  3  "1"  "2"  "3"  0  0  0
+$ AREA ASSIGNS
+  AREAASSIGN  "F1"  "Top"  SECTION "None?"
+$ LOAD PATTERNS
+  LOADPATTERN "DEAD"  TYPE  "Dead"  SELFWEIGHT  0
+$ SHELL OBJECT LOADS
+  AREALOAD  "F1"  "Top"  TYPE "UNIFF"  DIR "GRAV"  LC "DEAD"  FVAL 250
+]])
+  equal(#notes, 0, tostring(notes))
+  equal(#notes.assumed, 1, "a note of the floor")
+  local model, _, members = import.build(frame, small)
+  local sum = 0
+  for _, c in ipairs(frame.cases) do
+    for _, l in ipairs(c.loads) do
+      if l.q then
+        sum = sum - (l.q.a[3] + l.q.b[3]) / 2 * ((l.to or 1) - (l.from or 0)) * members[l.member].length
+      end
+    end
+  end
+  near(sum, 3000e3, 1e-3, "load of a triangle of 12 m^2, N")
+  model:close()
+end)
+
 case("ETABS: channels, tees and pairs of angles by their dimensions", function()
   for shape, wanted in pairs { -- plates: area, Ix, Iy, by hand
     ["Steel Channel\"  D 0.2 B 0.08 TF 0.01 TW 0.008"] = { 0.00304, 1.834e-05, 1.843e-06 },

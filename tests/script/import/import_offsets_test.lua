@@ -5,7 +5,7 @@
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
 local files = require "import.files"
-require "hinge"
+local hinge = require "hinge"
 local import = require "hinge.import"
 local frame_module = require "hinge.import.frame"
 local checks = support.checks "ends and joints of import"
@@ -377,6 +377,67 @@ TABLE:  "AREA LOADS - UNIFORM TO FRAME"
   equal(#notes, 2, tostring(notes))
   equal(notes[2].reason, "2 areas of 25 m^2 in all (floors and walls) are not read; with them go the loads DEAD 35 kN, "
     .. "LIVE 30 kN, their own weight 76.98 kN", "the note")
+end)
+
+case("a floor between members gives them its loads and its weight", function()
+  local frame, notes = posts [[
+TABLE:  "LOAD PATTERN DEFINITIONS"
+   LoadPat=LIVE   DesignType=Live   SelfWtMult=0
+   LoadPat=OWN   DesignType=Dead   SelfWtMult=2
+TABLE:  "JOINT COORDINATES"
+   Joint=6   XorR=0   Y=4   Z=3
+TABLE:  "CONNECTIVITY - FRAME"
+   Frame=3   JointI=2   JointJ=4
+   Frame=4   JointI=4   JointJ=5
+   Frame=5   JointI=6   JointJ=5
+   Frame=6   JointI=6   JointJ=2
+TABLE:  "FRAME SECTION ASSIGNMENTS"
+   Frame=3   AnalSect=A
+   Frame=4   AnalSect=A
+   Frame=5   AnalSect=A
+   Frame=6   AnalSect=A
+TABLE:  "CONNECTIVITY - AREA"
+   Area=1   NumJoints=4   Joint1=2   Joint2=4   Joint3=5   Joint4=6
+   Area=2   NumJoints=4   Joint1=1   Joint2=3   Joint3=4   Joint4=2
+TABLE:  "AREA SECTION PROPERTIES"
+   Section=slab   Material=S   AreaType=Shell   Type=Membrane   Thickness=0.1   Color=Green
+TABLE:  "AREA SECTION ASSIGNMENTS"
+   Area=1   Section=slab   MatProp=Default
+TABLE:  "AREA LOADS - UNIFORM TO FRAME"
+   Area=1   LoadPat=LIVE   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=3   DistType="Two way"
+TABLE:  "AREA LOADS - UNIFORM"
+   Area=1   LoadPat=LIVE   CoordSys=GLOBAL   Dir=Z   UnifLoad=-1
+   Area=2   LoadPat=LIVE   CoordSys=GLOBAL   Dir=Gravity   UnifLoad=1
+]]
+  equal(#notes, 1, tostring(notes))
+  expect(notes[1].reason:find("1 area of 15 m^2 in all", 1, true), "the wall: %s", notes[1].reason)
+  local assumed = notes.assumed[#notes.assumed].reason
+  expect(assumed:find("1 area of 20 m^2 in all", 1, true), "the floor: %s", assumed)
+  local model, _, members = import.build(frame, small)
+  local own = hinge.model { displacement = "small" } -- the same floor by model:floor
+  local corner, list = {}, {}
+  for i, p in ipairs { { 0, 0 }, { 5, 0 }, { 5, 4 }, { 0, 4 } } do corner[i] = own:node { p[1], p[2], 3 } end
+  own:fix(corner)
+  for i, node in ipairs(corner) do
+    list[i] = own:member { node, corner[i % 4 + 1], section = members["3"].section, material = members["3"].material,
+      up = { 0, 0, 1 }, group = "beams" }
+  end
+  local floor, sum = own:floor { group = "beams", load = 4e3 }, { LIVE = 0, OWN = 0, DEAD = 0 }
+  for _, c in ipairs(frame.cases) do
+    for _, l in ipairs(c.loads) do
+      if l.q then
+        sum[c.name] = sum[c.name] - (l.q.a[3] + l.q.b[3]) / 2 * ((l.to or 1) - (l.from or 0))
+          * members[l.member].length
+      end
+    end
+  end
+  near(sum.LIVE, 80e3, 1e-6, "live load, N")
+  near(sum.OWN, 2 * 76.98e3 * 20 * 0.1, 10, "twice its own weight, N")
+  near(floor.load, 80e3, 1e-6, "by model:floor, N")
+  model:fix(model:nodes())
+  local of_file, of_floor = model:static { loads = "LIVE" }:finish(), own:static {}:finish()
+  near(math.abs(members["3"]:forces(of_file).Mx), math.abs(list[1]:forces(of_floor).Mx), 1e-6, "moment, long beam")
+  near(math.abs(members["6"]:forces(of_file).Mx), math.abs(list[2]:forces(of_floor).Mx), 1e-6, "moment, short beam")
 end)
 
 checks.done()

@@ -1,5 +1,5 @@
--- Areas of ETABS as rows of SAP2000's tables: floors and walls on each storey with their area, thickness and loads, of
--- which sap2000/areas.lua makes a note. Points of a floor that is a rigid diaphragm are tied.
+-- Areas of ETABS as rows of SAP2000's tables: floors and walls on each storey with their corners, thickness and loads,
+-- for sap2000/areas.lua. Points of a floor that is a rigid diaphragm are tied.
 local check = require "hinge.library.check"
 local vectors = require "hinge.library.vectors"
 
@@ -82,7 +82,10 @@ function Areas:read_assigns()
     local open = (given.SECTION or ""):upper() == "NONE" or (given.OPENING or "NO"):upper() == "YES"
     if points and not open and not self.assigned[key] then
       self.assigned[key] = true
-      reader:row("CONNECTIVITY - AREA", "AREA ASSIGNS", line, { Area = key, AreaArea = tostring(vectors.area(points)) })
+      local corners = {}
+      for i, p in ipairs(points) do corners[i] = ("%.17g %.17g %.17g"):format(p[1], p[2], p[3]) end
+      reader:row("CONNECTIVITY - AREA", "AREA ASSIGNS", line, { Area = key, AreaArea = tostring(vectors.area(points)),
+        Corners = table.concat(corners, ";") })
       reader:row("AREA SECTION ASSIGNMENTS", "AREA ASSIGNS", line, { Area = key, Section = given.SECTION })
     end
     local diaphragm = given.DIAPH or given.DIAPHRAGM
@@ -97,7 +100,7 @@ function Areas:read_loads()
       local given = reader.pairs_after(line, 4)
       if (given.TYPE or ""):upper():find "^UNIF" and tonumber(given.FVAL) then
         reader:row("AREA LOADS - UNIFORM", section, line, { Area = tostring(line.words[2]) .. "@"
-          .. tostring(line.words[3]), LoadPat = given.LC, UnifLoad = given.FVAL })
+          .. tostring(line.words[3]), LoadPat = given.LC, UnifLoad = given.FVAL, Dir = given.DIR or "GRAV" })
       else
         reader:remark(line, "loads of this TYPE on areas are not read")
       end
