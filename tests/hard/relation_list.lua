@@ -51,6 +51,9 @@ local neutral = {}
 function neutral.gravity() return { kind = "gravity", g = zero } end
 function neutral.load(s) return { kind = "load", node = s.free, force = zero } end
 function neutral.q() return { kind = "q", member = 1, a = zero, b = zero, axes = "global" } end
+function neutral.line_mass()
+  return { kind = "line_mass", member = 1, a = 0, b = 0, from = 0.2, to = 1 }
+end
 function neutral.point() return { kind = "point", member = 1, at = 0.3, force = zero } end
 function neutral.sway(s) return s.held and { kind = "sway", value = 0, direction = { 1, 0, 0 } } end
 function neutral.settle(s) return s.mode == "static" and { kind = "settle", node = 1, by = zero } end

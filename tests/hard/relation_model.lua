@@ -90,6 +90,14 @@ function declare.mass(b, p)
   b.model:mass { node = b.nodes[p.node], mass = p.mass * b.unit.kg, inertia = p.inertia * b.unit.kg * b.unit.m ^ 2,
     offset = p.offset and b.vector(p.offset, b.unit.m) }
 end
+function declare.line_mass(b, p)
+  local per = b.unit.kg / b.unit.m
+  local o = { member = b.members[p.member], from = p.from, to = p.to, per_length = { a = p.a * per, b = p.b * per } }
+  if b.way.reverse then
+    o.from, o.to, o.per_length = 1 - p.to, 1 - p.from, { a = p.b * per, b = p.a * per }
+  end
+  b.model:mass(o)
+end
 function declare.link(b, p)
   local n = b.s.nodes[p.from]
   local to = b.model:node(b.place(vectors.plus(n, 1, p.by)))

@@ -283,6 +283,14 @@ function scenes.draw(hinge, seed)
     add { kind = "concrete", member = d.whole(1, #s.members), section = { shape = "concrete", width = 0.3, depth = 0.4,
       cover = 0.04, bar = 0.02 } }
   end
+  local e = draws(seed, 58) -- so that all else is drawn as before
+  if e.chance(0.25) then
+    local function per_length() return section.area * 7850 * e.log(0.1, 5) end
+    local even, part = e.chance(0.3) and per_length(), e.chance(0.3)
+    add { kind = "line_mass", member = e.whole(1, #s.members), a = even or per_length(),
+      b = even or e.chance(0.7) and per_length() or 0, from = part and e.number(0, 0.4) or 0,
+      to = part and e.number(0.5, 1) or 1 }
+  end
   s.d, s.free = nil, free_nodes(s)[1]
   return s
 end

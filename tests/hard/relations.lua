@@ -26,6 +26,7 @@ local known = {
   -- a rod of 31 mm with a force and a moment between its nodes whose fixed-end forces are ten times what it carries; it
   -- winds up by hundreds of turns. Most scenes of this kind end at their first step, by name; this one goes on, and
   -- warns of its shear force, ten times V0
+  explicit = { [749] = "a bar between a support and stiff springs, with twice its mass: higher modes, lumped masses" },
   order = { [28] = "the nodes that are held share what the rod passes on by the order of its ends" },
 }
 
