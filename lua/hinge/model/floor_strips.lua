@@ -210,6 +210,7 @@ local function joined(parts)
           a, b = a + s.a + (from - s.from) * slope, b + s.a + (to - s.from) * slope
         end
       end
+      a, b = math.max(0, a), math.max(0, b) -- but for rounding
       local last = list[#list]
       local size = near * math.max(a, b)
       if last and math.abs(last.b - a) <= size

@@ -94,6 +94,92 @@ case("one way: across the shorter side, or as asked", function()
   end)
 end)
 
+-- The middle of mass of a polygon, and its area.
+local function middle_of(points)
+  local area, x, y, a = 0, 0, 0, points[1]
+  for i = 2, #points - 1 do
+    local b, c = points[i], points[i + 1]
+    local part = ((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1])) / 2
+    area, x, y = area + part, x + part * (a[1] + b[1] + c[1]) / 3, y + part * (a[2] + b[2] + c[2]) / 3
+  end
+  return x / area, y / area, area
+end
+
+case("the resultant is that of the area: of two ways too, since the distance to the edge is 0 on it", function()
+  for _, points in ipairs { rectangle(6, 4), { { 0, 0, 3 }, { 6, 1, 3 }, { 5, 5, 3 }, { 1, 4, 3 } },
+    { { 0, 0, 3 }, { 6, 0, 3 }, { 0, 4, 3 } },
+    { { 0, 0, 3 }, { 4, -1, 3 }, { 6, 2, 3 }, { 3, 5, 3 }, { -1, 3, 3 } } } do
+    local x, y, area = middle_of(points)
+    for _, span in ipairs { "two way", { 0, 1, 0 }, { 0.6, 0.8, 0 } } do
+      local model, nodes = fixed(points)
+      model:floor { group = "beams", load = 1e3, span = span }
+      local run, F, Mx, My = model:static { steps = 1 }:finish(), 0, 0, 0
+      for _, node in ipairs(nodes) do
+        local _, _, z, mx, my = node:reaction(run)
+        F, Mx, My = F + z, Mx + mx + node.y * z, My + my - node.x * z
+      end
+      near(F, 1e3 * area, 1e-9 * F, "sum")
+      near(-My / F, x, 1e-11, "place along x")
+      near(Mx / F, y, 1e-11, "place along y")
+    end
+  end
+end)
+
+-- A plan of crooked cells in a plane that is turned and slopes; some are divided by a diagonal, some sides by a node.
+-- Returns the model, the corners around it, its area and a direction in it.
+local function random_plan(seed)
+  math.randomseed(seed)
+  local function number(low, high) return low + (high - low) * math.random() end
+  local nx, ny, turn, slope = math.random(1, 4), math.random(1, 4), number(0, 6), number(0, 0.6)
+  local model, at, node = hinge.model { displacement = "small" }, {}, {}
+  local function place(p)
+    local u, v = math.cos(turn) * p[1] - math.sin(turn) * p[2], math.sin(turn) * p[1] + math.cos(turn) * p[2]
+    return { u, v * math.cos(slope), v * math.sin(slope) }
+  end
+  local function add(a, b)
+    if math.random() < 0.5 then a, b = b, a end
+    model:member { a, b, section = section, material = steel, up = { 0.1, 0.2, 1 }, group = "beams" }
+  end
+  local function join(i, j)
+    if math.random() < 0.6 then return add(node[i], node[j]) end
+    local t = number(0.2, 0.8)
+    local between = model:node(place { at[i][1] + t * (at[j][1] - at[i][1]), at[i][2] + t * (at[j][2] - at[i][2]) })
+    add(node[i], between)
+    add(between, node[j])
+  end
+  for i = 0, nx do
+    for j = 0, ny do
+      local k = 9 * i + j
+      at[k] = { 6 * i + number(-1, 1), 4 * j + number(-0.7, 0.7) }
+      node[k] = model:node(place(at[k]))
+      if i > 0 then join(k - 9, k) end
+      if j > 0 then join(k - 1, k) end
+      if i > 0 and j > 0 and math.random() < 0.3 then join(k - 10, k) end
+    end
+  end
+  local around = {}
+  for i = 0, nx do around[#around + 1] = 9 * i end
+  for j = 1, ny do around[#around + 1] = 9 * nx + j end
+  for i = nx - 1, 0, -1 do around[#around + 1] = 9 * i + ny end
+  for j = ny - 1, 1, -1 do around[#around + 1] = j end
+  local flat, corners = {}, {}
+  for i, k in ipairs(around) do flat[i], corners[i] = at[k], node[k] end
+  local _, _, area = middle_of(flat)
+  return model, corners, area, place { 1, 0 }
+end
+
+case("random plans: the sum is that of the area", function()
+  for seed = 1, 60 do
+    local model, corners, area, along = random_plan(seed)
+    for _, span in ipairs { "two way", along } do
+      local floor, sum = model:floor { corners = corners, load = 1e3, span = span }, 0
+      for _, part in ipairs(floor.parts) do sum = sum + part.load end
+      near(sum / (1e3 * area), 1, 1e-12, "sum of seed " .. seed)
+    end
+    model:close()
+  end
+end)
+
 case("a mass weighs what a load of its weight does, on every member", function()
   local slanted = { { 0, 0, 3 }, { 6, 1, 3 }, { 5, 5, 3 }, { 1, 4, 3 } }
   for _, points in ipairs { rectangle(6, 4), slanted } do
