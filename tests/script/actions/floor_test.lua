@@ -241,7 +241,7 @@ case("at rest from statics, by each integrator", function()
     local before = forces(rest, members)
     local run = model:dynamic { from = rest, integrator = integrator, duration = 0.02,
       dt = integrator == "explicit" and "auto" or 1e-3 }:finish()
-    near(difference(before, forces(run, members)), 0, 1e-4, integrator .. ": section forces after 20 ms")
+    near(difference(before, forces(run, members)), 0, 1e-8, integrator .. ": section forces after 20 ms")
     near(run.energy_error, 0, 1e-7, integrator .. ": energy error")
   end
 end)
