@@ -24,10 +24,11 @@ struct LineMass {
 /// Panels of floors between members, for pictures: their loads and masses are on the members.
 inline constexpr const char* floor_panels = "floors";
 struct FloorPanel {
-    std::vector<int> nodes;  ///< at its corners, in their order
+    std::vector<int> nodes;    ///< at its corners, in their order
+    std::vector<int> members;  ///< along its edges
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.nodes);
+        a(s.nodes, s.members);
     }
 };
 

@@ -153,7 +153,7 @@ public:
                 add_fixed_end(w_, loads_[i], y.element, now, w_.trial, m,
                               compression_moments(w_, loads_[i], now, w_.trial, w_.force_of_fixed_ends()), part);
             }
-            sums["work"] += work_on_flow(y, part);
+            book(work_on_flow(y, part), sums);
         }
         if (!w_.kind.dynamic) return;  // statics counts the work of F itself
         const std::vector<Vec6> now = acting(w_.trial);
@@ -164,7 +164,7 @@ public:
             work += mean.head<3>().dot(w_.trial.displacement[n] - w_.state.displacement[n]) +
                     mean.tail<3>().dot(w_.rotation_step[n]);
         }
-        sums["work"] += work;
+        book(work, sums);
     }
     void before_commit(const Step&) override {
         before_ = acting(w_.trial);
@@ -276,6 +276,11 @@ private:
             }
             to.push_back(shown);
         }
+    }
+    /// In dynamics minus the work of weights is in gravity's account; in statics they are loads that are brought on.
+    void book(double work, Accounts& sums) const {
+        if (are_weights_ && w_.kind.dynamic) sums["gravity"] -= work;
+        else sums["work"] += work;
     }
     void add(LoadedMember l) {
         std::vector<int>& here = on_element_[l.ends.first];

@@ -144,7 +144,18 @@ void add_groups(output::Snapshot& snapshot, const Model& model) {
         for (const int g : model.members()[m].groups) snapshot.memberships.push_back({int(m) + 1, g});
     for (const NodeLink& link : node_links(model))
         if (link.a >= 0) snapshot.connected.push_back({link.a, link.b});
-    for (const FloorPanel& panel : model.declared<FloorPanel>(floor_panels)) snapshot.floors.push_back({panel.nodes});
+}
+
+/// The panels of floors whose members are whole.
+void add_floors(output::Snapshot& snapshot, const Run& run) {
+    const auto& panels = run.structure().model().declared<FloorPanel>(floor_panels);
+    if (panels.empty()) return;
+    std::vector<char> whole(run.structure().model().members().size(), 1);
+    for (std::size_t i = 0; i < run.structure().elements().size(); ++i)
+        if (run.state().broken[i]) whole[run.structure().elements()[i].member] = 0;
+    for (const FloorPanel& panel : panels)
+        if (std::all_of(panel.members.begin(), panel.members.end(), [&](int m) { return whole[m] != 0; }))
+            snapshot.floors.push_back({panel.nodes});
 }
 
 /// The end of a broken element that no node carries any more has a point of its own.
@@ -213,6 +224,7 @@ output::Snapshot make_snapshot(const Run& run) {
     add_bars(snapshot, run);
     add_joints(snapshot, run);
     add_loads(snapshot, run);
+    add_floors(snapshot, run);
     for (const DeclaredPlane& plane : declared_planes(run.structure().model()))
         snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});
     return snapshot;

@@ -132,6 +132,7 @@ inline Snapshot portal(int bays) {
                       {Load::moment, -1, 0, 0.5, {{4, 5, 6}, {0, 0, 0}}},
                       {Load::force, -1, 0, -1, {{0, 0, -7}, {0, 0, -8}}}};
     snapshot.connected = {{0, 3}, {1, 2}};
+    snapshot.floors = {{{0, 1, 3, 2}}, {{1, 3, 2}}};
     snapshot.ground = {{{0, 0, -0.1}, {0, 0, 1}}};
     snapshot.declared = 2 * (bays + 1);
     return snapshot;
@@ -160,6 +161,8 @@ inline void check_same(const Snapshot& a, const Snapshot& b) {
     CHECK(a.shapes == b.shapes);
     REQUIRE(a.loads.size() == b.loads.size());
     for (std::size_t i = 0; i < a.loads.size(); ++i) CHECK((fields_of(a.loads[i]) == fields_of(b.loads[i])));
+    REQUIRE(a.floors.size() == b.floors.size());
+    for (std::size_t i = 0; i < a.floors.size(); ++i) CHECK(a.floors[i].points == b.floors[i].points);
     REQUIRE(a.ground.size() == b.ground.size());
     for (std::size_t i = 0; i < a.ground.size(); ++i)
         CHECK((a.ground[i].point == b.ground[i].point && a.ground[i].normal == b.ground[i].normal));

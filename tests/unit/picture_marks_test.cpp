@@ -342,6 +342,23 @@ TEST_CASE("supports and the ground are drawn", "[output]") {
         CHECK(drawn(7).n > 0.8 * double(without.n));
     }
 
+    SECTION("floors, where all corners are at drawn members") {
+        beam.snapshot.points[1][1] = 6;  // out of the line of the others
+        beam.snapshot.displacement[1][1] = 6;
+        beam.snapshot.floors = {{{0, 1, 2}}};
+        const auto differs = [&] {
+            beam.view.floors = true;
+            const Image with = beam.draw();
+            beam.view.floors = false;
+            const Image without = beam.draw();
+            int n = 0;
+            for (std::size_t i = 0; i < with.pixels.size(); ++i) n += with.pixels[i] != without.pixels[i];
+            return n;
+        };
+        CHECK(differs() > 200);
+        beam.snapshot.bars.resize(1);
+        CHECK(differs() == 0);
+    }
     SECTION("ground") {
         beam.view.from = {-0.3, -1, 0.4};
         beam.snapshot.ground = {{{0, 0, -1}, {0, 0, 1}}};

@@ -42,6 +42,10 @@ local function read_loads(o)
     check.fail("%s: field 'case' is given beside loads of several cases; leave it out", where)
   end
   local list = {}
+  if o.load[1] ~= nil then
+    check.fail("%s: field 'load' is a list; must be a number in Pa, or a table with one for each load case, such as "
+      .. "{ live = 3e3 }", where)
+  end
   for _, case in ipairs(check.keys(o.load)) do
     list[#list + 1] = { case = case, value = check.value(where, "load." .. case, o.load[case],
       { "number", unit = "Pa" }) }
@@ -120,7 +124,7 @@ local function read(model, options, outlines)
   for i, corners in ipairs(outlines or { o.corners }) do
     planes[i] = strips.plane_of(points_of("corners", corners, 3))
   end
-  if o.openings and not o.corners then
+  if o.openings and #o.openings > 0 and not o.corners then
     check.fail("%s: field 'openings' needs 'corners', which say in which floor they are", where)
   end
   for _, plane in ipairs(planes) do plane.openings = read_openings(o, plane) end
@@ -136,7 +140,10 @@ function class.__tostring(self)
   local text = ("%s, %.6g m^2"):format(check.count(#self.panels, "panel"), self.area)
   if self.load ~= 0 then text = text .. (", %.6g kN"):format(self.load / 1e3) end
   if self.mass > 0 then text = text .. (", %.6g kg"):format(self.mass) end
-  return text .. " on " .. check.count(#self.parts, "member")
+  text = text .. " on " .. check.count(#self.parts, "member")
+  if #self.idle == 0 then return text end
+  return ("%s; %s of those given %s nothing"):format(text, check.count(#self.idle, "member"),
+    #self.idle == 1 and "carries" or "carry")
 end
 
 --- The table of what each member carries.
@@ -173,6 +180,19 @@ local function declare(model, o, carrier)
   return part
 end
 
+-- The level members among those given that carry nothing.
+local function idle_of(o, members, parts)
+  local idle, carries = {}, {}
+  if o.members == nil and o.group == nil then return idle end
+  for _, part in ipairs(parts) do carries[part.member.index] = true end
+  for _, member in ipairs(members) do
+    if not carries[member.index] and math.abs(member.a.z - member.b.z) < 1e-6 * member.length then
+      idle[#idle + 1] = member
+    end
+  end
+  return idle
+end
+
 --- model:floor: see words/loads.d.lua. outlines: several floors in the place of `corners` (grid:floor).
 return function(model, options, outlines, ...)
   check.no_more(where, ...)
@@ -183,7 +203,7 @@ return function(model, options, outlines, ...)
     local corners = {}
     for i, index in ipairs(panel.nodes) do corners[i] = nodes[index] end
     table.insert(floor.panels, { nodes = corners, area = panel.area })
-    core.add_panel(model, corners)
+    core.add_panel(model, corners, panel.around)
     floor.area = floor.area + panel.area
   end
   for _, carrier in ipairs(carriers) do
@@ -191,5 +211,6 @@ return function(model, options, outlines, ...)
     table.insert(floor.parts, part)
     floor.load, floor.mass = floor.load + part.load, floor.mass + part.mass
   end
+  floor.idle = idle_of(o, members, floor.parts)
   return setmetatable(floor, class)
 end

@@ -46,6 +46,12 @@ function strips.flat_polygon(plane, field, points)
     end
     polygon[i] = flat(plane, point)
   end
+  local i, j = tributary.crossing(polygon)
+  if i then
+    local n = #polygon
+    check.fail("%s: field '%s': the edges from point %d to %d and from point %d to %d cross; give the points in their "
+      .. "order around", where, field, i, i % n + 1, j, j % n + 1)
+  end
   return polygon
 end
 
@@ -58,7 +64,8 @@ function strips.plane_of(points)
   for _, p in ipairs(points) do size = math.max(size, vectors.length(minus(p, points[1]))) end
   local n, twice = unit(normal)
   if not (twice > near * size * size) then
-    check.fail("%s: the points of field 'corners' enclose no area", where)
+    check.fail("%s: the points of field 'corners' enclose no area: they lie in one line, or are not in their order "
+      .. "around the floor", where)
   end
   local u = unit(minus(points[2], points[1]))
   local plane = { at = points[1], axes = { u, cross(n, u) }, slack = near * size }
@@ -114,14 +121,75 @@ local function middle_of(corners)
   return { x / sum, y / sum }
 end
 
--- The panels in a plane. The middle of mass tells whether a panel lies in the outline: those that are not convex are
--- refused later.
+-- The first side of the outline that no members cover, as the places where it begins and ends; nil where all are.
+local function open_side(plane, edges)
+  local n = #plane.outline
+  for i = 1, n do
+    local p, q = plane.outline[i], plane.outline[i % n + 1]
+    local along = { q[1] - p[1], q[2] - p[2] }
+    local length = math.sqrt(along[1] ^ 2 + along[2] ^ 2)
+    local covered = 0
+    local function place(r) -- along the side, and off it, m
+      local x, y = r[1] - p[1], r[2] - p[2]
+      return (x * along[1] + y * along[2]) / length, math.abs(x * along[2] - y * along[1]) / length
+    end
+    for _, edge in ipairs(edges) do
+      local a, off_a = place(edge.a)
+      local b, off_b = place(edge.b)
+      if off_a <= plane.slack and off_b <= plane.slack then
+        covered = covered + math.max(0, math.min(length, math.max(a, b)) - math.max(0, math.min(a, b)))
+      end
+    end
+    if covered < length - 2 * plane.slack then return p, q end
+  end
+end
+
+local function refuse_open_outline(plane, edges)
+  local p, q = open_side(plane, edges)
+  if p then
+    check.fail("%s: no members lie along the whole edge of the floor from %s to %s; a floor lies on members along all "
+      .. "of its edges", where, place_text(plane, p), place_text(plane, q))
+  end
+end
+
+-- Members that end in the open inside a panel carry nothing of it: most likely they are not joined.
+local function refuse_idle(plane, edges, out, kept)
+  for _, edge in ipairs(edges) do
+    local a, b = edge.member.a.index, edge.member.b.index
+    local is_edge = false
+    for _, next_to_a in ipairs(out[a] or {}) do is_edge = is_edge or next_to_a.to == b end
+    local middle = { (edge.a[1] + edge.b[1]) / 2, (edge.a[2] + edge.b[2]) / 2 }
+    for _, panel in ipairs(is_edge and {} or kept) do
+      if panels.contains(panel.corners, middle) then
+        check.fail("%s: member %d, from %s to %s, ends in the open inside a panel and carries nothing; join it to the "
+          .. "members around the panel, divided there, or leave it out of 'members'", where, edge.member.index,
+          place_text(plane, edge.a), place_text(plane, edge.b))
+      end
+    end
+  end
+end
+
+-- Whether a panel lies in the outline. That a part of it does is an error: no member divides it along the outline.
+local function lies_in(plane, panel)
+  if not plane.outline then return true end
+  local part = tributary.overlap(panel.corners, plane.outline)
+  if part >= (1 - near) * panel.area then return true end
+  if part > near * panel.area and panels.contains(plane.outline, middle_of(panel.corners)) then
+    check.fail("%s: the panel at %s lies partly outside of the floor; a member must divide it along the edge of the "
+      .. "floor", where, place_text(plane, middle_of(panel.corners)))
+  end
+  return false
+end
+
+-- The panels in a plane.
 local function panels_of(plane, members)
-  local list, at, out = panels.find(where, edges_in(plane, members))
+  local edges = edges_in(plane, members)
+  if plane.outline then refuse_open_outline(plane, edges) end
+  local list, at, out = panels.find(where, edges)
   local kept, area = {}, 0
   for _, panel in ipairs(list) do
     panel.plane = plane
-    if not plane.outline or panels.contains(plane.outline, middle_of(panel.corners)) then
+    if lies_in(plane, panel) then
       kept[#kept + 1] = panel
       area = area + panel.area
       local own = {}
@@ -134,6 +202,7 @@ local function panels_of(plane, members)
       end
     end
   end
+  refuse_idle(plane, edges, out, kept)
   if plane.outline then
     local whole = math.abs(tributary.area(plane.outline))
     if math.abs(area - whole) > near * whole then
@@ -165,7 +234,8 @@ local function span_of(span, panel, sides)
   local u = flat({ at = { 0, 0, 0 }, axes = panel.plane.axes }, span)
   local size = math.sqrt(u[1] ^ 2 + u[2] ^ 2)
   if size < 1 - near then
-    check.fail("%s: field 'span' is not a direction in the plane of the floor", where)
+    check.fail("%s: field 'span' is not a direction in the plane of the floor, which slopes; give one along it, such "
+      .. "as from one corner to another", where)
   end
   return { u[1] / size, u[2] / size }
 end
@@ -231,7 +301,7 @@ local function add_panel(asked, panel, of_member)
     check.fail("%s: the panel at %s has a corner that points inward, at %s; put a member there that divides it", where,
       place_text(panel.plane, middle_of(panel.corners)), place_text(panel.plane, inward))
   end
-  panel.corners, panel.nodes = {}, {}
+  panel.corners, panel.nodes, panel.around = {}, {}, panel.members
   for i, side in ipairs(sides) do panel.corners[i], panel.nodes[i] = side.from, side.node end
   local span, openings, open = span_of(asked, panel, sides), {}, 0
   for _, opening in ipairs(panel.plane.openings) do
@@ -255,20 +325,29 @@ local function refuse_lost_openings(planes, open)
   end
 end
 
---- Of floors in these planes, each with its `openings`, on these members: the panels as { nodes = (indices), area = },
---- and the members that carry them in the order of their indices, as { member =, strips... }. members: as of a model,
---- or tables with index, length, a and b, and of these index, x, y, z. span: as in model:floor.
+--- Of floors in these planes, each with its `openings`, on these members: the panels as { nodes = (indices), around =
+--- (members), area = }, and the members that carry them in the order of their indices, as { member =, strips... }.
+--- members: as of a model, or tables with index, length, a and b, and of these index, x, y, z. span: as in model:floor.
 function strips.of(planes, members, span)
   local list, of_member, order, area, open, carried = {}, {}, {}, 0, 0, 0
+  local seen = {}
   for _, plane in ipairs(planes) do
     for _, panel in ipairs(panels_of(plane, members)) do
+      local nodes = table.move(panel.nodes, 1, #panel.nodes, 1, {})
+      table.sort(nodes)
+      local key = table.concat(nodes, " ")
+      if seen[key] then
+        check.fail("%s: the panel at %s is in two of the floors, which lie on each other", where,
+          place_text(plane, middle_of(panel.corners)))
+      end
+      seen[key] = true
       list[#list + 1] = add_panel(span, panel, of_member)
       area, open = area + panel.area, open + panel.open
     end
   end
   if #list == 0 then
-    check.fail("%s: the members close no panel; a floor lies on members along all of its edges, joined at their nodes",
-      where)
+    check.fail("%s: the members close no panel in a horizontal plane; a floor lies on members along all of its edges, "
+      .. "joined at their nodes, and one that slopes needs 'corners'", where)
   end
   for index in pairs(of_member) do order[#order + 1] = index end
   table.sort(order)

@@ -199,6 +199,11 @@ local function cell_of(self, where, cell)
     check.fail("%s: field 'cells' has %s; a cell is called by two opposite corners, such as 'A1-B2'", where,
       check.show(cell))
   end
+  for _, line in ipairs { one, two } do
+    if not self.columns_of[line:upper()] then
+      check.unknown(("%s: field 'cells': '%s'"):format(where, cell), "line", line, self.names)
+    end
+  end
   local ends = lines_of(self, where, { one, two })
   local x, y = {}, {}
   for i, line in ipairs(ends) do x[i], y[i] = line:match "^(%a+)(%d+)$" end
@@ -219,6 +224,9 @@ function Grid:floor(options, ...)
   end
   for _, field in ipairs { "cells", "storeys" } do
     if options[field] ~= nil then check.value(where, field, options[field], list_rule) end
+    if options[field] and #options[field] == 0 then
+      check.fail("%s: field '%s' is an empty list; leave it out for all of them", where, field)
+    end
   end
   local cells, outlines = {}, {}
   local whole = { "A1-" .. self.names[#self.names] }

@@ -53,7 +53,8 @@ local function is_convex(polygon)
   local n = #polygon
   for i = 1, n do
     local a, b, c = polygon[i], polygon[i % n + 1], polygon[(i + 1) % n + 1]
-    if cross(minus(b, a), minus(c, b)) < 0 then return false end
+    local r, s = minus(b, a), minus(c, b)
+    if cross(r, s) < -1e-9 * math.sqrt((r[1] ^ 2 + r[2] ^ 2) * (s[1] ^ 2 + s[2] ^ 2)) then return false end
   end
   return true
 end
@@ -62,6 +63,21 @@ end
 function tributary.overlap(one, other)
   if is_convex(one) then return math.abs(tributary.area(inside(other, one))) end
   return is_convex(other) and math.abs(tributary.area(inside(one, other))) or 0
+end
+
+--- Two edges of a polygon that cross, by the numbers of their first corners; nil where none do.
+function tributary.crossing(polygon)
+  local n = #polygon
+  for i = 1, n do
+    local a, b = polygon[i], polygon[i % n + 1]
+    for j = i + 2, n do
+      local c, d = polygon[j], polygon[j % n + 1]
+      if (i > 1 or j < n) and cross(minus(b, a), minus(c, a)) * cross(minus(b, a), minus(d, a)) < 0
+        and cross(minus(d, c), minus(a, c)) * cross(minus(d, c), minus(b, c)) < 0 then
+        return i, j
+      end
+    end
+  end
 end
 
 -- How far a point is inside of a side.

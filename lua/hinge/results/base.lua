@@ -115,7 +115,10 @@ local function applied(pieces, about, model)
     local a, b = bar and place_of(pieces.nodes[bar.a]), bar and place_of(pieces.nodes[bar.b])
     if not bar then put(place_of(pieces.nodes[load.node]), load.value)
     elseif load.at >= 0 then put(between(a, b, load.at), load.value)
-    else spread(load, a, b, length_of(bar), put) end
+    else
+      local from, to = load.from or 0, load.to or 1 -- of a load over a part of the element
+      spread(load, between(a, b, from), between(a, b, to), (to - from) * length_of(bar), put)
+    end
   end
   return sum
 end

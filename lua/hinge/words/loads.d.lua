@@ -112,10 +112,11 @@ function model:mass(options) end
 
 ---Puts the loads and the masses of floors on the members around them, by tributary areas. The members must close
 ---panels: they lie in a plane along all edges of each panel and are joined at its corners. Members inside of `corners`
----divide the floor into panels. A panel may have any number of straight sides, each of several members, and no corner
----that points inward. A load acts as trapezoids along the members, a mass as by model:mass, and both have the exact sum
----over the floor. The panels have no stiffness; model:diaphragm makes a floor rigid in its plane. Pictures show them
----(option `floors`). A wrong floor is an error and changes nothing.
+---divide the floor into panels. The floor lies on the members that are there by now. A panel may have any number of
+---straight sides, each of several members, and no corner that points inward. A load acts as trapezoids along the
+---members, a mass as by model:mass, and both have the exact sum over the floor. The panels have no stiffness;
+---model:diaphragm makes a floor rigid in its plane. Pictures show them (option `floors`). A wrong floor is an error and
+---changes nothing.
 ---```lua
 ---local house = hinge.model()
 ---local lines = hinge.grid { model = house, x = { 0, 6, 12 }, y = { 0, 5 }, z = { 0, 3, 6 } }
@@ -148,11 +149,11 @@ function model:floor(options) end
 ---of a panel with four sides goes to either end of it. A direction { x, y, z } in the plane: one way along it. Default
 ---"two way"
 ---@field span? "two way"|"one way"|vec3
----polygons of points in the floor, with `corners` alone. They carry nothing, and must not overlap. What is around them
----goes to the members to which it would go without them
----@field openings? vec3[][]
+---polygons of points or nodes in the floor, with `corners` alone. They carry nothing, and must not overlap. What is
+---around them goes to the members to which it would go without them
+---@field openings? (vec3|hinge.node)[][]
 ---@field direction? vec3 of `load`, of any length; default { 0, 0, -1 }
----@field case? hinge.case|string of a `load` that is a number
+---@field case? hinge.case|string of a `load` that is a number; without it the load acts in every run
 ---@field history? fun(time: number): number|number[][] of `load`, as in model:load
 
 ---@class hinge.floor
@@ -161,6 +162,7 @@ function model:floor(options) end
 ---@field mass number kg
 ---@field panels hinge.floor_panel[]
 ---@field parts hinge.floor_part[] of each member that carries something
+---@field idle hinge.member[] level members among those given by `members` or `group` that carry nothing
 local floor = {}
 
 ---A table of what each member carries.

@@ -152,7 +152,9 @@ local run = {}
 ---kinetic energy at the start, and all that is stored then: in the elements, contacts, connectors, joints, ground
 ---@field initial number
 ---@field kinetic number
----@field gravity number potential energy, of each body from where it was at the start
+---potential energy, of each body from where it was at the start, less the work of what weights along members are beside
+---those at the nodes
+---@field gravity number
 ---@field elastic number
 ---@field plastic number dissipated in hinges
 ---@field fracture number released by fracture: fracture_elastic + fracture_kinetic

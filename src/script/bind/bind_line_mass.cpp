@@ -22,12 +22,17 @@ void read_per_length(Options& o, LineMass& mass) {
     lua_pop(L, 1);
 }
 
-/// core.add_panel(model, nodes): a panel of a floor, for pictures.
+/// core.add_panel(model, nodes, members): a panel of a floor, for pictures.
 int add_panel(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:floor").value;
     FloorPanel panel;
     for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; ++i) {
         panel.nodes.push_back(node_argument(L, -1, "model:floor", m.get()).index);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
+    for (lua_Integer i = 1; lua_rawgeti(L, 3, i) != LUA_TNIL; ++i) {
+        panel.members.push_back(member_argument(L, -1, "model:floor", m.get()).index);
         lua_pop(L, 1);
     }
     m->declare(floor_panels, std::move(panel));
@@ -39,6 +44,9 @@ int add_panel(lua_State* L) {
 int add_mass_on_member(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:mass").value;
     Options o(L, 2, "model:mass");
+    for (const char* field : {"mass", "inertia", "offset"})
+        if (o.has(field))
+            o.complain(field, "given beside a member or group", "along members give 'per_length', in kg/m");
     o.expect({"node", "member", "group", "per_length", "from", "to"});
     const LoadedMembers loaded = read_loaded_members(o, *m);
     LineMass mass{0};

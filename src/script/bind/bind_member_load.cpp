@@ -65,7 +65,7 @@ void read_part(Options& o, double& from, double& to) {
     if (to > 1) o.complain("to", show(to), "must be from 0, the member's first end, to 1");
     if (!(from < to))
         o.complain(first ? "from" : "to", show(first ? from : to),
-                   "'from' must be less than 'to': the load covers " + show(from) + " to " + show(to) +
+                   "'from' must be less than 'to': they cover " + show(from) + " to " + show(to) +
                        " of the member's length");
 }
 

@@ -11,7 +11,7 @@ int add_mass(lua_State* L) {
     if (o.has("member") || o.has("group")) return add_mass_on_member(L);
     o.expect({"node", "mass", "inertia", "offset", "member", "group", "per_length", "from", "to"});
     for (const char* field : {"per_length", "from", "to"})
-        if (o.has(field)) o.complain(field, "given without 'member' or 'group'", "is of a mass along a member");
+        if (o.has(field)) o.complain(field, "given without 'member' or 'group'", "it is for a mass along a member");
     PointMass mass;
     o.push_field("node");
     mass.node = node_argument(L, -1, "model:mass: field 'node'", m.get()).index;

@@ -326,7 +326,15 @@ case("wrong input is refused and changes nothing", function()
   refused("a word", { "field 'load' is 'much'" }, { group = "beams", load = "much" })
   refused("negative mass", { "field 'mass' is -1" }, { group = "beams", mass = -1 })
   refused("not closed", { "close no panel" }, { members = { members[1], members[2], members[3] }, load = 1 })
-  refused("half a floor", { "close 24 m^2 of the 36 m^2" }, { corners = rectangle(9, 4), load = 1 })
+  refused("half a floor", { "no members lie along the whole edge", "{9, 0, 3} m" },
+    { corners = rectangle(9, 4), load = 1 })
+  refused("a triangle without a diagonal", { "no members lie along the whole edge" },
+    { corners = { nodes[1], nodes[2], nodes[3] }, load = 1 })
+  refused("two corners exchanged", { "are not in their order" },
+    { corners = { nodes[1], nodes[3], nodes[2], nodes[4] }, load = 1 })
+  refused("edges that cross", { "the edges from point 1 to 2 and from point 3 to 4 cross" },
+    { corners = { { 0, 0, 3 }, { 6, 4, 3 }, { 6, 0, 3 }, { 1, 5, 3 } }, load = 1 })
+  refused("a list of loads", { "'load' is a list" }, { group = "beams", load = { 1e3 } })
   refused("no such case", { "unknown load case 'lve'" }, { group = "beams", mass = 5, load = { dead = 1, lve = 2 } })
   local inside = model:node { 3, 2, 3 }
   local island = { model:node { 3.5, 2, 3 }, model:node { 3, 2.5, 3 } }
@@ -339,6 +347,44 @@ case("wrong input is refused and changes nothing", function()
   checks.refused({ "points inward", "{2, 1, 0}" }, function()
     bent:floor { group = "beams", load = 1 }
   end)
+end)
+
+case("a floor goes to the bay that it is in, or to none", function()
+  local model = hinge.model()
+  local grid = hinge.grid { model = model, x = { 0, 6, 12 }, y = { 0, 5 }, z = { 0, 3 } }
+  grid:defaults { section = section, material = steel }
+  for _, along in ipairs { "x", "y" } do grid:beams { along = along, group = "beams" } end
+  -- as large as a bay, and between two of them
+  checks.refused("no members lie along the whole edge of the floor from {9, 0, 3} m to {9, 5, 3} m", function()
+    model:floor { corners = { { 3, 0, 3 }, { 9, 0, 3 }, { 9, 5, 3 }, { 3, 5, 3 } }, mass = 100 }
+  end)
+  local second = grid:floor { cells = { "B1-C2" }, mass = 100 }
+  equal(#second.panels, 1, "panels")
+  for _, node in ipairs(second.panels[1].nodes) do checks.expect(node.x >= 6, "a corner at x = %g m", node.x) end
+  checks.refused({ "in two of the floors" }, function()
+    grid:floor { cells = { "A1-B2", "A1-C2" }, mass = 100 }
+  end)
+  checks.refused({ "field 'cells': 'A1-D2'", "unknown line 'D2'" }, function()
+    grid:floor { cells = { "A1-D2" }, mass = 100 }
+  end)
+  -- a beam between main beams that have no node there; and one of the group that has no panel
+  local a, b = model:node { 3, 0, 3 }, model:node { 3, 5, 3 }
+  local lost = model:member { a, b, section = section, material = steel, group = "secondary" }
+  checks.refused({ ("member %d"):format(lost.index), "carries nothing; join it" }, function()
+    grid:floor { mass = 100 }
+  end)
+  model:member { grid:node("C1", 1), model:node { 15, 0, 3 }, section = section, material = steel, group = "beams" }
+  local floor = model:floor { group = "beams", load = 1 }
+  equal(#floor.idle, 1, "members that carry nothing")
+  checks.expect(tostring(floor):find("; 1 member of those given carries nothing", 1, true), "%s", tostring(floor))
+end)
+
+case("reactions and loads over parts of members are in balance", function()
+  local model = fixed(rectangle(6, 4))
+  model:floor { group = "beams", load = 1e3 }
+  local base = hinge.results.base(model:static { steps = 1 }:finish(), { model = model })
+  near(base.rows.loads.Fz, -24e3, 1e-6, "loads")
+  checks.expect(tostring(base):find("in balance: the rest", 1, true), "%s", tostring(base))
 end)
 
 case("masses along members are refused where they make no sense", function()
