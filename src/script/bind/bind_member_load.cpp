@@ -64,9 +64,9 @@ void read_part(Options& o, double& from, double& to) {
     from = first.value_or(0), to = last.value_or(1);
     if (to > 1) o.complain("to", show(to), "must be from 0, the member's first end, to 1");
     if (!(from < to))
-        o.complain(first ? "from" : "to", show(first ? from : to),
-                   "'from' must be less than 'to': they cover " + show(from) + " to " + show(to) +
-                       " of the member's length");
+        o.complain(
+            first ? "from" : "to", show(first ? from : to),
+            "'from' must be less than 'to': they cover " + show(from) + " to " + show(to) + " of the member's length");
 }
 
 void join_loads(ScriptModel& m, int member) {
