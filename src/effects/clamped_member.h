@@ -140,8 +140,8 @@ public:
     double middle_of_spread(int plane, double q) const;
     double middle_of_force(int plane, double x) const;
     double middle_of_couple(int plane, double x) const;
-    /// Whether the series of PairForces hold.
-    bool is_mild() const { return std::abs(p_[0]) <= 6.5 && std::abs(p_[1]) <= 6.5; }
+    /// Whether the series of PairForces hold in a plane.
+    bool is_mild(int plane) const { return std::abs(p_[plane]) <= 6.5; }
     /// Adds what forces do, by their components along `across`: to the ends' moments and to that in the middle.
     void add_forces(int plane, const PairForces& forces, const Vec3& across, double (&ends)[2], double& middle) const;
 

@@ -28,10 +28,10 @@ std::vector<double> uneven_means(const Model& model) {
     return mean;
 }
 
-/// The difference as loads, by a gravity in m/s^2.
-void add_difference(const Model& model, const Vec3& g, bool held, std::vector<MemberLoad>& to) {
+/// The difference as loads, by a gravity in m/s^2. `mean`: uneven_means.
+void add_difference(const Model& model, const std::vector<double>& mean, const Vec3& g, bool held,
+                    std::vector<MemberLoad>& to) {
     if (g.isZero(0)) return;
-    const std::vector<double> mean = uneven_means(model);
     const auto add = [&](int member, double from, double end, double first, double last) {
         MemberLoad load{member};
         load.from = from, load.to = end, load.held = held, load.number = int(to.size());
@@ -73,9 +73,10 @@ EffectKind line_mass_kind() {
                 const Model& model = w.structure.model();
                 const DeclaredGravity* gravity = gravity_of(model);
                 if (!gravity || model.options().weight != Weight::members) return nullptr;
+                const std::vector<double> mean = uneven_means(model);
                 std::vector<MemberLoad> loads;
-                add_difference(model, gravity->held, true, loads);
-                add_difference(model, gravity->acceleration - gravity->held, false, loads);
+                add_difference(model, mean, gravity->held, true, loads);
+                add_difference(model, mean, gravity->acceleration - gravity->held, false, loads);
                 if (loads.empty()) return nullptr;
                 return make_weights_on_members(line_mass_effect, std::move(loads), w, host);
             }};

@@ -84,7 +84,7 @@ void LoadedMember::drop() {
     for (int end : {0, 1})
         for (int plane : {0, 1}) of_force[end][plane].setZero(), of_moment[end][plane].setZero();
     for (int end : {0, 1}) spread[end].setZero();
-    point.setZero(), couple.setZero(), pieces.clear(), points.clear(), sums.reset();
+    point.setZero(), couple.setZero(), pieces.clear(), sums.reset();
     dropped = true;
 }
 
@@ -108,8 +108,7 @@ bool LoadedMember::merge(const LoadedMember& other) {
     return true;
 }
 
-void LoadedMember::gather() {
-    points = gathered(pieces);
+void LoadedMember::sum_up() {
     if (pieces.empty() ||
         std::any_of(pieces.begin(), pieces.end(), [](const Portion& p) { return !p.moment.isZero(0); }))
         return;
@@ -186,13 +185,13 @@ CompressionMoments compression_moments(const Workspace& w, const LoadedMember& l
         is.middle[plane] += M * by_N.middle_of_couple(plane, x);
     };
     for (int plane : {0, 1}) {
-        if (l.sums && by_N.is_mild()) {
+        if (l.sums && by_N.is_mild(plane)) {
             const Vec3 along = factor * (l.local ? Vec3(Vec3::Unit(1 - plane)) : Vec3(is.chord.axes.col(1 - plane)));
             double ends[2] = {0, 0};
             by_N.add_forces(plane, *l.sums, along, ends, is.middle[plane]);
             for (int of : {0, 1}) is.m[of][plane] += ends[of];
         } else {
-            for (const Portion& p : l.points) add_point(plane, p.xi, p.force, p.moment);
+            for (const Portion& p : l.pieces) add_point(plane, p.xi, p.force, p.moment);
         }
         if (l.at >= 0) add_point(plane, l.at, l.point, l.couple);
         const double q[2] = {across(l.spread[0], plane), across(l.spread[1], plane)};

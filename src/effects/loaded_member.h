@@ -30,9 +30,9 @@ struct LoadedMember {
     Vec3 spread[2] = {Vec3::Zero(), Vec3::Zero()}, point = Vec3::Zero(), couple = Vec3::Zero();
     double at = -1;  ///< of the point load, 0 to 1 between them
     /// A load over a part of a pair of elements, as point loads between its ends, for what N does to them.
-    std::vector<Portion> pieces = {}, points = {};  ///< points: the same, gathered
-    std::unique_ptr<PairForces> sums = {};          ///< of pieces without moments
-    double factor = 1, kept_factor = 1;             ///< of its history, on the trial and on the state
+    std::vector<Portion> pieces = {};
+    std::unique_ptr<PairForces> sums = {};  ///< of pieces without moments
+    double factor = 1, kept_factor = 1;     ///< of its history, on the trial and on the state
     bool held = false, may_jump = false;
     bool on_node = false;  ///< it acts on a node of the elements (is_on_node)
     StepFactor over = {};  ///< where its history may jump within a step
@@ -40,8 +40,8 @@ struct LoadedMember {
     void drop();
     /// Takes in another load on the same elements, where both are spread, constant and given in space. False where not.
     bool merge(const LoadedMember& other);
-    /// All are merged: prepares what N does to the pieces.
-    void gather();
+    /// All are merged: sums up the pieces.
+    void sum_up();
 };
 /// Changes by N of the moments at a pair's two ends, in its axes, and in the section between its elements.
 struct CompressionMoments {

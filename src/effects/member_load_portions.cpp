@@ -1,8 +1,6 @@
 #include "effects/member_load_portions.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "effects/clamped_member.h"
 
@@ -88,28 +86,6 @@ std::vector<Portion> portions_of_pair(const MemberLoad& load, double begin, doub
         }
     }
     return list;
-}
-
-std::vector<Portion> gathered(const std::vector<Portion>& all) {
-    constexpr int nodes = 10;
-    if (all.size() <= 2 * nodes) return all;
-    double at[nodes];  // from 0 to 1
-    for (int j = 0; j < nodes; ++j) at[j] = 0.5 - 0.5 * std::cos((j + 0.5) * std::numbers::pi / nodes);
-    std::vector<Portion> few;
-    for (int half : {0, 1})
-        for (const double x : at) few.push_back({all.front().element, 0, 0.5 * (half + x), Vec3::Zero(), Vec3::Zero()});
-    for (const Portion& p : all) {
-        const int half = p.xi > 0.5 ? 1 : 0;
-        const double x = 2 * p.xi - half;
-        for (int j = 0; j < nodes; ++j) {
-            double share = 1;  // Lagrange's polynomial of node j
-            for (int k = 0; k < nodes; ++k)
-                if (k != j) share *= (x - at[k]) / (at[j] - at[k]);
-            Portion& to = few[nodes * half + j];
-            to.force += share * p.force, to.moment += share * p.moment;
-        }
-    }
-    return few;
 }
 
 }  // namespace hinge

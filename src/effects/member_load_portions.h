@@ -38,8 +38,4 @@ std::vector<Portion> portions(const MemberLoad& load, int n, double length, cons
 std::vector<Portion> portions_of_pair(const MemberLoad& load, double begin, double width, double length,
                                       const Vec3& along);
 
-/// Fewer portions of a pair that do the same where a function of the place is smooth on either half of it: those at the
-/// nodes of Chebyshev's interpolation, ten a half. Few portions stay as they are.
-std::vector<Portion> gathered(const std::vector<Portion>& all);
-
 }  // namespace hinge

@@ -39,7 +39,7 @@ public:
                 for (int node : s.elements()[i].node)
                     if (place_[node] < 0) place_[node] = int(nodes_.size()), nodes_.push_back(node);
         }
-        for (LoadedMember& l : loads_) l.gather();
+        for (LoadedMember& l : loads_) l.sum_up();
         before_.assign(nodes_.size(), Vec6::Zero());
         drop_fallen();
     }
