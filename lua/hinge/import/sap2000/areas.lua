@@ -134,12 +134,12 @@ local function carry(reader, area, members)
     if not load.value or not reader.case[load.pattern] then return false end
   end
   if not is_level(area.points) then return false end
-  local good, panels, carriers = pcall(function()
+  local good, carriers = pcall(function()
     local plane = strips.plane_of(area.points)
     plane.openings = {}
-    return strips.of({ plane }, members_near(members, area.points), "two way")
+    return (select(2, strips.of({ plane }, members_near(members, area.points), "two way")))
   end)
-  if not good or #panels == 0 then return false end
+  if not good then return false end
   for _, load in ipairs(area.loads) do
     if load.value ~= 0 then put(reader, area, carriers, reader.case[load.pattern], load.value) end
   end
