@@ -121,11 +121,7 @@ AskedConnector asked(lua_State* L, const char* method) {
     const std::string function = std::string("connector:") + method;
     const auto& c = self<ConnectorBox>(L, function);
     AskedConnector a;
-    if (!lua_isnoneornil(L, 2)) a.record = run_argument(L, 2, function + ": run", c.model.get());
-    else a.record = latest_run(L, *c.model);
-    if (!a.record)
-        throw InputError(function +
-                         ": no run has been made of this model yet; make one with model:static{} or model:dynamic{}");
+    a.record = run_to_read(L, function, *c.model);
     const auto* all = a.record->run->state().data.find<ConnectorsNow>(connectors_effect);
     if (!all || c.index >= int(all->list.size()))
         throw InputError(function + ": the run made at " + a.record->asked_at + " does without " + name_of(c) +

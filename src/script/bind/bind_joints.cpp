@@ -283,12 +283,7 @@ std::string name_of(const NodeJointBox& box) {
 
 int state_of_node_joint(lua_State* L) {
     const auto& box = self<NodeJointBox>(L, "node_joint:state");
-    const auto record = lua_isnoneornil(L, 2) ? latest_run(L, *box.model)
-                                              : run_argument(L, 2, "node_joint:state: run", box.model.get());
-    if (!record)
-        throw InputError(
-            "node_joint:state: no run has been made of this model yet; make one with model:static{} or "
-            "model:dynamic{}");
+    const auto record = run_to_read(L, "node_joint:state", *box.model);
     const auto* all = record->run->state().data.find<JointStates>(joints_effect);
     if (!all || box.index >= int(all->list.size()))
         throw InputError("node_joint:state: the run made at " + record->asked_at + " does without " + name_of(box) +

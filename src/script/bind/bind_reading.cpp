@@ -41,15 +41,14 @@ void must_be_fixed_in(const ScriptRun& r, int node, const std::string& what) {
         throw InputError(what + " is node " + std::to_string(node + 1) + ", fixed after this run was made");
 }
 
-namespace {
-
-/// The run that a handle's method reads: the one given, or the latest of its model.
-std::shared_ptr<ScriptRun> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model) {
-    if (!lua_isnoneornil(L, 2)) return run_argument(L, 2, function + ": run", &model);
+std::shared_ptr<ScriptRun> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model, int index) {
+    if (!lua_isnoneornil(L, index)) return run_argument(L, index, function + ": run", &model);
     if (auto latest = latest_run(L, model)) return latest;
     throw InputError(function +
                      ": no run has been made of this model yet; make one with model:static{} or model:dynamic{}");
 }
+
+namespace {
 
 struct AskedPart {
     std::shared_ptr<ScriptRun> record;
@@ -141,12 +140,7 @@ int joint(lua_State* L) {
     const auto& m = self<MemberBox>(L, "member:joint");
     const std::string end = lua_type(L, 2) == LUA_TSTRING ? lua_tostring(L, 2) : "";
     if (end != "a" && end != "b") throw InputError("member:joint: the end is " + show(L, 2) + "; must be 'a' or 'b'");
-    const auto record =
-        lua_isnoneornil(L, 3) ? latest_run(L, *m.model) : run_argument(L, 3, "member:joint: run", m.model.get());
-    if (!record)
-        throw InputError(
-            "member:joint: no run has been made of this model yet; make one with model:static{} or "
-            "model:dynamic{}");
+    const auto record = run_to_read(L, "member:joint", *m.model, 3);
     push_joint(L, *record->run, m.index, end == "b");
     return 1;
 }

@@ -35,6 +35,9 @@ const std::shared_ptr<ScriptRun>& run_argument(lua_State* L, int index, const st
                                                const Model* model = nullptr);
 /// The run made last of the model, nullptr when there is none.
 std::shared_ptr<ScriptRun> latest_run(lua_State* L, const ScriptModel& model);
+/// The run that a handle's method reads: the one given as that argument, or the latest of its model.
+std::shared_ptr<ScriptRun> run_to_read(lua_State* L, const std::string& function, const ScriptModel& model,
+                                       int index = 2);
 /// The index of a node that the run has.
 int node_of_run(lua_State* L, int index, const ScriptRun& r, const std::string& what);
 /// Refuses a node that was fixed after the run was made: the run has no reaction there.
