@@ -7,7 +7,9 @@
 
 #include "contact/broad_phase.h"
 #include "core/text.h"
+#include "model/inner_nodes.h"
 #include "model/member_text.h"
+#include "model/panel.h"
 
 namespace hinge {
 namespace {
@@ -176,6 +178,9 @@ void Finder::gravity(const Vec3& g) {
 void Finder::lone_nodes() {
     std::vector<char> used(model.nodes().size(), 0);
     for (const MemberData& m : model.members()) used[m.node[0]] = used[m.node[1]] = 1;
+    for (const InnerNode& inner : model.declared<InnerNode>(inner_nodes)) used[inner.node] = 1;
+    for (const Panel& panel : model.declared<Panel>(panels_effect))
+        for (const int n : panel.nodes) used[n] = 1;
     for (int n = 0; n < int(used.size()); ++n)
         if (!used[n])
             tell("lone", "node " + std::to_string(n + 1) + " at " + at(position(n)) + " belongs to no member",

@@ -142,7 +142,7 @@ ElementPart EffectiveStiffness::part(int index, const State& state, const Config
 
 void EffectiveStiffness::build(const std::vector<int>& elements, const State& state, const Configuration& pose,
                                const std::vector<ElementTangent>& given) {
-    if (structure_.p_delta() && !matrices_.has_bridges()) matrices_.set_bridge(0, Mat6::Zero());
+    if (structure_.p_delta() && !matrices_.has_bridges() && !elements.empty()) matrices_.set_bridge(0, Mat6::Zero());
     pool_.share(int(elements.size()), 64, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) {
             const int e = elements[i];

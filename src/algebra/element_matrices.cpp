@@ -14,7 +14,7 @@ ElementMatrices::ElementMatrices(const Structure& structure, bool single_precisi
       single_precision_(single_precision),
       symmetric_(symmetric),
       stride_(symmetric ? packed : full),
-      held_(structure.fixed()) {
+      held_(structure.held()) {
     const std::size_t numbers = stride_ * structure.elements().size();
     empty_.assign(structure.elements().size(), 0);
     if (single_precision) single_part_.assign(numbers, 0);

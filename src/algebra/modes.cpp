@@ -51,7 +51,7 @@ struct Matrices {
 private:
     static std::vector<std::uint8_t> free_at(const Structure& s, const std::vector<int>& nodes) {
         std::vector<std::uint8_t> free(s.position().size());
-        for (int n : nodes) free[n] = ~s.fixed()[n] & 63;
+        for (int n : nodes) free[n] = ~s.held()[n] & 63;
         return free;
     }
 };
@@ -119,6 +119,7 @@ std::string ways_to_move(const Structure& structure, const std::vector<int>& sup
 namespace {
 
 std::vector<DampedMode> modes(const Matrices& of, int rigid, int count, bool with_damping) {
+    if (of.size() == 0) return {};  // supports hold all of it
     int wanted = std::min(rigid + count, of.size());
     if (wanted <= rigid && !of.adds_stiffness) return {};
     const double k = of.K.diagonal().sum(), m = of.M.diagonal().sum();

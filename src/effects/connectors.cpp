@@ -43,6 +43,7 @@ public:
             traits_.calls_script = traits_.calls_script || std::any_of(std::begin(c.law), std::end(c.law),
                                                                        [](const ConnectorLaw& l) { return bool(l); });
         }
+        for (const Connector& c : declared()) refuse_rotation_of_panels(c);
         for (const Connector& c : declared())
             for (const int node : {c.a, c.b})
                 if (node >= 0 && w.structure.is_alone(node))
@@ -214,6 +215,21 @@ private:
         return "connector " + std::to_string(i + 1) +
                (c.a < 0 ? " between the ground and " + w_.structure.node_name(c.b)
                         : " between " + w_.structure.node_name(c.a) + " and " + w_.structure.node_name(c.b));
+    }
+
+    /// A node that panels alone join does not rotate.
+    void refuse_rotation_of_panels(const Connector& c) const {
+        const Structure& s = w_.structure;
+        const auto of_panels = [&](int node) { return node >= 0 && s.has_panels_alone(node); };
+        if (!of_panels(c.a) && !of_panels(c.b)) return;
+        bool rotates = !c.stiffness.tail<3>().isZero(0) || !c.damping.tail<3>().isZero(0);
+        for (int k = 3; k < 6; ++k) rotates = rotates || !c.curve[k].empty() || c.law[k];
+        const std::string why =
+            ", and panels alone join " + s.node_name(of_panels(c.a) ? c.a : c.b) + ": it has no rotation of its own";
+        if (rotates) throw InputError("model:connector: it acts about rx, ry or rz" + why + "; give x, y and z alone");
+        if (of_panels(c.a) && (s.position()[c.b] - s.position()[c.a]).norm() > 0)
+            throw InputError("model:connector: its first node carries it on an arm" + why +
+                             "; give the member's node first");
     }
 
     Placed place(std::size_t i, const Pose& at, const ConnectorNow& before) const {

@@ -34,6 +34,7 @@
 #include "effects/facts.h"
 #include "effects/footing.h"
 #include "effects/joined_bodies.h"
+#include "effects/panels.h"
 #include "effects/kinds.h"
 #include "model/member_text.h"
 #include "state/elastic_rate.h"
@@ -75,7 +76,8 @@ public:
         : Effect(damping_effect, w, host, {.mean_forces = true}),
           damping_(std::move(damping)),
           damped_(damped_of(damping_)),
-          blocks_(w.structure, w.state, damped_, damping_) {
+          blocks_(w.structure, w.state, damped_, damping_),
+          alpha_of_panels_(alpha_of_panels(w.structure)) {
         of_element_.resize(damped_.size());
         by_stiffness_.resize(damped_.size(), Vec12::Zero());
         by_stiffness_before_ = by_stiffness_;
@@ -83,11 +85,7 @@ public:
         now_ = before_;
         std::map<int, OffsetMass> masses;
         for (const AddedMass& m : added_masses(w.structure.model()))
-            for (const int e : w.structure.elements_at(m.node))
-                if (damping_[e].of_mass != 0) {
-                    add(m.mass, masses[m.node]);
-                    break;
-                }
+            if (alpha_at(m.node) != 0) add(m.mass, masses[m.node]);
         for (const auto& [node, mass] : masses)
             masses_.push_back({node, mass}), built_.push_back(w.state.rotation[node]);
         const std::vector<DeclaredLoad> loads = declared_loads(w.structure.model());
@@ -218,6 +216,7 @@ private:
 
     /// The mean of the whole elements there, 1/s.
     double alpha_at(int node) const {
+        if (w_.structure.has_panels_alone(node)) return alpha_of_panels_;
         double sum = 0;
         int whole = 0;
         for (const int e : w_.structure.elements_at(node))
@@ -405,6 +404,7 @@ private:
     std::vector<Vec12> of_element_;                          ///< of those
     std::vector<Vec12> by_stiffness_, by_stiffness_before_;  ///< the part of beta, and where the last step ended
     std::map<int, Dashpot> dashpots_;                        ///< of elements that flow or have flowed
+    double alpha_of_panels_ = 0;
     std::vector<AtNode> masses_;
     std::vector<Quat> built_;  ///< of those: orientation that they have in the effective stiffness
     Bodies bodies_;            ///< where supports move
@@ -421,7 +421,7 @@ private:
 std::vector<PlanLine> damping_plan(const Structure& s, const RunKind&) {
     const std::vector<Damping>& declared = s.model().declared<Damping>(damping_effect);
     if (declared.empty()) return {{damping_effect, false, "not declared", ""}};
-    const bool any = !damping_of_elements(s).empty();
+    const bool any = !damping_of_elements(s).empty() || alpha_of_panels(s) != 0;
     return {{damping_effect, any, any ? "model:damping" : "declared by model:damping, but damps no member",
              s.model().asked_at(damping_effect)}};
 }
@@ -434,7 +434,8 @@ EffectKind damping_kind() {
             .plan = damping_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 std::vector<ElementDamping> damping = damping_of_elements(w.structure);
-                if (damping.empty()) return nullptr;
+                if (damping.empty() && alpha_of_panels(w.structure) == 0) return nullptr;
+                damping.resize(w.structure.elements().size());
                 return std::make_unique<RayleighDamping>(w, host, std::move(damping));
             },
             .dynamic_only = true,

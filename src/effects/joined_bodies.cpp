@@ -30,7 +30,8 @@ Bodies joined_bodies(const Structure& structure, const State& state) {
 std::vector<char> held_bodies(const Structure& structure, const State& state, const Bodies& bodies) {
     std::vector<char> held(bodies.count, 0);
     for (std::size_t n = 0; n < bodies.of_node.size(); ++n)
-        if (bodies.of_node[n] >= 0 && state.held[n]) held[bodies.of_node[n]] = 1;
+        if (bodies.of_node[n] >= 0 && (structure.has_panels_alone(int(n)) ? state.held[n] & 7 : state.held[n]))
+            held[bodies.of_node[n]] = 1;
     for (const NodeLink& link : links_of(structure))
         for (const auto& [by, what] : {std::pair{link.a, link.b}, std::pair{link.b, link.a}})
             if (what >= 0 && bodies.of_node[what] >= 0 && (by < 0 || structure.is_alone(by)))

@@ -26,6 +26,9 @@ void RigidGroups::refuse(const RigidGroup& group) const {
         if (w_.structure.is_alone(n) && !has_member_at(w_.structure.model(), n))
             throw InputError(call_ + (": " + w_.structure.node_name(n)) +
                              " has no member, so that it has neither stiffness nor mass; join nodes of members");
+        if (w_.structure.has_panels_alone(n))
+            throw InputError(call_ + (": panels alone join " + w_.structure.node_name(n)) +
+                             ", so that it has no rotation of its own; join nodes of members");
         for (const DeclaredLoad& load : declared_loads(w_.structure.model()))
             if (load.motion && load.node == n && w_.kind.dynamic)
                 throw InputError(call_ + (": " + w_.structure.node_name(n)) +

@@ -57,8 +57,12 @@ public:
     virtual void add_blocks(const Pose& at, Blocks& blocks) const { (void)at, (void)blocks; }
     /// Whether add_blocks has something to add now.
     virtual bool has_blocks() const { return false; }
+    /// Stiffness times the squares of the lengths that it is found from, J: rounding is a part of it.
+    virtual double scale_of_rounding(const Pose& at) const { return (void)at, 0; }
     /// True if the blocks depend on the places of the nodes: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
+    /// Blocks that follow are renewed where the effect asks for it (Host::blocks_changed), and not by the run.
+    virtual bool renews_blocks() const { return false; }
 };
 
 /// Loads between the nodes of a member: the resultants of its sections have a part that does not follow from the

@@ -9,7 +9,9 @@
 
 #include "core/errors.h"
 #include "section/laws/laws.h"
+#include "model/inner_nodes.h"
 #include "model/member_ends.h"
+#include "model/panel.h"
 #include "model/section_laws.h"
 #include "section/section_outline.h"
 #include "section/shear.h"
@@ -123,10 +125,25 @@ Structure::Structure(std::shared_ptr<const Model> model, MassKind mass) : model_
         fixed_.push_back(n.fixed);
     }
     add_joints();
+    for (const InnerNode& n : m.declared<InnerNode>(inner_nodes)) named_[{n.member, n.after}] = n.node;
     KindMap alike;
     for (std::size_t index = 0; index < m.members().size(); ++index) add_member(int(index), alike);
     place_histories();
     list_elements_of_nodes(position_.size(), elements_, first_element_, elements_of_nodes_);
+    add_panels();
+    held_ = fixed_;
+    constexpr std::uint8_t rotations = 8 | 16 | 32;
+    for (std::size_t n = 0; n < in_panels_.size(); ++n)
+        if (has_panels_alone(int(n)) && !hangs_on_joints(int(n))) held_[n] |= rotations;
+}
+
+/// Nodes of panels. Where nothing else joins one it does not rotate: a plate in its plane resists no rotation.
+void Structure::add_panels() {
+    const auto& panels = model_->declared<Panel>(panels_effect);
+    if (panels.empty()) return;
+    in_panels_.assign(model_->nodes().size(), 0);
+    for (const Panel& panel : panels)
+        for (const int node : panel.nodes) in_panels_[node] = 1;
 }
 
 /// Ends of members that have a joint, or an offset: nodes of their own.
@@ -157,6 +174,10 @@ int Structure::end_node(int member, int end) const {
     return int(model_->nodes().size() + (at - joined_.begin()));
 }
 
+int Structure::inner_node(int member, int after) const {
+    return elements_[elements_of(*this, member).first + after - 1].node[1];
+}
+
 int Structure::declared_node(int node) const {
     const int declared = int(model_->nodes().size());
     if (node < declared) return node;
@@ -165,9 +186,24 @@ int Structure::declared_node(int node) const {
     return model_->members()[end.member].node[end.end];
 }
 
-void Structure::add_member(int index, KindMap& alike) {
+/// The node after so many elements of a member: a new one, or the script's.
+int Structure::add_inner_node(int index, int after) {
     const MemberData& member = model_->members()[index];
     const Vec3 start = position_[end_node(index, 0)], span = position_[end_node(index, 1)] - start;
+    Vec3 place = start + double(after) / member.elements * span;
+    if (!member.is_straight()) place += member.offset(after);
+    if (const auto named = named_.find({index, after}); named != named_.end()) {
+        position_[named->second] = place;
+        return named->second;
+    }
+    position_.push_back(place);
+    fixed_.push_back(0);
+    return int(position_.size()) - 1;
+}
+
+void Structure::add_member(int index, KindMap& alike) {
+    const MemberData& member = model_->members()[index];
+    const Vec3 span = position_[end_node(index, 1)] - position_[end_node(index, 0)];
     Quat rotation = axes_of(member, span);
     double length = span.norm() / member.elements;
     Vec3 part = span / member.elements;
@@ -176,12 +212,7 @@ void Structure::add_member(int index, KindMap& alike) {
     for (int i = 0; i < member.elements; ++i) {
         const bool first_of_pair = i % 2 == 0;
         int right = end_node(index, 1), partner = -1;
-        if (i + 1 < member.elements) {
-            right = int(position_.size());
-            position_.push_back(start + double(i + 1) / member.elements * span);
-            if (!member.is_straight()) position_.back() += member.offset(i + 1);
-            fixed_.push_back(0);
-        }
+        if (i + 1 < member.elements) { right = add_inner_node(index, i + 1); }
         if (!member.is_straight()) {
             part = position_[right] - position_[left];
             length = part.norm(), rotation = axes_of(member, part);
@@ -270,19 +301,24 @@ std::vector<Vec6> Structure::initial_velocity() const {
         of_end.head<3>() += Vec3(of_end.tail<3>()).cross(offset_of(*model_, end.member, end.end));
         v.push_back(of_end);
     }
-    for (const MemberData& member : model_->members())
+    v.resize(position_.size(), Vec6::Zero());
+    for (std::size_t index = 0; index < model_->members().size(); ++index) {
+        const MemberData& member = model_->members()[index];
+        if (!model_->moves_as_a_whole(member)) continue;
         for (int i = 1; i < member.elements; ++i) {
             const double t = double(i) / member.elements;
-            if (model_->moves_as_a_whole(member)) v.push_back((1 - t) * v[member.node[0]] + t * v[member.node[1]]);
-            else v.push_back(Vec6::Zero());
+            const int node = inner_node(int(index), i);
+            const bool given = node < int(model_->nodes().size()) && model_->velocity_given()[node] >= 0;
+            if (!given) v[node] = (1 - t) * v[member.node[0]] + t * v[member.node[1]];
         }
+    }
     return v;
 }
 
 int Structure::free_dofs() const {
     int n = 0;
     for (std::size_t i = 0; i < fixed_.size(); ++i)
-        if (!is_alone(int(i))) n += 6 - std::popcount(fixed_[i]);
+        if (!is_alone(int(i))) n += 6 - std::popcount(held_[i]);
     return n;
 }
 

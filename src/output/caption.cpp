@@ -29,12 +29,14 @@ std::string remarks(const CaptionInput& input) {
     const View& view = input.view;
     std::vector<std::string> notes;
     const auto note = [&](const char* format, double value) {
-        char text[64];
+        char text[96];
         std::snprintf(text, sizeof text, format, value);
         notes.push_back(text);
     };
     if (input.scale != 1) note("displacements \xC3\x97 %g", input.scale);
     if (view.ghost) notes.push_back("grey lines: at the start");
+    if (const double most = largest_panel_force(input.snapshot); view.floors && most > 0)
+        note("panels: tension blue, compression orange, up to %.3g kN/m", most / 1e3);
     if (view.above > -1e299) note("above %g m", view.above);
     if (view.leave_out_broken) notes.push_back("without fractured elements");
     if (view.show == Show::yield && input.snapshot.laws.size() == 1)

@@ -38,6 +38,9 @@ constexpr Colour ghost_colour = {124, 130, 138};
 constexpr Colour support_colour = {84, 92, 102};
 constexpr Colour ground_fill = {243, 242, 238}, ground_line = {214, 212, 204};
 constexpr Colour floor_fill = {104, 150, 186}, floor_edge = {150, 174, 196};
+/// Plates by the larger of their principal forces: tension and compression, from what has none. Only the darkest two
+/// are as far apart as the colours of f_y; the caption says which is which.
+constexpr Colour panel_idle = {238, 240, 242}, panel_tension = {24, 96, 176}, panel_compression = {206, 92, 20};
 constexpr Colour load_colour = {128, 44, 140};
 constexpr Colour diagram_axis = {96, 102, 110};                          ///< the members' axes, base lines of diagrams
 constexpr Colour plus_fill = {158, 200, 236}, plus_line = {0, 90, 160};  ///< a diagram above zero

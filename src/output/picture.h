@@ -66,9 +66,12 @@ struct Load {
     bool is_partial() const { return from > 0 || to < 1; }
 };
 
-/// A panel of a floor.
+/// A panel of a floor. One that has forces is drawn in the colour of the larger of them.
 struct Panel {
-    std::vector<int> points;  ///< at its corners, in their order
+    std::vector<int> points;   ///< at its corners, in their order
+    bool has_forces = false;   ///< it is a plate (model:panel); else its members carry it
+    double force[2] = {0, 0};  ///< principal membrane forces, N/m, tension positive, the larger one first
+    bool torn = false;
 };
 
 /// A plane that members fall on; the solid is on the side that `normal` points away from.

@@ -307,27 +307,63 @@ void add_words(std::vector<Word>& to, std::span<const Arrow> arrows) {
     }
 }
 
+double largest_panel_force(const Snapshot& snapshot) {
+    double most = 0;
+    for (const Panel& p : snapshot.floors)
+        if (p.has_forces && !p.torn) most = std::max({most, std::abs(p.force[0]), std::abs(p.force[1])});
+    return most;
+}
+
+namespace {
+
+/// From white to the colour of the larger force's sign.
+Colour panel_colour(const Panel& panel, double most) {
+    const double larger = std::abs(panel.force[0]) >= std::abs(panel.force[1]) ? panel.force[0] : panel.force[1];
+    const Colour& to = larger >= 0 ? panel_tension : panel_compression;
+    const double part = most > 0 ? std::sqrt(std::abs(larger) / most) : 0;
+    Colour mixed;
+    for (std::size_t c = 0; c < 3; ++c)
+        mixed[c] = static_cast<std::uint8_t>(std::lround(panel_idle[c] + part * (to[c] - panel_idle[c])));
+    return mixed;
+}
+
+}  // namespace
+
 Actors floor_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, double scale, const Camera& camera) {
     std::vector<char> drawn(snapshot.points.size(), 0);
     for (const DrawnBar& bar : bars)
         for (const int p : bar.bar->point) drawn[static_cast<std::size_t>(p)] = 1;
-    Mesh fill(camera.target), edges(camera.target);
+    Mesh fill(camera.target), plates(camera.target), edges(camera.target);
+    const bool is_part = bars.size() < snapshot.bars.size();
+    const double most = largest_panel_force(snapshot);
     for (const Panel& panel : snapshot.floors) {
         const auto is_drawn = [&](int p) { return drawn[static_cast<std::size_t>(p)] != 0; };
-        if (panel.points.size() < 3 || !std::all_of(panel.points.begin(), panel.points.end(), is_drawn)) continue;
+        if (panel.points.size() < 3 || panel.torn) continue;
+        // plates have nodes that are at no bar; of a part of the structure those are drawn that touch it
+        if (panel.has_forces
+                ? !bars.empty() && std::none_of(panel.points.begin(), panel.points.end(), is_drawn) && is_part
+                : !std::all_of(panel.points.begin(), panel.points.end(), is_drawn))
+            continue;
+        const Colour colour = panel.has_forces ? panel_colour(panel, most) : floor_fill;
         std::vector<Vec> at;
         for (const int p : panel.points) at.push_back(drawn_at(snapshot, static_cast<std::size_t>(p), scale));
         const Vec normal = unit(cross(at[1] - at[0], at.back() - at[0]));
         std::vector<Mesh::Index> corners;
-        for (const Vec& p : at) corners.push_back(fill.vertex(p, normal, floor_fill));
-        for (std::size_t i = 2; i < at.size(); ++i) fill.triangle(corners[0], corners[i - 1], corners[i]);
+        for (const Vec& p : at) corners.push_back((panel.has_forces ? plates : fill).vertex(p, normal, colour));
+        for (std::size_t i = 2; i < at.size(); ++i)
+            (panel.has_forces ? plates : fill).triangle(corners[0], corners[i - 1], corners[i]);
         for (std::size_t i = 0; i < at.size(); ++i) edges.line(at[i], at[(i + 1) % at.size()], floor_edge);
     }
-    if (fill.empty()) return {};
-    auto area = fill.surface();
-    area->GetProperty()->LightingOff();
-    area->GetProperty()->SetOpacity(0.35);
-    return {area, edges.lines(1)};
+    Actors actors;
+    for (const auto& [mesh, opacity] : {std::pair(&fill, 0.35), std::pair(&plates, 0.8)}) {
+        if (mesh->empty()) continue;
+        auto area = mesh->surface();
+        area->GetProperty()->LightingOff();
+        area->GetProperty()->SetOpacity(opacity);
+        actors.push_back(area);
+    }
+    if (!actors.empty()) actors.push_back(edges.lines(1));
+    return actors;
 }
 
 GroundPatch ground_under(const Plane& plane, std::span<const Vec> points) {

@@ -65,7 +65,9 @@ struct GroundPatch {
         return {at(low[0], low[1]), at(high[0], low[1]), at(high[0], high[1]), at(low[0], high[1])};
     }
 };
-/// Panels of floors whose corners are all at drawn bars.
+/// The largest membrane force of a plate that has not torn, N/m; 0 without plates.
+double largest_panel_force(const Snapshot& snapshot);
+/// Panels of floors whose corners are all at drawn bars, and plates.
 Actors floor_actors(const Snapshot& snapshot, std::span<const DrawnBar> bars, double scale, const Camera& camera);
 
 GroundPatch ground_under(const Plane& plane, std::span<const Vec> points);

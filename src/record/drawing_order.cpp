@@ -50,7 +50,7 @@ void snapshot(A& a, S& s) {
             a(each.kind, each.point, each.bar, each.at, each.from, each.to);
             array(a, each.value[0]), array(a, each.value[1]);
         });
-    list(a, s.floors, [&](auto& each) { a(each.points); });
+    list(a, s.floors, [&](auto& each) { a(each.points, each.has_forces, each.force[0], each.force[1], each.torn); });
     list(a, s.ground, [&](auto& each) { array(a, each.point), array(a, each.normal); });
 }
 

@@ -12,6 +12,7 @@
 #include "section/yield.h"
 #include "effects/declared.h"
 #include "effects/line_mass.h"
+#include "effects/panels.h"
 #include "run/run.h"
 #include "record/joint_ratings.h"
 #include "state/configuration.h"
@@ -155,7 +156,18 @@ void add_floors(output::Snapshot& snapshot, const Run& run) {
         if (run.state().broken[i]) whole[run.structure().elements()[i].member] = 0;
     for (const FloorPanel& panel : panels)
         if (std::all_of(panel.members.begin(), panel.members.end(), [&](int m) { return whole[m] != 0; }))
-            snapshot.floors.push_back({panel.nodes});
+            snapshot.floors.push_back({.points = panel.nodes});
+}
+
+/// Panels that are plates, with their principal forces.
+void add_plates(output::Snapshot& snapshot, const Run& run) {
+    const auto& panels = run.structure().model().declared<Panel>(panels_effect);
+    const PanelsNow* now = panels_now(run.state());
+    for (std::size_t i = 0; now && i < panels.size(); ++i) {
+        const Vec3& n = now->force[i];
+        const double middle = 0.5 * (n[0] + n[1]), half = std::hypot(0.5 * (n[0] - n[1]), n[2]);
+        snapshot.floors.push_back({panels[i].nodes, true, {middle + half, middle - half}, is_torn(*now, panels[i], i)});
+    }
 }
 
 /// The end of a broken element that no node carries any more has a point of its own.
@@ -225,6 +237,7 @@ output::Snapshot make_snapshot(const Run& run) {
     add_joints(snapshot, run);
     add_loads(snapshot, run);
     add_floors(snapshot, run);
+    add_plates(snapshot, run);
     for (const DeclaredPlane& plane : declared_planes(run.structure().model()))
         snapshot.ground.push_back({numbers(plane.point), numbers(plane.normal)});
     return snapshot;

@@ -22,7 +22,9 @@ void DynamicForces::recover(double time) {
     integrator_->recovered(step_);
     times_.each(effects_.loads, [&](Load& load) { load.subtract_following_loads(w_.resisting); });
     times_.each(effects_.forces, [&](Force& force) { force.add_forces(time, w_.resisting); });
-    if (any_of(effects_.forces, &Force::blocks_follow)) host_.blocks_changed(w_.trial);
+    if (std::any_of(effects_.forces.begin(), effects_.forces.end(),
+                    [](const auto& f) { return f->blocks_follow() && !f->renews_blocks(); }))
+        host_.blocks_changed(w_.trial);
     if (w_.constraints) w_.constraints->balance([this](int n) { return w_.external[n]; });
     for (int e : w_.assembly.rotated()) host_.stiffness_changed(e);
     if (step_.iteration == 0 && w_.assembly.folded() >= 0) step_.failure = failure_of_elements();

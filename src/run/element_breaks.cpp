@@ -15,7 +15,10 @@ bool ElementBreaks::apply(const std::vector<Break>& breaks) {
     for (const Break& b : breaks) {
         for (const auto& listener : effects_.break_listeners) listener->breaks(b, impulse);
         integrator_->removed(b.element);
+        const std::vector<std::uint8_t> held = w_.state.held;
         for (const auto& listener : effects_.break_listeners) listener->broke(b);
+        if (EffectiveStiffness* effective = integrator_->effective(); effective && held != w_.state.held)
+            effective->set_held(w_.state.held);
         w_.assembly.deactivate(b.element);
     }
     if (w_.points_moved) read_active(w_);

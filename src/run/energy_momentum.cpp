@@ -257,6 +257,7 @@ void EnergyMomentum::predict(const Step& step) {
         const Vec3 at = w_.structure.position()[e.node[0]] + s.displacement[e.node[0]];
         floor_ += energy_rounding * e.rigidity.EA * (e.length + at.squaredNorm() / e.length);
     }
+    for (const auto& f : effects_->forces) floor_ += energy_rounding * f->scale_of_rounding(s);
     for (std::size_t i = 0; i < momentum_.size(); ++i)
         floor_ += energy_rounding * std::abs(momentum_[i].dot(s.velocity[i]));
 }

@@ -37,12 +37,17 @@ void take_velocities(State& state, const Structure& structure, const Model& befo
                 velocity[inner].head<3>() += Vec3(velocity[inner].tail<3>()).cross(arm);
                 ++inner;
             }
-    for (const MemberData& member : m.members())
-        for (int i = 1; i < member.elements; ++i, ++inner) {
+    const std::vector<char> given = anew;
+    for (std::size_t index = 0; index < m.members().size(); ++index) {
+        const MemberData& member = m.members()[index];
+        for (int i = 1; i < member.elements && given[member.node[0]] && given[member.node[1]]; ++i) {
             const double t = double(i) / member.elements;
-            anew[inner] = anew[member.node[0]] && anew[member.node[1]];
-            if (anew[inner]) velocity[inner] = (1 - t) * velocity[member.node[0]] + t * velocity[member.node[1]];
+            const int node = structure.inner_node(int(index), i);
+            if (given[node]) continue;
+            anew[node] = 1;
+            velocity[node] = (1 - t) * velocity[member.node[0]] + t * velocity[member.node[1]];
         }
+    }
     for (std::size_t n = 0; n < velocity.size(); ++n)
         for (int c = 0; c < 6 && anew[n]; ++c) state.velocity[n][c] = state.held[n] >> c & 1 ? 0 : velocity[n][c];
 }

@@ -26,7 +26,7 @@ std::string Statics::loosely_held_body(int node) const {
         if (!std::binary_search(body.begin(), body.end(), node)) continue;
         std::vector<int> supports;
         for (int n : body) {
-            if (problem_.held[n] != structure_->fixed()[n]) return "";  // held for this run alone
+            if (problem_.held[n] != structure_->held()[n]) return "";  // held for this run alone
             if (structure_->fixed()[n]) supports.push_back(n);
         }
         const auto motions = free_motions(*structure_, body);
@@ -49,6 +49,11 @@ void Statics::refuse_mechanism() {
     if (loose < 0) return;
     static const char* way[] = {"move along x",   "move along y",   "move along z",
                                 "rotate about x", "rotate about y", "rotate about z"};
+    if (structure_->has_panels_alone(loose / 6))
+        throw InputError(structure_->node_name(loose / 6) + " can " + way[loose % 6] +
+                         " without resistance: panels alone join it. They resist along their surface as their layers "
+                         "do, and across it where they bend (field 'bending') or are in tension already; a row of "
+                         "supports is an axis that they turn about. Give bending, support it, or begin with dynamics");
     bool supported = false;
     for (std::uint8_t h : structure_->fixed()) supported |= h != 0;
     if (!moves_freely(*structure_, state_)) {  // rounding hides what resists

@@ -29,7 +29,7 @@ State initial_state(const Structure& structure) {
     if (!structure.large()) s.small_rotation.assign(nodes, Vec3::Zero());
     s.velocity = structure.initial_velocity();
     s.acceleration.assign(nodes, Vec6::Zero());
-    s.held = structure.fixed();
+    s.held = structure.held();
     s.gone.assign(nodes, 0);
     for (std::size_t i = 0; i < nodes; ++i) {
         if (structure.is_alone(int(i))) s.held[i] = 63, s.gone[i] = 1;

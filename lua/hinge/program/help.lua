@@ -11,7 +11,7 @@ The calls used most. help "damping" or help(model.damping) tells about one; help
 
   materials, sections   hinge.material  hinge.section.box  .h  .pipe  .solid  .round  .general
   by their names        hinge.material.steel  .timber  .names  hinge.section.named  .names
-  a structure           hinge.model  model:node  model:fix  model:member  model:mass  model:connector
+  a structure           hinge.model  model:node  model:fix  model:member  model:mass  model:connector  model:panel
   loads                 model:gravity  model:load  model:floor  model:case  model:combination
   motion                model:velocity  model:move  hinge.ground
   what may happen       model:fracture  model:contact  model:ground  model:damping

@@ -7,8 +7,8 @@ local function missing(see, how) return { see = see, how = how, missing = true }
 
 local floors = there({ "model:floor", "model:diaphragm", "hinge.pressure" },
   "the load and the mass of a floor act on the members around it; it may be rigid in its plane, and does not bend")
-local plates = missing({ "model:floor", "hinge.pressure", "model:mass" },
-  "there are members alone; a plate is load and mass on them, without stiffness")
+local plates = there({ "model:panel", "model:floor" },
+  "plates between three or four nodes, in their plane and in bending; bodies do not touch them")
 local drift = there({ "results.storeys", "node:displacement" },
   "hinge.results.storeys has the drift and the shear force of each storey")
 local modes = there({ "run:modes", "mode:displacement" }, "hinge check SCRIPT prints the natural periods, too")

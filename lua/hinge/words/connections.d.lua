@@ -254,3 +254,128 @@ function model:group(name) end
 ---```
 ---@return { members: integer, elements: integer, nodes: integer, free_dofs: integer }
 function model:counts() end
+
+---A plate between three or four nodes of one plane, such as a piece of a floor: it resists in its plane, wherever its
+---nodes go, and bends across it. It consists of layers that share its strain: a solid plate of metal, concrete that
+---carries compression alone, bars and ribs along its x or y axis. Layers yield, crush and tear. Panels bend about the
+---sides that they share; triangles do not bend.
+---What it weighs is at its nodes, and stays there where it tears. A node may belong to panels alone: it has no rotation
+---then, and takes forces, masses, supports and connectors along x, y and z.
+---Bodies do not touch panels, and model:damping acts on the masses of nodes that panels alone join, by alpha of the
+---whole model, and not on the stiffness of panels.
+---In statics a flat plate without bending is an error, since nothing holds it across its plane. A row of supports is an
+---axis about which plates turn freely. Sides of panels that bend must go on in line at the nodes inside, to 25 degrees.
+---```lua
+---local corner = {}
+---for i, p in ipairs { { 5, 0, 0 }, { 6, 0, 0 }, { 6, 1, 0 }, { 5, 1, 0 } } do corner[i] = model:node(p) end
+---model:fix({ corner[1], corner[2] }, "xyz")
+---model:fix({ corner[3], corner[4] }, "z")
+---local plate = model:panel { corner[1], corner[2], corner[3], corner[4], thickness = 0.01, material = steel }
+---model:load { node = corner[3], force = { 0, 1e4, 0 } }
+---model:static { steps = 1 }:finish()
+---print(plate:force()) -- N/m
+---```
+---@param options hinge.panel_options
+---@return hinge.panel
+function model:panel(options) end
+
+---What a plate is made of is at least one of `thickness` with `material`, `concrete`, `reinforcement` and `deck`.
+---@class hinge.panel_options
+---@field [1]? hinge.node three or four nodes, in their order around the panel. No corner may point inward
+---@field [2]? hinge.node
+---@field [3]? hinge.node
+---@field [4]? hinge.node
+---@field thickness? number m, of a solid plate of `material`
+---of the plate: E, G, density and yield_stress, by von Mises' criterion in plane stress
+---@field material? hinge.material
+---@field hardening? number Pa, of the plate: stress over plastic strain, isotropic; default 0
+---@field ultimate_strain? number of the plate: equivalent plastic strain at which it tears; default: never
+---concrete without tension, and with a constant compressive strength in the directions of principal strain
+---@field concrete? hinge.panel_concrete
+---bars along the sheet's axes. Their mass is that of the concrete in their place
+---@field reinforcement? hinge.panel_bars
+---ribs of a steel deck, which carry along one axis
+---@field deck? hinge.panel_deck
+---bending across the plate. Default: that of the solid plate; without one, none. false: none
+---@field bending? hinge.panel_bending|false
+---@field along? vec3 the sheet's x axis, projected into the panel; default: from the first node to the second one
+---kg/m^2; default: density times thickness of the plate and of concrete, and 7850 kg/m^3 times the area of a deck
+---@field mass? number
+
+---@class hinge.panel_concrete
+---@field thickness number m
+---@field E number Pa
+---@field strength? number Pa, in compression; default: elastic
+---@field density? number kg/m^3, default 2500
+
+---Moments per width. Sagging pulls on the side that the panel's normal points away from. The normal points to where the
+---nodes of the panel run counter-clockwise.
+---@class hinge.panel_bending
+---@field stiffness number N m: E I per width, of a plate E t^3 / 12 (1 - poisson^2)
+---@field poisson? number default 0
+---@field sagging? number N m/m, plastic moment; default: elastic
+---@field hogging? number N m/m
+
+---@class hinge.panel_bars
+---@field x? number m^2/m, area per width of the bars along x
+---@field y? number m^2/m
+---@field E? number Pa, default 200e9
+---@field yield_stress? number Pa, default: elastic
+---@field hardening? number Pa, of stress over plastic strain; default 0
+---@field ultimate_strain? number their stretch at which they break; default: never
+
+---@class hinge.panel_deck
+---@field area number m^2/m, per width
+---@field along? "x"|"y" default "x"
+---@field E? number Pa, default 200e9
+---@field yield_stress? number Pa, default: elastic
+---@field hardening? number Pa, default 0
+---@field ultimate_strain? number default: never
+
+---A panel, made by model:panel. Its methods read the given run, or by default the latest run of its model.
+---@class hinge.panel
+---@field index integer from 1, in the order of declaration
+---@field nodes hinge.node[]
+---@field area number m^2
+---@field mass number kg
+---@field shares number[] of its area that belongs to each node, m^2
+local panel = {}
+
+---Its mean membrane forces per width in the sheet's axes, N/m; tension is positive. Zero where it has torn.
+---```lua
+---local a, b, c = model:node { 5, 0, 0 }, model:node { 6, 0, 0 }, model:node { 6, 1, 0 }
+---model:fix({ a, b, c }, "xyz")
+---local plate = model:panel { a, b, c, thickness = 0.01, material = steel }
+---model:static({ steps = 1 }):finish()
+---local n11, n22, n12 = plate:force()
+---```
+---@param run? hinge.run
+---@return number n11
+---@return number n22
+---@return number n12
+function panel:force(run) end
+
+---When the last of its layers tore: s, in statics the load factor. false: it has not torn. Concrete is torn with the
+---last of the steel in it.
+---```lua
+---local a, b, c = model:node { 5, 0, 0 }, model:node { 6, 0, 0 }, model:node { 6, 1, 0 }
+---model:fix({ a, b, c }, "xyz")
+---local plate = model:panel { a, b, c, thickness = 0.01, material = steel, ultimate_strain = 0.1 }
+---model:static({ steps = 1 }):finish()
+---print(plate:torn())
+---```
+---@param run? hinge.run
+---@return number|false
+function panel:torn(run) end
+
+---The largest part of its ultimate strain that a layer has reached so far.
+---```lua
+---local a, b, c = model:node { 5, 0, 0 }, model:node { 6, 0, 0 }, model:node { 6, 1, 0 }
+---model:fix({ a, b, c }, "xyz")
+---local plate = model:panel { a, b, c, thickness = 0.01, material = steel, ultimate_strain = 0.1 }
+---model:static({ steps = 1 }):finish()
+---print(plate:used()) -- 0: nothing strains it
+---```
+---@param run? hinge.run
+---@return number
+function panel:used(run) end

@@ -114,9 +114,9 @@ function model:mass(options) end
 ---panels: they lie in a plane along all edges of each panel and are joined at its corners. Members inside of `corners`
 ---divide the floor into panels. The floor lies on the members that are there by now. A panel may have any number of
 ---straight sides, each of several members, and no corner that points inward. A load acts as trapezoids along the
----members, a mass as by model:mass, and both have the exact sum over the floor. The panels have no stiffness;
----model:diaphragm makes a floor rigid in its plane. Pictures show them (option `floors`). A wrong floor is an error and
----changes nothing.
+---members, a mass as by model:mass, and both have the exact sum over the floor. The floor has no stiffness, unless
+---`slab` says what it is made of; model:diaphragm makes it rigid in its plane. Pictures show floors (option `floors`).
+---A wrong floor is an error and changes nothing.
 ---```lua
 ---local house = hinge.model()
 ---local lines = hinge.grid { model = house, x = { 0, 6, 12 }, y = { 0, 5 }, z = { 0, 3, 6 } }
@@ -152,6 +152,10 @@ function model:floor(options) end
 ---polygons of points or nodes in the floor, with `corners` alone. They carry nothing, and must not overlap. What is
 ---around them goes to the members to which it would go without them
 ---@field openings? (vec3|hinge.node)[][]
+---what the floor is made of, as in model:panel, without nodes: then plates with stiffness and strength lie between the
+---members, bonded to the nodes of their elements, and carry `load` and `mass` at their nodes. Each part must have four
+---sides, with as many elements on a side as on the one across. `mass` is that of the whole floor; default: of the slab
+---@field slab? hinge.panel_options
 ---@field direction? vec3 of `load`, of any length; default { 0, 0, -1 }
 ---@field case? hinge.case|string of a `load` that is a number; without it the load acts in every run
 ---@field history? fun(time: number): number|number[][] of `load`, as in model:load
@@ -161,6 +165,7 @@ function model:floor(options) end
 ---@field load number N, of all cases together
 ---@field mass number kg
 ---@field panels hinge.floor_panel[]
+---@field slab hinge.panel[]? its plates; nil: none
 ---@field parts hinge.floor_part[] of each member that carries something
 ---@field idle hinge.member[] level members among those given by `members` or `group` that carry nothing
 local floor = {}

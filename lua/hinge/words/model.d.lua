@@ -160,6 +160,15 @@ local member = {}
 ---@return hinge.node[] a_and_b
 function member:nodes() end
 
+---The node that the member has after so many of its elements, as a node of the script: loads, connectors and panels may
+---be there. The member must have a number of elements, and keeps its straight or bowed shape.
+---```lua
+---local middle = beam:node(1) -- of two elements
+---```
+---@param after integer the number of elements before it, 1 to elements - 1
+---@return hinge.node
+function member:node(after) end
+
 ---```lua
 ---for _, group in ipairs(beam:groups()) do print(group.name) end
 ---```

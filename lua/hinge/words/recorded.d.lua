@@ -181,7 +181,7 @@ function run:modes(options) end
 ---local modes = model:static():finish():buckling { n = 2 }
 ---print(modes[1].factor)
 ---```
----how many, default 1; factors above `most` are not looked for
+---how many, default 1; factors above `most` are not looked for. A model with panels is an error
 ---@param options? { n?: integer, most?: number, joints?: "unload"|"slide" }
 ---@return hinge.mode[] modes, number? hidden
 function run:buckling(options) end

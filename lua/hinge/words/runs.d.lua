@@ -167,6 +167,9 @@ local run = {}
 ---@field connectors number connector_stored + connector_dissipated; these three only if the model has connectors
 ---@field connector_stored number stored in springs and curves now
 ---@field connector_dissipated number dissipated by dashpots and laws, and lost when connectors break
+---@field panels number panel_stored + panel_dissipated; these three only if the model has panels
+---@field panel_stored number stored by the strain and the bending of panels now
+---@field panel_dissipated number dissipated where panels yield and crush, and lost when they tear
 ---@field joints number joint_stored + joint_dissipated; these three only if members' ends have joints
 ---@field joint_stored number stored in the springs of joints now
 ---@field joint_dissipated number plastic work of joints, and what was lost when they broke

@@ -173,14 +173,14 @@ void add_mode(Options& o, ScriptModel& m) {
     for (const Vec6& v : mode->shape) largest = std::max(largest, v.head<3>().norm());
     if (!(largest > 0)) o.complain("mode", "a mode in which no node moves", "give another one");
     const auto moved = [&](std::size_t node) -> Vec3 { return size / largest * mode->shape[node].head<3>(); };
-    std::size_t inner = nodes + std::size_t(s.joints());
     std::vector<std::vector<Vec3>> inside(m.members().size());
     for (std::size_t i = 0; i < m.members().size(); ++i) {
         const MemberData& member = m.members()[i];
         std::vector<Vec3> offsets;
         for (int k = 1; k < member.elements; ++k) {
             const double t = double(k) / member.elements;
-            offsets.push_back(moved(inner++) - (1 - t) * moved(member.node[0]) - t * moved(member.node[1]));
+            offsets.push_back(moved(std::size_t(s.inner_node(int(i), k))) - (1 - t) * moved(member.node[0]) -
+                              t * moved(member.node[1]));
         }
         MemberData bent = member;
         bent.inner = offsets;

@@ -23,7 +23,7 @@ void read_per_length(Options& o, LineMass& mass) {
 }
 
 /// core.add_panel(model, nodes, members): a panel of a floor, for pictures.
-int add_panel(lua_State* L) {
+int add_floor_panel(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:floor").value;
     FloorPanel panel;
     for (lua_Integer i = 1; lua_rawgeti(L, 2, i) != LUA_TNIL; ++i) {
@@ -62,7 +62,7 @@ int add_mass_on_member(lua_State* L) {
 }
 
 void open_floors(lua_State* L, int module) {
-    static const luaL_Reg functions[] = {{"add_panel", guarded<add_panel>}, {nullptr, nullptr}};
+    static const luaL_Reg functions[] = {{"add_panel", guarded<add_floor_panel>}, {nullptr, nullptr}};
     lua_pushvalue(L, module);
     luaL_setfuncs(L, functions, 0);
     lua_pop(L, 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "effects/panels.h"
 #include "core/text.h"
 #include "run/eigenmodes.h"
 #include "run/statics.h"
@@ -70,6 +71,10 @@ double part_of_loads(lua_State* L, const ScriptRun& record) {
 int buckling(lua_State* L) {
     const auto record = self<RunBox>(L, "run:buckling").value;
     Options o(L, 2, "run:buckling", true);
+    if (panels_now(record->run->state()))
+        throw InputError(
+            "run:buckling: the model has panels, whose forces it does not take; model:static{ to_limit = true } finds "
+            "where they buckle");
     o.expect({"n", "most", "joints"});
     const int count = o.integer("n", 1, 1);
     const double most = o.number("most", "", Range::positive, 1e9);

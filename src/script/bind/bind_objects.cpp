@@ -3,6 +3,7 @@
 
 #include "core/text.h"
 #include "effects/loads.h"
+#include "model/inner_nodes.h"
 #include "model/member_ends.h"
 #include "section/material_law.h"
 #include "script/bind/bind_joints.h"
@@ -189,6 +190,23 @@ int member_nodes(lua_State* L) {
     return push_nodes(L, m.model, {node[0], node[1]});
 }
 
+/// member:node(after)
+int member_node(lua_State* L) {
+    auto& m = self<MemberBox>(L, "member:node");
+    int is_integer = 0;
+    const lua_Integer after = lua_tointegerx(L, 2, &is_integer);
+    if (!is_integer)
+        throw InputError("member:node: the number of elements before it is " + script::show(L, 2) +
+                         "; must be an integer from 1");
+    int node = 0;
+    try {
+        node = name_inner_node(*m.model, m.index, int(std::clamp<lua_Integer>(after, -1, 1 << 30)));
+    } catch (const InputError& e) { throw InputError(std::string("member:node: ") + e.what()); }
+    note_change(L, *m.model, "member:node");
+    push_handle<NodeBox>(L, m.model, node);
+    return 1;
+}
+
 int member_groups(lua_State* L) {
     auto& m = self<MemberBox>(L, "member:groups");
     const auto& groups = m.model->members()[m.index].groups;
@@ -373,6 +391,7 @@ void open_objects(lua_State* L) {
                                      {nullptr, nullptr}};
     static const luaL_Reg none[] = {{nullptr, nullptr}};
     static const luaL_Reg member[] = {{"nodes", guarded<takes<"member:nodes", 1, member_nodes>>},
+                                      {"node", guarded<takes<"member:node", 2, member_node>>},
                                       {"groups", guarded<takes<"member:groups", 1, member_groups>>},
                                       {nullptr, nullptr}};
     static const luaL_Reg group[] = {{"members", guarded<takes<"group:members", 1, group_members>>},

@@ -85,6 +85,10 @@ State start_state(Options& o, const Structure& structure, const ScriptRun* befor
 
 void refuse_lost_loads(const Model& m, const Structure& structure, const State& start, const char* function) {
     for (const DeclaredLoad& l : declared_loads(m))
+        if (!l.motion && l.node >= 0 && structure.has_panels_alone(l.node) && !l.moment.isZero(0))
+            throw InputError(std::string(function) + ": a moment acts on " + structure.node_name(l.node) +
+                             ", which panels alone join: it has no rotation of its own; give forces");
+    for (const DeclaredLoad& l : declared_loads(m))
         if (!l.motion && l.node >= 0 && start.gone[l.node] &&
             !(structure.is_alone(l.node) && has_member_at(m, l.node)))  // a support takes it
             throw InputError(std::string(function) + ": a load acts on " + structure.node_name(l.node) +
@@ -118,7 +122,7 @@ int record_every(Options& o, int usual) {
 }
 
 void refuse_static_start(const Model& declared, const Structure& structure, const State& start, bool goes_on) {
-    if (structure.elements().empty())
+    if (structure.is_empty())
         throw InputError("model:static: the model has no members; add at least one with model:member");
     const Model& model = structure.model();
     refuse_lost_loads(model, structure, start, "model:static");
@@ -167,7 +171,7 @@ int static_run(lua_State* L) {
 namespace {
 
 void require_density(const Structure& structure) {
-    if (structure.elements().empty())
+    if (structure.is_empty())
         throw InputError("model:dynamic: the model has no members; add at least one with model:member");
     if (is_weightless(structure))
         throw InputError(

@@ -96,6 +96,10 @@ local function scene()
   s.model:member { post, here, section = s.bar, material = s.steel }
   s.model:member { there, s.model:node { 2, 0, 5 }, section = s.bar, material = s.steel }
   s.node_joint = s.model:joint { here, there, joint = hinge.joint { Mx = { stiffness = 1e6 } } }
+  local edge = { s.model:node { 5, 0, 0 }, s.model:node { 6, 0, 0 }, s.model:node { 6, 1, 0 } }
+  s.model:fix(edge, "xyz")
+  s.panel = s.model:panel { edge[1], edge[2], edge[3], thickness = 0.01, material = s.steel }
+  s.edge = edge
   s.model:damping { alpha = 1 }
   s.model:ground { point = { 0, 0, -9 } }
   s.model:prestress { member = s.member, strain = 1e-6 }
@@ -121,7 +125,8 @@ local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hin
   ["hinge.model"] = s.model,
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
-  ["hinge.connector"] = s.connector, ["hinge.node_joint"] = s.node_joint, ["hinge.grid"] = s.grid }
+  ["hinge.connector"] = s.connector, ["hinge.node_joint"] = s.node_joint, ["hinge.grid"] = s.grid,
+  ["hinge.panel"] = s.panel }
 
 case("every object has the fields and methods that its declared type names", function()
   -- A value has the fields that its declared type names; { ... }[] and lists of a class are
@@ -249,6 +254,11 @@ for _, name in ipairs { "utilisation", "members", "storeys", "base" } do
 end
 for _, field in ipairs { "axes", "stiffness", "damping", "curve", "law", "capacity" } do
   calls["model:connector." .. field] = function(x) s.model:connector { s.tip, ground = true, [field] = x } end
+end
+for _, field in ipairs { "concrete", "reinforcement", "deck", "bending" } do
+  calls["model:panel." .. field] = function(x)
+    s.model:panel { s.edge[1], s.edge[2], s.edge[3], [field] = x }
+  end
 end
 for name, args in pairs { picture = { s.run, "x.png" }, plot = { s.run, "x.png" }, animate = { s.mode } } do
   calls["job:" .. name] = function(x) job[name](job, args[1], x, args[2]) end

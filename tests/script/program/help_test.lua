@@ -42,7 +42,7 @@ model:fix({ wall, tip }, "y,rx,rz") -- bends in the plane of x and z alone
     ["hinge.section.box"] = "hinge.section.box(options) hinge.box_options",
     ["box"] = "hinge.section.box(options) hinge.box_options",
     ["hinge.energy"] = "hinge.energy",
-    ["node"] = "hinge.node model:node(position) grid:node(place, storey?)",
+    ["node"] = "hinge.node member:node(after) model:node(position) grid:node(place, storey?)",
     ["run.energy"] = "hinge.energy",
     ["vec3"] = "vec3",
     ["aircraft.add"] = "aircraft.add(model, options?) aircraft.options",
@@ -93,7 +93,7 @@ case("hinge reference finds a call by words that the reference does not use", fu
 end)
 
 case("hinge reference of several words finds their page", function()
-  equal(ended(2, "nothing is called 'membrane'; 'membrane' is not available; see model:floor, ", asks "membrane"),
+  equal(ended(2, "nothing is called 'soil'; 'soil' is not available; see model:ground, ", asks "soil"),
     "", "the name of what there is not")
 end)
 

@@ -1,0 +1,263 @@
+// Bending of panels: plates across their plane, about the nodes that they share (panel/bend.h), elastic up to their
+// plastic moments. The membrane forces of the same panels are an effect of their own (panels.cpp), and neither changes
+// the strength of the other. Where one of its panels has torn, a node bends no more.
+#include <algorithm>
+#include <map>
+
+#include "effects/kinds.h"
+#include "effects/panels.h"
+
+namespace hinge {
+namespace {
+
+using panel::Bend;
+using panel::BendingLaw;
+using panel::BendingResponse;
+using panel::Bent;
+
+constexpr const char* bending_effect = "bending of panels";
+
+/// Of each bend, where the last step that was kept ended.
+struct BendingNow {
+    std::vector<double> history;
+    std::vector<double> stored;       ///< J
+    std::vector<std::uint8_t> ended;  ///< 1 where a panel has torn
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.history, s.stored, s.ended);
+    }
+};
+
+bool bends(const Panel& p) { return p.sheet->bending.stiffness > 0; }
+
+class PanelBending : public Effect, public Force, public StepLimiter {
+public:
+    PanelBending(Workspace& w, Host& host) : Effect(bending_effect, w, host, {.mean_forces = true}) {
+        make_bends();
+        next_.resize(panel::bending_history * bends_.size());
+        BendingNow* n = w.state.data.find<BendingNow>(bending_effect);
+        if (!n || n->stored.size() != bends_.size()) {
+            n = &w.state.data.set(bending_effect, BendingNow{});
+            n->history.resize(next_.size(), 0), n->stored.resize(bends_.size(), 0), n->ended.resize(bends_.size(), 0);
+        }
+        for (const Panel& p : declared())
+            for (const panel::Layer& l : p.sheet->layers) traits_.forces_vanish |= l.ultimate < 1e300;
+    }
+
+    // ---- what acts ------------------------------------------------------------------------------------------------
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (now().ended[i]) continue;
+            const At at = place(i, w_.trial);
+            const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * respond(i, at).moment);
+            const panel::Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
+            for (std::size_t j = 0; j < bends_[i].nodes.size(); ++j)
+                resisting[bends_[i].nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * m;
+        }
+    }
+    bool has_blocks() const override {
+        return std::any_of(now().ended.begin(), now().ended.end(), [](auto ended) { return !ended; });
+    }
+    bool blocks_follow() const override {
+        return has_blocks() &&
+               (w_.structure.large() ||
+                std::any_of(laws_.begin(), laws_.end(), [](const BendingLaw& l) { return !l.is_elastic(); }));
+    }
+    bool renews_blocks() const override { return w_.kind.dynamic; }  // with those of the membranes
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
+        add_stiffness(at, blocks, [&](std::size_t i, const At& placed) { return respond(i, placed).tangent; });
+    }
+    void add_stiffest(Blocks& most) const override {
+        add_stiffness(w_.state, most, [&](std::size_t i, const At&) {
+            double before[panel::bending_history] = {}, after[panel::bending_history];
+            return panel::bend(laws_[i], Vec3::Zero(), before, after).tangent;
+        });
+    }
+    double scale_of_rounding(const Pose& at) const override {
+        double sum = 0;
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            const int node = bends_[i].nodes[0];
+            const Vec3 where = w_.structure.position()[node] + at.displacement[node];
+            sum += laws_[i].stiffness * (1 + where.squaredNorm() / bends_[i].area);
+        }
+        return sum;
+    }
+
+    // ---- a step ---------------------------------------------------------------------------------------------------
+    void accumulate_energy(const Step&, Accounts& sums) const override {
+        double dissipated = 0;
+        ends_.assign(bends_.size(), {});
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (now().ended[i]) continue;
+            ends_[i] = respond(i, place(i, w_.trial));
+            dissipated += bends_[i].area * ends_[i].dissipated;
+        }
+        sums["panel_dissipated"] += dissipated;
+    }
+    void before_commit(const Step&) override {
+        BendingNow& n = now();
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (n.ended[i]) continue;
+            const auto from = next_.begin() + long(panel::bending_history * i);
+            std::copy(from, from + panel::bending_history, n.history.begin() + long(panel::bending_history * i));
+            n.stored[i] = bends_[i].area * ends_[i].stored;
+        }
+    }
+    /// Panels that have torn in the step take their bends with them.
+    void after_commit(const Step&) override {
+        const PanelsNow* panels = panels_now(w_.state);
+        bool any = false;
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (now().ended[i]) continue;
+            const auto& at = bends_[i].panels;
+            if (std::none_of(at.begin(), at.end(),
+                             [&](int p) { return is_torn(*panels, declared()[std::size_t(p)], std::size_t(p)); }))
+                continue;
+            now().ended[i] = 1, any = true;
+            w_.state.accumulated["panel_dissipated"] += now().stored[i];
+            now().stored[i] = 0;
+        }
+        if (!any) return;
+        host_.accelerations_anew();
+        host_.blocks_changed(w_.state);
+    }
+    bool allows_long_step() const override { return !has_blocks(); }
+
+    // ---- energy and checkpoint ------------------------------------------------------------------------------------
+    void add_energy(const State& state, Accounts& sums) const override {
+        double stored = 0;
+        for (const double each : state.data.find<BendingNow>(bending_effect)->stored) stored += each;
+        sums["panel_stored"] += stored;
+    }
+    bool restored(std::span<const State* const> states) override {
+        return std::all_of(states.begin(), states.end(), [&](const State* s) {
+            const auto* there = s->data.find<BendingNow>(bending_effect);
+            return there && there->history.size() == next_.size() && there->ended.size() == bends_.size();
+        });
+    }
+
+private:
+    struct At {
+        std::vector<Vec3> places, moved;  ///< of the bend's nodes, from the first one's place at the start
+        Bent bent;
+    };
+
+    const std::vector<Panel>& declared() const { return declared_; }
+    const std::vector<Panel>& declared_ = w_.structure.model().declared<Panel>(panels_effect);
+    BendingNow& now() const { return *w_.state.data.find<BendingNow>(bending_effect); }
+
+    /// Each has the mean of its panels' properties.
+    void make_bends() {
+        std::vector<panel::Corners> corners;
+        std::vector<int> which;
+        for (std::size_t i = 0; i < declared().size(); ++i) {
+            const Panel& p = declared()[i];
+            if (!bends(p)) continue;
+            corners.push_back({p.nodes, shape_of_panel(w_.structure.model(), p).area, p.sheet->bending.poisson});
+            which.push_back(int(i));
+        }
+        bends_ = panel::bends_of(corners, w_.structure.position());
+        std::map<std::pair<int, int>, int> edges;
+        for (Bend& b : bends_) {
+            BendingLaw mean{0, 0, 0, 0};
+            for (int& p : b.panels) {
+                p = which[std::size_t(p)];
+                const BendingLaw& own = declared()[std::size_t(p)].sheet->bending;
+                const double part = 1 / double(b.panels.size());
+                mean.stiffness += part * own.stiffness, mean.poisson += part * own.poisson;
+                mean.sagging += part * own.sagging, mean.hogging += part * own.hogging;
+            }
+            laws_.push_back(mean);
+            std::vector<int> own;
+            for (const int a : b.nodes)
+                for (const int c : b.nodes)
+                    own.push_back(a < c ? edges.try_emplace({a, c}, int(edges.size())).first->second : -1);
+            edge_.push_back(std::move(own));
+            nodes_.insert(nodes_.end(), b.nodes.begin(), b.nodes.end());
+        }
+        edges_.resize(edges.size());
+        for (const auto& [ends, index] : edges) edges_[std::size_t(index)] = ends;
+        std::sort(nodes_.begin(), nodes_.end());
+        nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    }
+
+    At place(std::size_t i, const Pose& pose) const {
+        const Bend& b = bends_[i];
+        At at;
+        const bool large = w_.structure.large();
+        const Vec3 origin = w_.structure.position()[b.nodes[0]], by = pose.displacement[b.nodes[0]];
+        for (const int n : b.nodes) {
+            const Vec3 start = w_.structure.position()[n] - origin, moved = pose.displacement[n] - by;
+            at.places.push_back(large ? Vec3(start + moved) : start);
+            at.moved.push_back(large ? at.places.back() : moved);
+        }
+        at.bent = panel::bent(b, at.places, at.moved, large);
+        return at;
+    }
+    /// Writes what the bend keeps into next_.
+    BendingResponse respond(std::size_t i, const At& at) const {
+        const std::size_t history = panel::bending_history * i;
+        return panel::bend(laws_[i], bends_[i].to_frame * at.bent.derivative, &now().history[history], &next_[history]);
+    }
+
+    template <class F>
+    void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
+        std::vector<Mat3> own(w_.structure.position().size(), Mat3::Zero()), across(edges_.size(), Mat3::Zero());
+        for (std::size_t i = 0; i < bends_.size(); ++i) {
+            if (now().ended[i]) continue;
+            const Bend& b = bends_[i];
+            const At at = place(i, pose);
+            const Mat3 D = b.area * (b.to_frame.transpose() * of(i, at) * b.to_frame);
+            const panel::Gradient G = panel::gradient(b, at.bent, at.places, w_.structure.large());
+            const panel::Gradient DG = D * G;
+            const int n = int(b.nodes.size());
+            for (int j = 0; j < n; ++j)
+                for (int k = 0; k < n; ++k) {
+                    if (b.nodes[j] > b.nodes[k]) continue;
+                    const Mat3 K = G.block<3, 3>(0, 3 * j).transpose() * DG.block<3, 3>(0, 3 * k);
+                    (j == k ? own[b.nodes[j]] : across[edge_[i][std::size_t(n * j + k)]]) += K;
+                }
+        }
+        for (const int n : nodes_) {
+            Mat6 K = Mat6::Zero();
+            K.topLeftCorner<3, 3>() = own[n];
+            blocks.stiffness(n, K);
+        }
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            Mat12 K = Mat12::Zero();
+            K.block<3, 3>(0, 6) = across[e], K.block<3, 3>(6, 0) = across[e].transpose();
+            blocks.stiffness(edges_[e].first, edges_[e].second, K);
+        }
+    }
+
+    std::vector<Bend> bends_;
+    std::vector<BendingLaw> laws_;            ///< of each
+    std::vector<std::vector<int>> edge_;      ///< of each: the pair of its nodes j and k at n j + k, -1 unless j < k
+    std::vector<std::pair<int, int>> edges_;  ///< pairs of nodes, the lower first
+    std::vector<int> nodes_;                  ///< of all, rising
+    mutable std::vector<double> next_;        ///< BendingNow::history where moments were found last
+    mutable std::vector<BendingResponse> ends_;
+};
+
+std::vector<PlanLine> bending_plan(const Structure& s, const RunKind&) {
+    const auto& panels = s.model().declared<Panel>(panels_effect);
+    const auto n = std::count_if(panels.begin(), panels.end(), bends);
+    if (panels.empty()) return {};
+    return {{bending_effect, n > 0, n == 0 ? "no panel has it" : std::to_string(n) + " panels", ""}};
+}
+
+}  // namespace
+
+EffectKind panel_bending_kind() {
+    return {
+        .name = bending_effect, .plan = bending_plan, .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            const auto& panels = w.structure.model().declared<Panel>(panels_effect);
+            if (std::none_of(panels.begin(), panels.end(), bends)) {
+                w.state.data.erase(bending_effect);
+                return nullptr;
+            }
+            return std::make_unique<PanelBending>(w, host);
+        }};
+}
+
+}  // namespace hinge

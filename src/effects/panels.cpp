@@ -1,0 +1,418 @@
+// Panels: plates in their plane between the nodes of members and nodes of their own (panel/membrane.h), of layers that
+// yield, crush and tear (panel/sheet.h).
+//
+// A panel joins its nodes by forces along its surface, and has no stiffness across it or against the rotation of its
+// nodes. What it weighs is at its nodes, as point masses, and stays there when it tears: momentum is what it was. A
+// layer tears as a whole where the strain of one of its points reaches the ultimate one; its energy is dissipated.
+#include "effects/panels.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "core/text.h"
+#include "effects/all_effects.h"
+#include "effects/damping.h"
+#include "effects/kinds.h"
+
+namespace hinge {
+namespace {
+
+using panel::Layer;
+using panel::Mat5;
+using panel::Placed;
+using panel::Resultants;
+using panel::Shape;
+
+const std::vector<Panel>& panels_of(const Model& model) { return model.declared<Panel>(panels_effect); }
+
+/// What the stresses of a panel come to.
+struct Evaluated {
+    Resultants resultants;
+    Mat5 tangent = Mat5::Zero();
+    double stored = 0, dissipated = 0, used = 0;  ///< J, J, part of the ultimate strain
+    std::array<double, 8> stored_in{};            ///< each layer, J
+    std::uint8_t tears = 0;                       ///< layers that reach their ultimate strain
+};
+
+/// Recoveries of stresses in a step, of which so few show that inertia rules its equations: the tangent of an earlier
+/// step is good enough then.
+constexpr int few = 4;
+
+class Panels : public Effect, public Force, public BreakListener, public StepLimiter {
+public:
+    Panels(Workspace& w, Host& host) : Effect(panels_effect, w, host, {.mean_forces = true}) {
+        std::map<std::pair<int, int>, int> edges;
+        std::size_t size = 0;
+        for (const Panel& p : declared()) {
+            add(p, edges);
+            history_at_.push_back(size);
+            size += std::size_t(p.sheet->history_size()) * std::size_t(shape_.back().points);
+            for (const Layer& l : p.sheet->layers) traits_.forces_vanish = traits_.forces_vanish || l.ultimate < 1e300;
+        }
+        history_at_.push_back(size);
+        next_.resize(size);
+        begin(size);
+    }
+
+    // ---- what acts ------------------------------------------------------------------------------------------------
+    void begin(const Step&) override { calm_ = recoveries_ > 1 && recoveries_ <= few, recoveries_ = 0; }
+    void add_forces(double, std::vector<Vec6>& resisting) override {
+        const PanelsNow& n = now();
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            if (is_torn(n, declared()[i], i)) continue;
+            const Placed at = place(i, w_.trial);
+            const Evaluated e = evaluate(i, at, n, false);
+            Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+            panel::add_forces(shape_[i], at, e.resultants, force);
+            for (int k = 0; k < shape_[i].nodes; ++k) resisting[declared()[i].nodes[k]].head<3>() += force[k];
+        }
+        ++recoveries_;
+        if ((!calm_ || recoveries_ > few) && renews_blocks() && any_whole()) host_.blocks_changed(w_.trial);
+    }
+    bool has_blocks() const override { return any_whole(); }
+    bool blocks_follow() const override {
+        return any_whole() &&
+               (w_.structure.large() || !std::all_of(declared().begin(), declared().end(),
+                                                     [](const Panel& p) { return p.sheet->is_elastic(); }));
+    }
+    bool renews_blocks() const override { return w_.kind.dynamic; }
+    void add_blocks(const Pose& at, Blocks& blocks) const override {
+        add_stiffness(at, blocks, [&](std::size_t i, const Placed& placed, Resultants& r) {
+            const Evaluated e = evaluate(i, placed, now(), true);
+            if (w_.kind.geometric) r = e.resultants;
+            return e.tangent;
+        });
+    }
+    double scale_of_rounding(const Pose& at) const override {
+        double sum = 0;
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            const int node = declared()[i].nodes[0];
+            const Vec3 where = w_.structure.position()[node] + at.displacement[node];
+            sum += declared()[i].sheet->elastic().trace() * (shape_[i].area + where.squaredNorm());
+        }
+        return sum;
+    }
+    void add_stiffest(Blocks& most) const override {
+        add_stiffness(w_.state, most, [&](std::size_t i, const Placed&, Resultants&) {
+            return generalised(shape_[i], declared()[i].sheet->elastic());
+        });
+    }
+
+    // ---- a step ---------------------------------------------------------------------------------------------------
+    void accumulate_energy(const Step&, Accounts& sums) const override {
+        double dissipated = 0;
+        ends_.resize(shape_.size());
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            ends_[i] = {};
+            if (is_torn(now(), declared()[i], i)) continue;
+            ends_[i] = evaluate(i, place(i, w_.trial), now(), false);
+            dissipated += ends_[i].dissipated;
+        }
+        sums["panel_dissipated"] += dissipated;
+    }
+    void before_commit(const Step& step) override {
+        PanelsNow& n = now();
+        bool any = false;
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            if (is_torn(n, declared()[i], i)) continue;
+            const Evaluated& e = ends_[i];
+            std::copy(&next_[history_at_[i]], &next_[history_at_[i]] + (history_at_[i + 1] - history_at_[i]),
+                      &n.history[history_at_[i]]);
+            n.force[i] = e.resultants.mean / shape_[i].area;
+            n.stored[i] = e.stored;
+            n.used[i] = std::max(n.used[i], e.used);
+            if (e.tears) tear(i, e.tears, e, w_.reached(step)), any = true;
+        }
+        if (any) changed(w_.trial);
+    }
+    /// A node that panels alone join from now on does not rotate: nothing resists that, and nothing has inertia there.
+    void broke(const Break& b) override {
+        for (const int node : w_.structure.elements()[b.element].node) {
+            const auto& at = w_.structure.elements_at(node);
+            State& s = w_.state;
+            if (!w_.structure.has_panels(node) || s.gone[node] || s.offset_mass.empty() ||
+                s.offset_mass[node].inertia.trace() > 0 ||
+                std::any_of(at.begin(), at.end(), [&](int e) { return s.broken[e] == 0; }))
+                continue;
+            s.held[node] |= 8 | 16 | 32;
+            s.velocity[node].tail<3>().setZero();
+            s.acceleration[node].tail<3>().setZero();
+        }
+    }
+    /// A node that has lost its last member, and has no mass, holds nothing any more.
+    void all_broke() override {
+        bool any = false;
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            if (is_torn(now(), declared()[i], i)) continue;
+            const auto& nodes = declared()[i].nodes;
+            if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return w_.state.gone[n] != 0; })) continue;
+            tear(i, 255, evaluate(i, place(i, w_.state), now(), false), w_.state.time), any = true;
+        }
+        if (any) changed(w_.state);
+    }
+    bool allows_long_step() const override { return !any_whole(); }
+    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
+        for (std::size_t i = 0; i < shape_.size(); ++i)
+            for (const int node : declared()[i].nodes)
+                if (bodies.of_node[node] >= 0) rests[bodies.of_node[node]] = 0;
+    }
+
+    // ---- energy and checkpoint ------------------------------------------------------------------------------------
+    void add_energy(const State& state, Accounts& sums) const override {
+        double stored = 0;
+        for (const double each : panels_now(state)->stored) stored += each;
+        sums["panel_stored"] += stored;
+    }
+    void save(Writer& to) const override { to(recoveries_, calm_); }
+    void restore(Reader& from) override { from(recoveries_, calm_); }
+    bool restored(std::span<const State* const> states) override {
+        return std::all_of(states.begin(), states.end(), [&](const State* s) {
+            const PanelsNow* there = panels_now(*s);
+            return there && there->history.size() == next_.size() && there->torn.size() == shape_.size();
+        });
+    }
+
+private:
+    const std::vector<Panel>& declared() const { return declared_; }
+    const std::vector<Panel>& declared_ = panels_of(w_.structure.model());
+    PanelsNow& now() const { return *w_.state.data.find<PanelsNow>(panels_effect); }
+
+    void add(const Panel& p, std::map<std::pair<int, int>, int>& edges) {
+        const auto& X = w_.structure.position();
+        std::array<Vec3, 4> places;
+        for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = X[p.nodes[k]];
+        shape_.push_back(panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson()));
+        bars_alone_.push_back(p.sheet->has_bars_alone());
+        std::array<int, 16> own{};
+        for (std::size_t a = 0; a < p.nodes.size(); ++a)
+            for (std::size_t b = a + 1; b < p.nodes.size(); ++b) {
+                const auto [low, high] = std::minmax(p.nodes[a], p.nodes[b]);
+                own[4 * a + b] = edges.try_emplace({low, high}, int(edges.size())).first->second;
+            }
+        edge_.push_back(own);
+        edges_.resize(edges.size());
+        for (const auto& [ends, index] : edges) edges_[std::size_t(index)] = ends;
+        for (const int n : p.nodes) nodes_.push_back(n);
+        std::sort(nodes_.begin(), nodes_.end());
+        nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+    }
+
+    /// The state's part, where the run begins: panels that were declared since an earlier run are whole, and their mass
+    /// is at their nodes.
+    void begin(std::size_t history) {
+        PanelsNow* n = w_.state.data.find<PanelsNow>(panels_effect);
+        if (!n) n = &w_.state.data.set(panels_effect, PanelsNow{});
+        const std::size_t before = n->torn.size();
+        n->history.resize(history, 0);
+        n->torn.resize(shape_.size(), 0);
+        n->torn_at.resize(shape_.size(), std::numeric_limits<double>::quiet_NaN());
+        n->force.resize(shape_.size(), Vec3::Zero());
+        n->used.resize(shape_.size(), 0), n->stored.resize(shape_.size(), 0);
+        for (std::size_t i = before; i < shape_.size(); ++i) {
+            if (declared()[i].sheet->mass == 0) continue;
+            if (w_.state.offset_mass.empty()) w_.state.offset_mass.assign(w_.state.displacement.size(), {});
+            for (int k = 0; k < shape_[i].nodes; ++k)
+                w_.state.offset_mass[declared()[i].nodes[k]].mass += declared()[i].sheet->mass * shape_[i].share[k];
+        }
+    }
+
+    bool any_whole() const {
+        const PanelsNow& n = now();
+        for (std::size_t i = 0; i < shape_.size(); ++i)
+            if (!is_torn(n, declared()[i], i)) return true;
+        return false;
+    }
+
+    Placed place(std::size_t i, const Pose& at) const {
+        const Panel& p = declared()[i];
+        std::array<Vec3, 4> places, moved;
+        for (std::size_t k = 0; k < p.nodes.size(); ++k)
+            places[k] = w_.structure.position()[p.nodes[k]], moved[k] = at.displacement[p.nodes[k]];
+        return panel::place(shape_[i], {places.data(), p.nodes.size()}, {moved.data(), p.nodes.size()},
+                            w_.structure.large());
+    }
+
+    /// d(resultants)/d(strain, p) of one stiffness at all points.
+    static Mat5 generalised(const Shape& s, const Mat3& D) {
+        Mat5 sum = Mat5::Zero();
+        for (int k = 0; k < s.points; ++k) add_point(s.point[k], D, sum);
+        return sum;
+    }
+    static void add_point(const panel::Point& point, const Mat3& D, Mat5& sum) {
+        const Mat3 of = point.area * D;
+        sum.topLeftCorner<3, 3>() += of;
+        sum.topRightCorner<3, 2>() += of * point.P;
+        sum.bottomLeftCorner<2, 3>() += point.P.transpose() * of;
+        sum.bottomRightCorner<2, 2>() += point.P.transpose() * of * point.P;
+    }
+
+    /// Statics: a layer that tears in the step holds nothing at its end, which is in equilibrium without it.
+    Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent) const {
+        const Evaluated whole = evaluate(i, at, from, with_tangent, 0);
+        if (w_.kind.dynamic || !whole.tears) return whole;
+        Evaluated e = evaluate(i, at, from, with_tangent, whole.tears);
+        e.tears |= whole.tears, e.used = whole.used;
+        return e;
+    }
+    /// Writes what its layers keep into next_. `gone`: layers that carry nothing.
+    Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent,
+                       std::uint8_t gone) const {
+        Evaluated e;
+        const Shape& s = shape_[i];
+        const auto& layers = declared()[i].sheet->layers;
+        std::size_t history = history_at_[i];
+        for (int k = 0; k < s.points; ++k) {
+            const panel::Point& point = s.point[k];
+            const panel::Strained strained(at.strain + point.P * at.p, at.large, !bars_alone_[i]);
+            Vec3 stress = Vec3::Zero();
+            Mat3 tangent = Mat3::Zero();
+            for (std::size_t l = 0; l < layers.size(); history += std::size_t(layers[l].history_size()), ++l) {
+                if ((from.torn[i] | gone) >> l & 1) {
+                    std::copy_n(&from.history[history], layers[l].history_size(), &next_[history]);
+                    continue;
+                }
+                const panel::Response r =
+                    panel::respond(layers[l], strained, &from.history[history], &next_[history], with_tangent);
+                stress += r.stress, tangent += r.tangent;
+                e.stored += point.area * r.stored, e.dissipated += point.area * r.dissipated;
+                e.stored_in[l] += point.area * r.stored;
+                e.used = std::max(e.used, r.used);
+                if (r.used >= 1) e.tears |= std::uint8_t(1u << l);
+            }
+            e.resultants.mean += point.area * stress;
+            e.resultants.varying += point.area * (point.P.transpose() * stress);
+            if (with_tangent) add_point(point, tangent, e.tangent);
+        }
+        return e;
+    }
+
+    /// Sums the stiffness of all panels in blocks of one node and of two. of(i, placed, resultants): its tangent.
+    template <class F>
+    void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
+        std::vector<Mat3> own(w_.structure.position().size(), Mat3::Zero()), across(edges_.size(), Mat3::Zero());
+        for (std::size_t i = 0; i < shape_.size(); ++i) {
+            if (is_torn(now(), declared()[i], i)) continue;
+            const Placed at = place(i, pose);
+            Resultants r;
+            const Mat5 D = of(i, at, r);
+            const auto& nodes = declared()[i].nodes;
+            panel::for_each_stiffness(shape_[i], at, r, D, [&](int a, int b, const Mat3& K) {
+                if (a == b) own[nodes[a]] += K;
+                else if (nodes[a] < nodes[b]) across[edge_[i][4 * a + b]] += K;
+                else across[edge_[i][4 * a + b]] += K.transpose();
+            });
+        }
+        for (const int n : nodes_) {
+            Mat6 K = Mat6::Zero();
+            K.topLeftCorner<3, 3>() = own[n];
+            blocks.stiffness(n, K);
+        }
+        for (std::size_t e = 0; e < edges_.size(); ++e) {
+            Mat12 K = Mat12::Zero();
+            K.block<3, 3>(0, 6) = across[e], K.block<3, 3>(6, 0) = across[e].transpose();
+            blocks.stiffness(edges_[e].first, edges_[e].second, K);
+        }
+    }
+
+    void tear(std::size_t i, std::uint8_t layers, const Evaluated& at, double when) {
+        PanelsNow& n = now();
+        const Panel& p = declared()[i];
+        const auto& all = p.sheet->layers;
+        // concrete alone holds nothing together
+        const auto holds = [&](std::size_t l) {
+            return all[l].kind != panel::LayerKind::concrete && !((layers | n.torn[i]) >> l & 1);
+        };
+        bool any = false;
+        for (std::size_t l = 0; l < all.size(); ++l) any = any || holds(l);
+        if (!any) layers = 255;
+        for (std::size_t l = 0; l < p.sheet->layers.size(); ++l) {
+            if (!(layers >> l & 1) || n.torn[i] >> l & 1) continue;
+            n.torn[i] |= std::uint8_t(1u << l);
+            n.stored[i] -= at.stored_in[l];
+            w_.state.accumulated["panel_dissipated"] += at.stored_in[l];
+        }
+        if (!is_torn(n, p, i)) return;
+        n.stored[i] = 0, n.torn_at[i] = when, n.force[i].setZero();
+        host_.note_activation(panels_effect, false, "panel " + std::to_string(i + 1) + " has torn");
+    }
+    void changed(const Pose& at) {
+        host_.accelerations_anew();
+        host_.blocks_changed(at);
+    }
+
+    int recoveries_ = 0;  ///< of stresses in this step
+    bool calm_ = false;   ///< the step before took few, and more than the one of a method that solves once
+    std::vector<Shape> shape_;
+    std::vector<char> bars_alone_;            ///< of each: whether it has bars and nothing else
+    std::vector<std::array<int, 16>> edge_;   ///< of each panel: the edge between its corners a < b at 4 a + b
+    std::vector<std::pair<int, int>> edges_;  ///< pairs of nodes that a panel joins, the lower first
+    std::vector<int> nodes_;                  ///< that have panels, rising
+    std::vector<std::size_t> history_at_;     ///< of each panel, and of all
+    mutable std::vector<double> next_;        ///< PanelsNow::history where stresses were found last
+    mutable std::vector<Evaluated> ends_;     ///< where the step has ended
+};
+
+std::vector<PlanLine> panels_plan(const Structure& s, const RunKind&) {
+    const std::size_t n = panels_of(s.model()).size();
+    return {{panels_effect, n > 0, n == 0 ? "not declared" : std::to_string(n) + " by model:panel",
+             s.model().asked_at(panels_effect)}};
+}
+
+}  // namespace
+
+panel::Shape shape_of_panel(const Model& model, const Panel& p) {
+    std::array<Vec3, 4> places;
+    for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = model.nodes()[p.nodes[k]].position;
+    return panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson());
+}
+
+double alpha_of_panels(const Structure& structure) {
+    double alpha = 0;
+    for (const Damping& d : structure.model().declared<Damping>(damping_effect))
+        if (d.group < 0) alpha = d.alpha;
+    for (std::size_t n = 0; n < structure.model().nodes().size(); ++n)
+        if (structure.has_panels_alone(int(n))) return alpha;
+    return 0;
+}
+
+const PanelsNow* panels_now(const State& state) { return state.data.find<PanelsNow>(panels_effect); }
+
+EffectKind panels_kind() {
+    return {
+        .name = panels_effect,
+        .accounts = {{"panels", 73, "stored in panels now, and dissipated by them", {}, false, true},
+                     {"panel_stored", 74, "stored now in panels by their strain", "panels"},
+                     {"panel_dissipated", 75, "by plastic strain of panels, and released where they tear", "panels"}},
+        .plan = panels_plan,
+        .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+            if (panels_of(w.structure.model()).empty()) {
+                w.state.data.erase(panels_effect);
+                return nullptr;
+            }
+            return std::make_unique<Panels>(w, host);
+        },
+        .leave_out = leave_out_declared<panels_effect>,
+        .declarer = {
+            .masses =
+                [](const Model& model) {
+                    std::vector<AddedMass> list;
+                    for (const Panel& p : panels_of(model)) {
+                        if (p.sheet->mass == 0) continue;
+                        const Shape s = shape_of_panel(model, p);
+                        for (int k = 0; k < s.nodes; ++k)
+                            list.push_back({p.nodes[k], {}}), list.back().mass.mass = p.sheet->mass * s.share[k];
+                    }
+                    return list;
+                },
+            .links =
+                [](const Model& model) {
+                    std::vector<NodeLink> list;
+                    for (const Panel& p : panels_of(model))
+                        for (std::size_t k = 0; k < p.nodes.size(); ++k)
+                            list.push_back({p.nodes[k], p.nodes[(k + 1) % p.nodes.size()]});
+                    return list;
+                }}};
+}
+
+}  // namespace hinge

@@ -1,0 +1,86 @@
+// What a panel is made of: layers that share its strain. Each has a law of its own in plane stress.
+//
+// Strains are [e11, e22, 2 e12] in the axes of the sheet, stresses [s11, s22, s12]; both per width of the panel, N/m.
+// The panel gives Green's strain E = (F^T F - I)/2 and takes the second Piola-Kirchhoff stress, its partner in work.
+// Solid layers and concrete have their laws between the stretch U - I, U^2 = I + 2 E, and its partner; bars between
+// their own stretch and their force. In small displacement all of these are the linear strain.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/types.h"
+#include "panel/bend.h"
+
+namespace hinge::panel {
+
+enum class LayerKind : std::uint8_t {
+    solid,     ///< steel: elastic, yields by von Mises' criterion
+    concrete,  ///< carries compression alone, in the directions of principal strain
+    bars       ///< reinforcement, or the ribs of a deck: carries along one direction
+};
+
+/// A layer over the whole panel. Its hardening is isotropic and linear.
+struct Layer {
+    LayerKind kind = LayerKind::solid;
+    double thickness = 0;                                       ///< m; of bars their area per width, m^2/m
+    double E = 0;                                               ///< Pa
+    double poisson = 0;                                         ///< of solid layers
+    double strength = std::numeric_limits<double>::infinity();  ///< Pa: yield stress, of concrete its compressive one
+    double hardening = 0;                                       ///< Pa, of stress over plastic strain
+    double ultimate = std::numeric_limits<double>::infinity();  ///< strain that tears it: of bars their stretch, of
+                                                                ///< solid layers the equivalent plastic strain
+    Vec3 direction = {1, 0, 0};  ///< of bars at an angle a to the sheet's x axis: [cos^2 a, sin^2 a, sin a cos a]
+
+    /// Elastic stiffness, N/m; that of concrete under compression.
+    Mat3 elastic() const;
+    int history_size() const;
+    bool is_elastic() const { return kind != LayerKind::concrete && strength > 1e300 && ultimate > 1e300; }
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.kind, s.thickness, s.E, s.poisson, s.strength, s.hardening, s.ultimate, s.direction);
+    }
+};
+
+struct Sheet {
+    std::vector<Layer> layers;
+    double mass = 0;  ///< kg/m^2
+    BendingLaw bending = {};
+    Mat3 elastic() const;
+    double poisson() const;  ///< of the stiffest solid layer; 0 where there is none
+    int history_size() const;
+    bool is_elastic() const;
+    bool has_bars_alone() const;
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.layers, s.mass, s.bending);
+    }
+};
+
+/// What a layer answers to a strain.
+struct Response {
+    Vec3 stress = Vec3::Zero();   ///< N/m
+    Mat3 tangent = Mat3::Zero();  ///< N/m; of d(stress)/d(strain)
+    double stored = 0;            ///< J/m^2
+    double dissipated = 0;        ///< J/m^2, since `before`
+    double used = 0;              ///< part of what tears it
+};
+
+/// Kinematics of a strain that layers share.
+struct Strained {
+    /// `large`: from Green's strain; else `strain` is linear. Without `stretches`: for bars alone.
+    Strained(const Vec3& strain, bool large, bool stretches = true);
+    Vec3 green;
+    bool large;
+    Mat3 by_green;  ///< d(stretch)/d(Green's strain)
+    Eigen::Matrix2d U;
+    Vec3 stretch;  ///< U - I
+};
+
+/// The response of a layer, and what it keeps: history_size numbers before the step and after it.
+Response respond(const Layer& layer, const Strained& at, const double* before, double* after, bool with_tangent);
+
+}  // namespace hinge::panel
