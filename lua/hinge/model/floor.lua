@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.library.check"
 local chosen = require "hinge.model.chosen_members"
 local faces = require "hinge.actions.faces"
+local slab = require "hinge.model.slab"
 local strips = require "hinge.model.floor_strips"
 local tributary = require "hinge.model.tributary"
 local vectors = require "hinge.library.vectors"
@@ -23,6 +24,7 @@ local rules = {
   mass = { "number", unit = "kg/m^2", at_least = 0, optional = true },
   span = { "a span", default = "two way", good = is_span,
     words = "\"two way\", \"one way\" or the direction of span, { x, y, z }" },
+  slab = { "table", optional = true },
   openings = { "table", optional = true }, direction = { "numbers", count = 3, default = { 0, 0, -1 } },
   case = faces.any, history = faces.any,
 }
@@ -104,8 +106,11 @@ end
 
 local function read(model, options, outlines)
   local o = check.options(where, options, rules)
-  if o.load == nil and o.mass == nil then
+  if o.load == nil and o.mass == nil and o.slab == nil then
     check.fail("%s: neither 'load' (Pa) nor 'mass' (kg/m^2) is given", where)
+  end
+  if o.slab and o.openings and #o.openings > 0 then
+    check.fail("%s: field 'openings' does not go with 'slab' yet; leave parts of the floor out by 'corners'", where)
   end
   if type(o.span) == "table" then o.span = faces.direction(where, "span", o.span) end
   o.direction = faces.direction(where, "direction", o.direction)
@@ -140,6 +145,7 @@ function class.__tostring(self)
   local text = ("%s, %.6g m^2"):format(check.count(#self.panels, "panel"), self.area)
   if self.load ~= 0 then text = text .. (", %.6g kN"):format(self.load / 1e3) end
   if self.mass > 0 then text = text .. (", %.6g kg"):format(self.mass) end
+  if self.slab then return ("%s; a slab of %s"):format(text, check.count(#self.slab, "panel")) end
   text = text .. " on " .. check.count(#self.parts, "member")
   if #self.idle == 0 then return text end
   return ("%s; %s of those given %s nothing"):format(text, check.count(#self.idle, "member"),
@@ -203,8 +209,14 @@ return function(model, options, outlines, ...)
     local corners = {}
     for i, index in ipairs(panel.nodes) do corners[i] = nodes[index] end
     table.insert(floor.panels, { nodes = corners, area = panel.area })
-    core.add_panel(model, corners, panel.around)
+    if not o.slab then core.add_panel(model, corners, panel.around) end
     floor.area = floor.area + panel.area
+  end
+  if o.slab then
+    floor.slab, floor.idle = slab.lay(model, list, o), {}
+    for _, panel in ipairs(floor.slab) do floor.mass = floor.mass + panel.mass end
+    for _, load in ipairs(o.loads) do floor.load = floor.load + load.value * floor.area end
+    return setmetatable(floor, class)
   end
   for _, carrier in ipairs(carriers) do
     local part = declare(model, o, carrier)

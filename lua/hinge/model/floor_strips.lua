@@ -301,7 +301,7 @@ local function add_panel(asked, panel, of_member)
     check.fail("%s: the panel at %s has a corner that points inward, at %s; put a member there that divides it", where,
       place_text(panel.plane, middle_of(panel.corners)), place_text(panel.plane, inward))
   end
-  panel.corners, panel.nodes, panel.around = {}, {}, panel.members
+  panel.corners, panel.nodes, panel.around, panel.sides = {}, {}, panel.members, sides
   for i, side in ipairs(sides) do panel.corners[i], panel.nodes[i] = side.from, side.node end
   local span, openings, open = span_of(asked, panel, sides), {}, 0
   for _, opening in ipairs(panel.plane.openings) do
