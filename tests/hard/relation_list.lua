@@ -58,6 +58,7 @@ function neutral.point() return { kind = "point", member = 1, at = 0.3, force = 
 function neutral.sway(s) return s.held and { kind = "sway", value = 0, direction = { 1, 0, 0 } } end
 function neutral.settle(s) return s.mode == "static" and { kind = "settle", node = 1, by = zero } end
 function neutral.move(s) return s.mode == "dynamic" and s.held and { kind = "move", node = 1, by = zero } end
+function neutral.panel(s) return s.spot and { kind = "panel", nodes = s.spot, bars = 1e-30 } end
 function neutral.heat(s) return s.held and { kind = "heat", member = 1, temperature = 20 } end
 function neutral.prestress() return { kind = "prestress", member = 1, strain = 0 } end
 function neutral.one_way(s) return not s.yields and { kind = "one_way", member = 1, carries = "both" } end
@@ -73,6 +74,8 @@ function neutral.velocity(s)
   return s.mode == "dynamic" and s.held and { kind = "velocity", node = s.free, v = zero, w = zero }
 end
 
+-- These let a run control its steps by their energy, and so shorten those of a panel, which is not linear.
+local controls = { remove = true, fracture = true, contact = true }
 local names = {}
 for name in pairs(neutral) do names[#names + 1] = name end
 table.sort(names)
@@ -84,7 +87,7 @@ list[#list + 1] = { name = "neutral", why = "bits, or another path of the same e
     repeat
       kind = d.pick(names)
       part = neutral[kind](s)
-    until part
+    until part and not (controls[kind] and has(s, "panel"))
     local without = scenes.copy(s, function(p) return p.kind == kind end)
     local with = scenes.copy(without)
     with.parts[#with.parts + 1] = part

@@ -132,6 +132,18 @@ function declare.connector(b, p)
     b.nodes[p.node], ground = true, stiffness = units(p.k), damping = units(p.c), curve = curve,
     axes = { x = b.vector(x, 1), y = b.vector(b.across_of(x), 1) } } }
 end
+function declare.panel(b, p)
+  local o, n = { along = b.vector({ 0.6, 0.5, 0.3 }, 1), thickness = p.thickness and p.thickness * b.unit.m }, #p.nodes
+  for i, node in ipairs(p.nodes) do o[b.way.reverse and n + 1 - i or i] = b.nodes[node] end
+  if p.thickness then
+    o.material = p.stress and b.hinge.material(with(b.elastic, { yield_stress = p.stress * b.unit.Pa })) or b.material
+  end
+  if p.bars then
+    o.reinforcement = { x = p.bars * b.unit.m, y = p.bars * b.unit.m / 2, E = b.elastic.E,
+      yield_stress = p.stress and 2 * p.stress * b.unit.Pa }
+  end
+  b.model:panel(o)
+end
 function declare.sway(b, p) b.model:imperfection { sway = p.value, direction = b.vector(p.direction, 1) } end
 function declare.settle(b, p)
   local v = b.vector(p.by, b.unit.m)
@@ -190,7 +202,7 @@ function built.make(hinge, s, way)
   local of_members, law = member_options(hinge, s, unit, way)
   local material = { E = scenes.steel.E * unit.Pa * (way.stiffer or 1), nu = scenes.steel.nu,
     density = scenes.steel.density * kg / m ^ 3 }
-  b.material = hinge.material(material)
+  b.hinge, b.elastic, b.material = hinge, material, hinge.material(material)
   local full = hinge.material(with(material, law))
   if s.d then error "the scene is not complete" end
 

@@ -291,6 +291,14 @@ function scenes.draw(hinge, seed)
       b = even or e.chance(0.7) and per_length() or 0, from = part and e.number(0, 0.4) or 0,
       to = part and e.number(0.5, 1) or 1 }
   end
+  -- four nodes in a plane, for a plate between them: a wall of a frame, a floor on four columns
+  s.spot = ({ portal = { 1, 2, 4, 3 }, tower = { 3, 4, 6, 5 }, space = s.heads })[class]
+  e = draws(seed, 59)
+  if s.spot and e.chance(0.4) then
+    local nodes = table.move(s.spot, 1, e.chance(0.3) and 3 or 4, 1, {})
+    add { kind = "panel", nodes = nodes, thickness = e.log(2e-4, 5e-3), stress = s.yields and e.pick { 50e6, 235e6 },
+      bars = e.chance(0.3) and e.log(1e-4, 1e-3) or nil }
+  end
   s.d, s.free = nil, free_nodes(s)[1]
   return s
 end
