@@ -12,6 +12,7 @@
 #include "effects/fracture_rule.h"
 #include "effects/gravity.h"
 #include "effects/moving_supports.h"
+#include "effects/panels.h"
 #include "effects/settlement.h"
 #include "model/structure.h"
 
@@ -25,6 +26,9 @@ constexpr double most_strain = 1;                         ///< of a limit of fra
 constexpr double most_hinge = 1.5;                        ///< rad, of a limit of hinges: 86 degrees
 constexpr double most_curvature = 1000;                   ///< 1/m: a bar of 1 mm is wound to a circle of that radius
 constexpr double most_speed = 300;                        ///< m/s; airliners fly at 250
+constexpr double most_bars = 0.2;                         ///< m^2/m, of a panel's reinforcement or deck
+constexpr double least_size = 3;                          ///< m, as thick as a panel of any width may be
+constexpr double least_modulus = 1e6;                     ///< Pa, of a panel: softer than rubber
 constexpr double most_spin = 100;                         ///< rad/s: 16 turns a second
 
 std::string axis_name(int c) { return std::string(1, "xyz"[c % 3]); }
@@ -144,6 +148,32 @@ void motions(const Model& model, std::vector<Warning>& list) {
     }
 }
 
+/// Panels as thick as they are wide, with more steel than anybody lays, or softer than rubber.
+void panels(const Model& model, std::vector<Warning>& list) {
+    const std::string line = model.asked_at(panels_effect);
+    for (const Panel& panel : model.declared<Panel>(panels_effect)) {
+        const double width = std::sqrt(shape_of_panel(model, panel).area);
+        const std::string name = "panel " + std::to_string(&panel - model.declared<Panel>(panels_effect).data() + 1);
+        for (const panel::Layer& l : panel.sheet->layers) {
+            const bool bars = l.kind == panel::LayerKind::bars;
+            if (l.thickness > (bars ? most_bars : std::max(width, least_size))) {
+                list.push_back({Warning::Kind::value,
+                                name + (bars ? " has bars of " : " is ") + digits(l.thickness) +
+                                    (bars ? " m^2/m" : " m thick, and " + digits(width, 3) + " m wide"),
+                                bars ? "is it in mm^2/m? areas are in m^2/m: 393 mm^2/m are 393e-6"
+                                     : "is it in mm? thicknesses are in m",
+                                line});
+                return;
+            }
+            if (l.E < least_modulus) {
+                list.push_back({Warning::Kind::value, name + " has E = " + digits(l.E) + " Pa",
+                                "is it in MPa or GPa? stresses are in Pa", line});
+                return;
+            }
+        }
+    }
+}
+
 /// Two supports or more that lie at the lowest z, with a member that rises along z from each, and gravity across z.
 void gravity_across(const Model& model, std::vector<Warning>& list) {
     const std::optional<Vec3> g = declared_gravity(model);
@@ -182,6 +212,7 @@ std::vector<Warning> implausible_values(const Structure& structure) {
     speeds(model, list);
     spins(model, list);
     motions(model, list);
+    panels(model, list);
     gravity_across(model, list);
     return list;
 }

@@ -71,14 +71,14 @@ double part_of_loads(lua_State* L, const ScriptRun& record) {
 int buckling(lua_State* L) {
     const auto record = self<RunBox>(L, "run:buckling").value;
     Options o(L, 2, "run:buckling", true);
-    if (panels_now(record->run->state()))
-        throw InputError(
-            "run:buckling: the model has panels, whose forces it does not take; model:static{ to_limit = true } finds "
-            "where they buckle");
     o.expect({"n", "most", "joints"});
     const int count = o.integer("n", 1, 1);
     const double most = o.number("most", "", Range::positive, 1e9);
     const Yielded yielded = read_yielded(o);
+    if (panels_now(record->run->state()))
+        throw InputError(
+            "run:buckling: the model has panels, whose forces it does not take; model:static{ to_limit = true } finds "
+            "where they buckle");
     if (record->run->structure().model().options().displacement != Displacement::large)
         throw InputError(
             "run:buckling: the model has displacement = 'small', in which nothing buckles; make it with "

@@ -213,6 +213,16 @@ case("numbers in other units, and gravity along another axis, are told by check"
     flies "{ 0, 440 / 3.6, 0 }")
   suspicious("degrees per second for rad/s", flies "{ 0, 0, 0 }, { 0, 0, 360 }", "model:velocity turns node 5 and "
     .. "others at 360 rad/s, which is 57.3 turns a second (", "model:velocity", flies "{ 0, 0, 0 }, { 0, 0, 6.28 }")
+  local function paved(with)
+    return { more = "local p, q = joint(-9, 0, 1), joint(-9, 0, 2) model:fix({ p, q }, 'xyz') member(p, q) "
+      .. "local r = joint(-9, 1, 1) model:fix(r, 'xyz') model:panel { p, q, r, " .. with .. " }" }
+  end
+  suspicious("a slab in mm", paved "concrete = { thickness = 120, E = 30e9 }",
+    "panel 1 is 120 m thick, and 0.707 m wide", "model:panel", paved "concrete = { thickness = 0.12, E = 30e9 }")
+  suspicious("bars in mm^2", paved "reinforcement = { x = 393 }", "panel 1 has bars of 393 m^2/m", "model:panel",
+    paved "reinforcement = { x = 393e-6 }")
+  suspicious("a slab in GPa", paved "concrete = { thickness = 0.12, E = 30 }", "panel 1 has E = 30 Pa", "model:panel",
+    paved "concrete = { thickness = 0.12, E = 30e9 }")
   local function moves(by) return { make = "dynamic { dt = 1e-5, duration = 1 }",
     more = ("model:move { node = a, z = { { 0, 0 }, { 1, %s } } }"):format(by) } end
   suspicious("mm for m", moves "-25", "model:move moves node 1 by up to 25 m along z, more than the structure's size, ",
