@@ -37,7 +37,7 @@ struct Evaluated {
 
 /// Recoveries of stresses in a step, of which so few show that inertia rules its equations: the tangent of an earlier
 /// step is good enough then.
-constexpr int few = 4;
+constexpr int few = 6;
 
 class Panels : public Effect, public Force, public BreakListener, public StepLimiter {
 public:

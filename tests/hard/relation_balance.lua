@@ -110,6 +110,9 @@ list[#list + 1] = { name = "moments", why = "as reactions",
     for _, p in ipairs(s.parts) do if p.kind == "gravity" then g = p.g end end
     local function weighs(at, mass) take(at, vectors.times(mass, g)) end
     for i, member in ipairs(b.members) do weighs(on(i, 0.5), member.mass) end
+    for _, panel in ipairs(b.panels) do
+      for i, n in ipairs(panel.nodes) do weighs({ n.x, n.y, n.z }, panel.mass * panel.shares[i] / panel.area) end
+    end
     for _, p in ipairs(s.parts) do
       if p.kind == "load" then take(s.nodes[p.node], p.force, p.moment)
       elseif p.kind == "point" then take(on(p.member, p.at), p.force, p.moment)

@@ -74,8 +74,8 @@ function neutral.velocity(s)
   return s.mode == "dynamic" and s.held and { kind = "velocity", node = s.free, v = zero, w = zero }
 end
 
--- These let a run control its steps by their energy, and so shorten those of a panel, which is not linear.
-local controls = { remove = true, fracture = true, contact = true }
+-- These let a run control its steps by their energy: it may shorten some, and has another error then.
+local controls = { remove = true, fracture = true, contact = true, ground = true }
 local names = {}
 for name in pairs(neutral) do names[#names + 1] = name end
 table.sort(names)
@@ -87,8 +87,9 @@ list[#list + 1] = { name = "neutral", why = "bits, or another path of the same e
     repeat
       kind = d.pick(names)
       part = neutral[kind](s)
-    until part and not (controls[kind] and has(s, "panel"))
+    until part
     local without = scenes.copy(s, function(p) return p.kind == kind end)
+    if controls[kind] then without.step_control = 0 end
     local with = scenes.copy(without)
     with.parts[#with.parts + 1] = part
     local a, limit = answer_of(hinge, without), s.yields and 1e-6 or 1e-7

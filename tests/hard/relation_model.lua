@@ -142,7 +142,7 @@ function declare.panel(b, p)
     o.reinforcement = { x = p.bars * b.unit.m, y = p.bars * b.unit.m / 2, E = b.elastic.E,
       yield_stress = p.stress and 2 * p.stress * b.unit.Pa }
   end
-  b.model:panel(o)
+  b.panels[#b.panels + 1] = b.model:panel(o)
 end
 function declare.sway(b, p) b.model:imperfection { sway = p.value, direction = b.vector(p.direction, 1) } end
 function declare.settle(b, p)
@@ -191,7 +191,7 @@ function built.make(hinge, s, way)
   local m, kg = 1 / way.length, 1 / way.mass
   local unit = { m = m, kg = kg, N = kg * m, Nm = kg * m * m, Pa = kg / m }
   local b = { s = s, way = way, unit = unit, model = hinge.model(with(s.options, way.options)), nodes = {},
-    members = {}, extra = {}, connectors = {} }
+    members = {}, extra = {}, connectors = {}, panels = {} }
   function b.vector(v, size)
     return vectors.times(size, turned(way.turn, v))
   end

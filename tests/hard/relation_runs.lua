@@ -26,7 +26,7 @@ local function dynamic_options(s)
   for _, member in ipairs(s.members) do shortest = support.smallest_of(shortest, member.length) end
   local dt = (s.class == "collision" and 0.02 or 0.5) * shortest / 5100
   return { dt = dt, duration = (s.class == "collision" and 4 or 1) * runs.steps * dt, precision = "double",
-    internals = { solver_tolerance = 1e-12 }, record = false, energy_tolerance = 0 }
+    internals = { solver_tolerance = 1e-12 }, record = false, energy_tolerance = 0, step_control = s.step_control }
 end
 local function dynamic(hinge, s, way, more)
   local b = built.make(hinge, s, way)
