@@ -255,7 +255,7 @@ end
 for _, field in ipairs { "axes", "stiffness", "damping", "curve", "law", "capacity" } do
   calls["model:connector." .. field] = function(x) s.model:connector { s.tip, ground = true, [field] = x } end
 end
-for _, field in ipairs { "concrete", "reinforcement", "deck", "bending" } do
+for _, field in ipairs { "concrete", "reinforcement", "deck" } do
   calls["model:panel." .. field] = function(x)
     s.model:panel { s.edge[1], s.edge[2], s.edge[3], [field] = x }
   end
