@@ -188,7 +188,7 @@ void Condensed<Number>::take_couplings() {
         for (int i : {0, 1})
             for (int j : {0, 1})
                 coupled_rows_.add(place_[i ? c.b : c.a], place_[j ? c.b : c.a], c.K.template block<6, 6>(6 * i, 6 * j));
-    for (const Bridge& b : bridges_) b.add_to(coupled_rows_, place_, b.K);
+    for (const Bridge& b : bridges_) b.add_to(coupled_rows_, place_);
 }
 
 template <class Number>
@@ -297,12 +297,14 @@ void Condensed<Number>::renew(const std::vector<int>& nodes, const ElementMatric
     pool_.share(int(rows.size()), piece, [&](int first, int end, int) {
         for (int i = first; i < end; ++i) renew_row(rows[i], parts), renew_inverse(rows[i]);
     });
+    bool any = false;
     for (Bridge& b : bridges_) {
         if (!std::binary_search(nodes.begin(), nodes.end(), b.middle)) continue;
         const Mat6 K = parts.bridge(b.first, 0);
-        b.add_to(coupled_rows_, place_, K - b.K);
+        any |= K != b.K;
         b.K = K;
     }
+    if (any) take_couplings();  // summed anew: a run that goes on from its checkpoint has the same bits
 }
 
 /// Adds a row's product with x, from that entry of it on.

@@ -53,8 +53,8 @@ private:
     struct Bridge {
         int first, a, b, middle;  ///< first element of the pair; its outer nodes and its middle one
         Mat6 K;
-        void add_to(CoupledRows& rows, const std::vector<int>& place, const Mat6& change) const {
-            rows.add(place[a], place[b], change), rows.add(place[b], place[a], change.transpose());
+        void add_to(CoupledRows& rows, const std::vector<int>& place) const {
+            rows.add(place[a], place[b], K), rows.add(place[b], place[a], K.transpose());
         }
     };
     struct CondensedNode {
