@@ -2,10 +2,11 @@
 // plastic moments. The membrane forces of the same panels are an effect of their own (panels.cpp), and neither changes
 // the strength of the other. Where one of its panels has torn, a node bends no more.
 #include <algorithm>
-#include <map>
+#include <cmath>
 
 #include "effects/kinds.h"
 #include "effects/panels.h"
+#include "effects/translation_blocks.h"
 
 namespace hinge {
 namespace {
@@ -41,13 +42,13 @@ public:
             n->history.resize(next_.size(), 0), n->stored.resize(bends_.size(), 0), n->ended.resize(bends_.size(), 0);
         }
         for (const Panel& p : declared())
-            for (const panel::Layer& l : p.sheet->layers) traits_.forces_vanish |= l.ultimate < 1e300;
+            for (const panel::Layer& l : p.sheet->layers) traits_.forces_vanish |= std::isfinite(l.ultimate);
     }
 
     // ---- what acts ------------------------------------------------------------------------------------------------
     void add_forces(double, std::vector<Vec6>& resisting) override {
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (now().ended[i]) continue;
+            if (has_ended(i)) continue;
             const At at = place(i, w_.trial);
             const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * respond(i, at).moment);
             const panel::Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
@@ -63,7 +64,7 @@ public:
                (w_.structure.large() ||
                 std::any_of(laws_.begin(), laws_.end(), [](const BendingLaw& l) { return !l.is_elastic(); }));
     }
-    bool renews_blocks() const override { return w_.kind.dynamic; }  // with those of the membranes
+    bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
         add_stiffness(at, blocks, [&](std::size_t i, const At& placed) { return respond(i, placed).tangent; });
     }
@@ -89,6 +90,10 @@ public:
         ends_.assign(bends_.size(), {});
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (now().ended[i]) continue;
+            if (has_ended(i)) {  // statics
+                dissipated += now().stored[i];
+                continue;
+            }
             ends_[i] = respond(i, place(i, w_.trial));
             dissipated += bends_[i].area * ends_[i].dissipated;
         }
@@ -98,6 +103,10 @@ public:
         BendingNow& n = now();
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (n.ended[i]) continue;
+            if (has_ended(i)) {
+                n.stored[i] = 0;
+                continue;
+            }
             const auto from = next_.begin() + long(panel::bending_history * i);
             std::copy(from, from + panel::bending_history, n.history.begin() + long(panel::bending_history * i));
             n.stored[i] = bends_[i].area * ends_[i].stored;
@@ -157,7 +166,6 @@ private:
             which.push_back(int(i));
         }
         bends_ = panel::bends_of(corners, w_.structure.position());
-        std::map<std::pair<int, int>, int> edges;
         for (Bend& b : bends_) {
             BendingLaw mean{0, 0, 0, 0};
             for (int& p : b.panels) {
@@ -168,17 +176,16 @@ private:
                 mean.sagging += part * own.sagging, mean.hogging += part * own.hogging;
             }
             laws_.push_back(mean);
-            std::vector<int> own;
-            for (const int a : b.nodes)
-                for (const int c : b.nodes)
-                    own.push_back(a < c ? edges.try_emplace({a, c}, int(edges.size())).first->second : -1);
-            edge_.push_back(std::move(own));
-            nodes_.insert(nodes_.end(), b.nodes.begin(), b.nodes.end());
+            blocks_.join(b.nodes);
         }
-        edges_.resize(edges.size());
-        for (const auto& [ends, index] : edges) edges_[std::size_t(index)] = ends;
-        std::sort(nodes_.begin(), nodes_.end());
-        nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+        blocks_.joined();
+        for (const Bend& b : bends_) place_.push_back(blocks_.places(b.nodes));
+    }
+    /// Statics: also where one of its panels tears at the place that is tried.
+    bool has_ended(std::size_t i) const {
+        const PanelsNow& panels = *panels_now(w_.state);
+        return now().ended[i] || std::any_of(bends_[i].panels.begin(), bends_[i].panels.end(),
+                                             [&](int p) { return panels.on_trial[std::size_t(p)] != 0; });
     }
 
     At place(std::size_t i, const Pose& pose) const {
@@ -202,9 +209,9 @@ private:
 
     template <class F>
     void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
-        std::vector<Mat3> own(w_.structure.position().size(), Mat3::Zero()), across(edges_.size(), Mat3::Zero());
+        blocks_.begin();
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (now().ended[i]) continue;
+            if (has_ended(i)) continue;
             const Bend& b = bends_[i];
             const At at = place(i, pose);
             const Mat3 D = b.area * (b.to_frame.transpose() * of(i, at) * b.to_frame);
@@ -215,27 +222,19 @@ private:
                 for (int k = 0; k < n; ++k) {
                     if (b.nodes[j] > b.nodes[k]) continue;
                     const Mat3 K = G.block<3, 3>(0, 3 * j).transpose() * DG.block<3, 3>(0, 3 * k);
-                    (j == k ? own[b.nodes[j]] : across[edge_[i][std::size_t(n * j + k)]]) += K;
+                    const int place = place_[i][std::size_t(n * j + k)];
+                    if (j == k) blocks_.add_own(place, K);
+                    else blocks_.add(place, K, true);
                 }
         }
-        for (const int n : nodes_) {
-            Mat6 K = Mat6::Zero();
-            K.topLeftCorner<3, 3>() = own[n];
-            blocks.stiffness(n, K);
-        }
-        for (std::size_t e = 0; e < edges_.size(); ++e) {
-            Mat12 K = Mat12::Zero();
-            K.block<3, 3>(0, 6) = across[e], K.block<3, 3>(6, 0) = across[e].transpose();
-            blocks.stiffness(edges_[e].first, edges_[e].second, K);
-        }
+        blocks_.list(blocks);
     }
 
     std::vector<Bend> bends_;
-    std::vector<BendingLaw> laws_;            ///< of each
-    std::vector<std::vector<int>> edge_;      ///< of each: the pair of its nodes j and k at n j + k, -1 unless j < k
-    std::vector<std::pair<int, int>> edges_;  ///< pairs of nodes, the lower first
-    std::vector<int> nodes_;                  ///< of all, rising
-    mutable std::vector<double> next_;        ///< BendingNow::history where moments were found last
+    std::vector<BendingLaw> laws_;         ///< of each
+    std::vector<std::vector<int>> place_;  ///< of each: those of its nodes in the blocks
+    mutable TranslationBlocks blocks_;     ///< a sum that is listed at once
+    mutable std::vector<double> next_;     ///< BendingNow::history where moments were found last
     mutable std::vector<BendingResponse> ends_;
 };
 

@@ -8,12 +8,13 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
+#include <cmath>
 
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "effects/damping.h"
 #include "effects/kinds.h"
+#include "effects/translation_blocks.h"
 
 namespace hinge {
 namespace {
@@ -26,6 +27,8 @@ using panel::Shape;
 
 const std::vector<Panel>& panels_of(const Model& model) { return model.declared<Panel>(panels_effect); }
 
+constexpr std::uint8_t all_layers = 255;
+
 /// What the stresses of a panel come to.
 struct Evaluated {
     Resultants resultants;
@@ -35,40 +38,35 @@ struct Evaluated {
     std::uint8_t tears = 0;                       ///< layers that reach their ultimate strain
 };
 
-/// Recoveries of stresses in a step, of which so few show that inertia rules its equations: the tangent of an earlier
-/// step is good enough then.
-constexpr int few = 6;
-
 class Panels : public Effect, public Force, public BreakListener, public StepLimiter {
 public:
     Panels(Workspace& w, Host& host) : Effect(panels_effect, w, host, {.mean_forces = true}) {
-        std::map<std::pair<int, int>, int> edges;
         std::size_t size = 0;
         for (const Panel& p : declared()) {
-            add(p, edges);
+            add(p);
             history_at_.push_back(size);
             size += std::size_t(p.sheet->history_size()) * std::size_t(shape_.back().points);
-            for (const Layer& l : p.sheet->layers) traits_.forces_vanish = traits_.forces_vanish || l.ultimate < 1e300;
+            for (const Layer& l : p.sheet->layers) traits_.forces_vanish |= std::isfinite(l.ultimate);
         }
         history_at_.push_back(size);
+        blocks_.joined();
+        for (const Panel& p : declared()) place_.push_back(blocks_.places(p.nodes));
         next_.resize(size);
         begin(size);
     }
 
     // ---- what acts ------------------------------------------------------------------------------------------------
-    void begin(const Step&) override { calm_ = recoveries_ > 1 && recoveries_ <= few, recoveries_ = 0; }
     void add_forces(double, std::vector<Vec6>& resisting) override {
-        const PanelsNow& n = now();
+        PanelsNow& n = now();
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(n, declared()[i], i)) continue;
             const Placed at = place(i, w_.trial);
             const Evaluated e = evaluate(i, at, n, false);
+            n.on_trial[i] = !w_.kind.dynamic && e.tears == all_layers;
             Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
             panel::add_forces(shape_[i], at, e.resultants, force);
             for (int k = 0; k < shape_[i].nodes; ++k) resisting[declared()[i].nodes[k]].head<3>() += force[k];
         }
-        ++recoveries_;
-        if ((!calm_ || recoveries_ > few) && renews_blocks() && any_whole()) host_.blocks_changed(w_.trial);
     }
     bool has_blocks() const override { return any_whole(); }
     bool blocks_follow() const override {
@@ -76,7 +74,7 @@ public:
                (w_.structure.large() || !std::all_of(declared().begin(), declared().end(),
                                                      [](const Panel& p) { return p.sheet->is_elastic(); }));
     }
-    bool renews_blocks() const override { return w_.kind.dynamic; }
+    bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
         add_stiffness(at, blocks, [&](std::size_t i, const Placed& placed, Resultants& r) {
             const Evaluated e = evaluate(i, placed, now(), true);
@@ -122,7 +120,7 @@ public:
             n.force[i] = e.resultants.mean / shape_[i].area;
             n.stored[i] = e.stored;
             n.used[i] = std::max(n.used[i], e.used);
-            if (e.tears) tear(i, e.tears, e, w_.reached(step)), any = true;
+            if (e.tears) tear(i, e.tears, e, w_.kind.dynamic ? step.end() : w_.factor), any = true;
         }
         if (any) changed(w_.trial);
     }
@@ -147,7 +145,7 @@ public:
             if (is_torn(now(), declared()[i], i)) continue;
             const auto& nodes = declared()[i].nodes;
             if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return w_.state.gone[n] != 0; })) continue;
-            tear(i, 255, evaluate(i, place(i, w_.state), now(), false), w_.state.time), any = true;
+            tear(i, all_layers, evaluate(i, place(i, w_.state), now(), false), w_.state.time), any = true;
         }
         if (any) changed(w_.state);
     }
@@ -164,12 +162,11 @@ public:
         for (const double each : panels_now(state)->stored) stored += each;
         sums["panel_stored"] += stored;
     }
-    void save(Writer& to) const override { to(recoveries_, calm_); }
-    void restore(Reader& from) override { from(recoveries_, calm_); }
     bool restored(std::span<const State* const> states) override {
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const PanelsNow* there = panels_now(*s);
-            return there && there->history.size() == next_.size() && there->torn.size() == shape_.size();
+            return there && there->history.size() == next_.size() && there->torn.size() == shape_.size() &&
+                   there->on_trial.size() == shape_.size();
         });
     }
 
@@ -178,24 +175,13 @@ private:
     const std::vector<Panel>& declared_ = panels_of(w_.structure.model());
     PanelsNow& now() const { return *w_.state.data.find<PanelsNow>(panels_effect); }
 
-    void add(const Panel& p, std::map<std::pair<int, int>, int>& edges) {
+    void add(const Panel& p) {
         const auto& X = w_.structure.position();
         std::array<Vec3, 4> places;
         for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = X[p.nodes[k]];
         shape_.push_back(panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson()));
         bars_alone_.push_back(p.sheet->has_bars_alone());
-        std::array<int, 16> own{};
-        for (std::size_t a = 0; a < p.nodes.size(); ++a)
-            for (std::size_t b = a + 1; b < p.nodes.size(); ++b) {
-                const auto [low, high] = std::minmax(p.nodes[a], p.nodes[b]);
-                own[4 * a + b] = edges.try_emplace({low, high}, int(edges.size())).first->second;
-            }
-        edge_.push_back(own);
-        edges_.resize(edges.size());
-        for (const auto& [ends, index] : edges) edges_[std::size_t(index)] = ends;
-        for (const int n : p.nodes) nodes_.push_back(n);
-        std::sort(nodes_.begin(), nodes_.end());
-        nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+        blocks_.join(p.nodes);
     }
 
     /// The state's part, where the run begins: panels that were declared since an earlier run are whole, and their mass
@@ -209,6 +195,7 @@ private:
         n->torn_at.resize(shape_.size(), std::numeric_limits<double>::quiet_NaN());
         n->force.resize(shape_.size(), Vec3::Zero());
         n->used.resize(shape_.size(), 0), n->stored.resize(shape_.size(), 0);
+        n->on_trial.assign(shape_.size(), 0);
         for (std::size_t i = before; i < shape_.size(); ++i) {
             if (declared()[i].sheet->mass == 0) continue;
             if (w_.state.offset_mass.empty()) w_.state.offset_mass.assign(w_.state.displacement.size(), {});
@@ -247,12 +234,21 @@ private:
         sum.bottomRightCorner<2, 2>() += point.P.transpose() * of * point.P;
     }
 
+    /// Whether a layer is left that holds the panel together, where `layers` tear: concrete alone does not.
+    bool any_holds(std::size_t i, std::uint8_t layers) const {
+        const auto& all = declared()[i].sheet->layers;
+        for (std::size_t l = 0; l < all.size(); ++l)
+            if (all[l].kind != panel::LayerKind::concrete && !((layers | now().torn[i]) >> l & 1)) return true;
+        return false;
+    }
     /// Statics: a layer that tears in the step holds nothing at its end, which is in equilibrium without it.
     Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent) const {
-        const Evaluated whole = evaluate(i, at, from, with_tangent, 0);
-        if (w_.kind.dynamic || !whole.tears) return whole;
-        Evaluated e = evaluate(i, at, from, with_tangent, whole.tears);
-        e.tears |= whole.tears, e.used = whole.used;
+        Evaluated e = evaluate(i, at, from, with_tangent, 0);
+        if (!e.tears) return e;
+        if (!any_holds(i, e.tears)) e.tears = all_layers;
+        if (w_.kind.dynamic) return e;
+        const Evaluated left = evaluate(i, at, from, with_tangent, e.tears);
+        e.resultants = left.resultants, e.tangent = left.tangent;
         return e;
     }
     /// Writes what its layers keep into next_. `gone`: layers that carry nothing.
@@ -290,7 +286,7 @@ private:
     /// Sums the stiffness of all panels in blocks of one node and of two. of(i, placed, resultants): its tangent.
     template <class F>
     void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
-        std::vector<Mat3> own(w_.structure.position().size(), Mat3::Zero()), across(edges_.size(), Mat3::Zero());
+        blocks_.begin();
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(now(), declared()[i], i)) continue;
             const Placed at = place(i, pose);
@@ -298,34 +294,17 @@ private:
             const Mat5 D = of(i, at, r);
             const auto& nodes = declared()[i].nodes;
             panel::for_each_stiffness(shape_[i], at, r, D, [&](int a, int b, const Mat3& K) {
-                if (a == b) own[nodes[a]] += K;
-                else if (nodes[a] < nodes[b]) across[edge_[i][4 * a + b]] += K;
-                else across[edge_[i][4 * a + b]] += K.transpose();
+                const int place = place_[i][std::size_t(int(nodes.size()) * a + b)];
+                if (a == b) blocks_.add_own(place, K);
+                else blocks_.add(place, K, nodes[a] < nodes[b]);
             });
         }
-        for (const int n : nodes_) {
-            Mat6 K = Mat6::Zero();
-            K.topLeftCorner<3, 3>() = own[n];
-            blocks.stiffness(n, K);
-        }
-        for (std::size_t e = 0; e < edges_.size(); ++e) {
-            Mat12 K = Mat12::Zero();
-            K.block<3, 3>(0, 6) = across[e], K.block<3, 3>(6, 0) = across[e].transpose();
-            blocks.stiffness(edges_[e].first, edges_[e].second, K);
-        }
+        blocks_.list(blocks);
     }
 
     void tear(std::size_t i, std::uint8_t layers, const Evaluated& at, double when) {
         PanelsNow& n = now();
         const Panel& p = declared()[i];
-        const auto& all = p.sheet->layers;
-        // concrete alone holds nothing together
-        const auto holds = [&](std::size_t l) {
-            return all[l].kind != panel::LayerKind::concrete && !((layers | n.torn[i]) >> l & 1);
-        };
-        bool any = false;
-        for (std::size_t l = 0; l < all.size(); ++l) any = any || holds(l);
-        if (!any) layers = 255;
         for (std::size_t l = 0; l < p.sheet->layers.size(); ++l) {
             if (!(layers >> l & 1) || n.torn[i] >> l & 1) continue;
             n.torn[i] |= std::uint8_t(1u << l);
@@ -341,16 +320,13 @@ private:
         host_.blocks_changed(at);
     }
 
-    int recoveries_ = 0;  ///< of stresses in this step
-    bool calm_ = false;   ///< the step before took few, and more than the one of a method that solves once
     std::vector<Shape> shape_;
-    std::vector<char> bars_alone_;            ///< of each: whether it has bars and nothing else
-    std::vector<std::array<int, 16>> edge_;   ///< of each panel: the edge between its corners a < b at 4 a + b
-    std::vector<std::pair<int, int>> edges_;  ///< pairs of nodes that a panel joins, the lower first
-    std::vector<int> nodes_;                  ///< that have panels, rising
-    std::vector<std::size_t> history_at_;     ///< of each panel, and of all
-    mutable std::vector<double> next_;        ///< PanelsNow::history where stresses were found last
-    mutable std::vector<Evaluated> ends_;     ///< where the step has ended
+    std::vector<char> bars_alone_;         ///< of each: whether it has bars and nothing else
+    std::vector<std::vector<int>> place_;  ///< of each: those of its nodes in the blocks
+    std::vector<std::size_t> history_at_;  ///< of each panel, and of all
+    mutable TranslationBlocks blocks_;     ///< a sum that is listed at once
+    mutable std::vector<double> next_;     ///< PanelsNow::history where stresses were found last
+    mutable std::vector<Evaluated> ends_;  ///< where the step has ended
 };
 
 std::vector<PlanLine> panels_plan(const Structure& s, const RunKind&) {

@@ -19,9 +19,10 @@ struct PanelsNow {
     std::vector<Vec3> force;         ///< mean membrane forces in the sheet's axes, [n11, n22, n12], N/m
     std::vector<double> used;        ///< largest part of its ultimate strain that a layer has reached
     std::vector<double> stored;      ///< J
+    std::vector<char> on_trial;      ///< statics: 1 where all layers tear at the place that is tried
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.history, s.torn, s.torn_at, s.force, s.used, s.stored);
+        a(s.history, s.torn, s.torn_at, s.force, s.used, s.stored, s.on_trial);
     }
 };
 

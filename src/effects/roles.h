@@ -61,8 +61,9 @@ public:
     virtual double scale_of_rounding(const Pose& at) const { return (void)at, 0; }
     /// True if the blocks depend on the places of the nodes: they are renewed wherever stresses are recovered.
     virtual bool blocks_follow() const { return false; }
-    /// Blocks that follow are renewed where the effect asks for it (Host::blocks_changed), and not by the run.
-    virtual bool renews_blocks() const { return false; }
+    /// Whether those of an earlier place will do where a step takes few iterations: they are many, and inertia rules
+    /// the equations then.
+    virtual bool blocks_may_lag() const { return false; }
 };
 
 /// Loads between the nodes of a member: the resultants of its sections have a part that does not follow from the

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <limits>
 #include <span>
 #include <vector>
@@ -23,7 +24,7 @@ struct BendingLaw {
     double stiffness = 0;  ///< D, N m; 0: does not bend
     double poisson = 0;
     double sagging = std::numeric_limits<double>::infinity(), hogging = sagging;  ///< N m/m
-    bool is_elastic() const { return sagging > 1e300 && hogging > 1e300; }
+    bool is_elastic() const { return !std::isfinite(sagging) && !std::isfinite(hogging); }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.stiffness, s.poisson, s.sagging, s.hogging);

@@ -6,6 +6,7 @@
 // their own stretch and their force. In small displacement all of these are the linear strain.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -36,7 +37,9 @@ struct Layer {
     /// Elastic stiffness, N/m; that of concrete under compression.
     Mat3 elastic() const;
     int history_size() const;
-    bool is_elastic() const { return kind != LayerKind::concrete && strength > 1e300 && ultimate > 1e300; }
+    bool is_elastic() const {
+        return kind != LayerKind::concrete && !std::isfinite(strength) && !std::isfinite(ultimate);
+    }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {

@@ -8,6 +8,10 @@
 
 namespace hinge {
 
+namespace {
+constexpr int few = 5;  ///< iterations of a step that inertia rules
+}
+
 Failure DynamicForces::failure_of_elements() const {
     return w_.assembly.failure(!any_of(effects_.breakers, &Breaker::by_strain));
 }
@@ -22,12 +26,24 @@ void DynamicForces::recover(double time) {
     integrator_->recovered(step_);
     times_.each(effects_.loads, [&](Load& load) { load.subtract_following_loads(w_.resisting); });
     times_.each(effects_.forces, [&](Force& force) { force.add_forces(time, w_.resisting); });
-    if (std::any_of(effects_.forces.begin(), effects_.forces.end(),
-                    [](const auto& f) { return f->blocks_follow() && !f->renews_blocks(); }))
-        host_.blocks_changed(w_.trial);
+    renew_blocks();
     if (w_.constraints) w_.constraints->balance([this](int n) { return w_.external[n]; });
     for (int e : w_.assembly.rotated()) host_.stiffness_changed(e);
     if (step_.iteration == 0 && w_.assembly.folded() >= 0) step_.failure = failure_of_elements();
+}
+
+void DynamicForces::begin_step() {
+    may_lag_ = iterations_ > 1 && iterations_ <= few;
+    iterations_ = 0;
+}
+
+/// A method that solves once a step corrects its error in the next one, with blocks that are renewed.
+void DynamicForces::renew_blocks() {
+    ++iterations_;
+    const bool lag = may_lag_ && iterations_ <= few;
+    if (std::any_of(effects_.forces.begin(), effects_.forces.end(),
+                    [&](const auto& f) { return f->blocks_follow() && !(lag && f->blocks_may_lag()); }))
+        host_.blocks_changed(w_.trial);
 }
 
 void DynamicForces::find_acceleration(std::vector<Vec6>& out_of_balance) {

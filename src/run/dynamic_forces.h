@@ -18,6 +18,8 @@ public:
                   const std::unique_ptr<Integrator>& integrator, Host& host, Step& step, EffectTimes& times)
         : w_(w), effects_(effects), mass_(mass), integrator_(integrator), host_(host), step_(step), times_(times) {}
 
+    /// A step begins: whether blocks may lag in it follows from the iterations of the one before.
+    void begin_step();
     /// Internal and inertia forces where the nodes are now (eqs 3, 10, 13); p of each element.
     void recover(double time);
     Failure failure_of_elements() const;
@@ -39,7 +41,13 @@ public:
 
     bool acceleration_due = false;  ///< a force has vanished: the next step begins with the acceleration found anew
 
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.acceleration_due, s.iterations_, s.may_lag_);
+    }
+
 private:
+    void renew_blocks();
     void require_solved(const SolveReport& report);
 
     Workspace& w_;
@@ -49,6 +57,8 @@ private:
     Host& host_;
     Step& step_;
     EffectTimes& times_;
+    int iterations_ = 0;    ///< of this step: recoveries of its stresses
+    bool may_lag_ = false;  ///< Force::blocks_may_lag in this step
 };
 
 }  // namespace hinge

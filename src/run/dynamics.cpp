@@ -114,6 +114,7 @@ void Dynamics::choose_length() {
 }
 
 void Dynamics::begin_step() {
+    forces_.begin_step();
     times_.each(effects_->all, [this](Effect& e) { e.begin(step_); });
 }
 

@@ -65,7 +65,7 @@ template <class Self, class A>
 void Dynamics::fields(Self& s, A& a) {
     Run::fields(s, a);
     a(s.length_, s.stages_, s.times_, s.w_.external, s.w_.steady, s.w_.force, s.w_.supported, s.w_.yielding,
-      s.w_.weighted, s.forces_.acceleration_due, s.sleepers_);
+      s.w_.weighted, s.forces_, s.sleepers_);
     if constexpr (A::reading) s.energy_check_.make_room(s.state_);
     a(s.energy_check_);
     for (const auto& e : s.effects_->all)

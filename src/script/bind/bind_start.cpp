@@ -179,8 +179,20 @@ void require_density(const Structure& structure) {
             "a density, or nodes a mass with model:mass");
 }
 
+/// A panel has no resistance across itself: its nodes are held by members, by supports, or by their inertia.
+void refuse_massless_panels(const Structure& structure) {
+    std::vector<double> mass(structure.position().size(), 0);
+    for (const AddedMass& added : added_masses(structure.model())) mass[std::size_t(added.node)] += added.mass.mass;
+    for (std::size_t n = 0; n < mass.size(); ++n)
+        if (structure.has_panels_alone(int(n)) && !(mass[n] > 0) && (structure.fixed()[n] & 7) != 7)
+            throw InputError("model:dynamic: " + structure.node_name(int(n)) +
+                             " has no mass, and panels alone join it; give its panels a density or a mass (kg/m^2), "
+                             "or the node one with model:mass");
+}
+
 /// What members without mass do not go with. Nodes without mass are in balance in Newmark's method.
 void refuse_massless(const Structure& structure, IntegratorKind integrator) {
+    refuse_massless_panels(structure);
     const auto& elements = structure.elements();
     const auto at =
         std::find_if(elements.begin(), elements.end(), [](const Element& e) { return !(e.rigidity.rhoA > 0); });
