@@ -1,6 +1,7 @@
 #include "model/inner_nodes.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/errors.h"
 #include "model/member_ends.h"
@@ -17,12 +18,17 @@ int name_inner_node(Model& model, int member, int after) {
         throw InputError("member " + std::to_string(member + 1) + " has " + std::to_string(m.elements) +
                          " elements and no node " + std::to_string(after) + " inside; must be 1 to " +
                          std::to_string(m.elements - 1));
-    for (const InnerNode& known : model.declared<InnerNode>(inner_nodes))
-        if (known.member == member && known.after == after) return known.node;
+    const auto find = [&](auto& list) {
+        return std::lower_bound(list.begin(), list.end(), std::pair(member, after),
+                                [](const InnerNode& n, auto& sought) { return std::pair(n.member, n.after) < sought; });
+    };
+    const auto& known = model.declared<InnerNode>(inner_nodes);
+    if (const auto at = find(known); at != known.end() && at->member == member && at->after == after) return at->node;
     const double t = double(after) / m.elements;
     const int node =
         model.add_node((1 - t) * end_position(model, member, 0) + t * end_position(model, member, 1) + m.offset(after));
-    model.declare(inner_nodes, InnerNode{member, after, node});
+    auto& list = model.change_declared<InnerNode>(inner_nodes);
+    list.insert(find(list), {member, after, node});
     return node;
 }
 

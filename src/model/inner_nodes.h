@@ -7,7 +7,8 @@ namespace hinge {
 
 inline constexpr const char* inner_nodes = "inner nodes";
 
-/// A node of the script in the place of the one that a member has after so many of its elements.
+/// A node of the script in the place of the one that a member has after so many of its elements. The list of a model
+/// is sorted by both.
 struct InnerNode {
     int member, after, node;
     template <class Self, class A>

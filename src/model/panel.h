@@ -1,6 +1,8 @@
 // Panels as a script declares them: flat plates between three or four nodes.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -20,6 +22,22 @@ struct Panel {
     template <class Self, class A>
     static void fields(Self& s, A& a) {
         a(s.nodes, *s.sheet, s.along);
+    }
+};
+
+/// Where a panel is: the declared ones have a list of these, sorted by their nodes, rising.
+inline constexpr const char* panel_places = "places of panels";
+struct PanelPlace {
+    std::array<int, 4> nodes{-1, -1, -1, -1};
+    int panel = -1;
+    explicit PanelPlace(const std::vector<int>& of, int index = -1) : panel(index) {
+        std::copy(of.begin(), of.end(), nodes.begin());
+        std::sort(nodes.begin(), nodes.end());
+    }
+    bool operator<(const PanelPlace& other) const { return nodes < other.nodes; }
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.panel);
     }
 };
 

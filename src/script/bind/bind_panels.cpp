@@ -25,21 +25,6 @@ constexpr double modulus_of_bars = 200e9, density_of_steel = 7850, density_of_co
 
 const Vec3 along_x = {1, 0, 0}, along_y = {0, 1, 0};  ///< directions of bars (panel::Layer)
 
-/// A field that is a table of options: read(them). False where it is not given.
-template <class F>
-bool read_table(Options& o, const char* field, const char* such_as, F read) {
-    lua_State* L = o.L();
-    const int type = o.push_field(field);
-    if (type == LUA_TTABLE) {
-        Options inner(L, lua_gettop(L), o.function() + ": field '" + field + "'");
-        read(inner);
-    } else if (type != LUA_TNIL) {
-        o.complain(field, show(L, -1), std::string("must be a table, such as ") + such_as);
-    }
-    lua_pop(L, 1);
-    return type == LUA_TTABLE;
-}
-
 /// What bars of steel have in common.
 Layer read_bars(Options& o) {
     Layer bars;
@@ -48,7 +33,7 @@ Layer read_bars(Options& o) {
     bars.strength = o.maybe_number("yield_stress", "Pa", Range::positive).value_or(bars.strength);
     bars.hardening = o.number("hardening", "Pa", Range::not_negative, 0);
     bars.ultimate = o.maybe_number("ultimate_strain", "", Range::positive).value_or(bars.ultimate);
-    if (bars.ultimate < bars.strength / bars.E)
+    if (std::isfinite(bars.strength) && bars.ultimate < bars.strength / bars.E)
         o.complain("ultimate_strain", show(bars.ultimate),
                    "is below the strain at which they yield, " + show(bars.strength / bars.E));
     if (bars.hardening > 0 && !std::isfinite(bars.strength))
@@ -90,7 +75,7 @@ void read_solid(Options& o, Sheet& sheet, double& mass) {
 }
 
 void read_concrete(Options& o, Sheet& sheet, double& mass) {
-    read_table(o, "concrete", "{ thickness = 0.12, strength = 30e6, E = 33e9 }", [&](Options& in) {
+    o.read_table("concrete", "{ thickness = 0.12, strength = 30e6, E = 33e9 }", [&](Options& in) {
         in.expect({"thickness", "strength", "E", "density"});
         Layer layer;
         layer.kind = LayerKind::concrete;
@@ -103,7 +88,7 @@ void read_concrete(Options& o, Sheet& sheet, double& mass) {
 }
 
 void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
-    read_table(o, "reinforcement", "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }", [&](Options& in) {
+    o.read_table("reinforcement", "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }", [&](Options& in) {
         in.expect({"x", "y", "E", "yield_stress", "hardening", "ultimate_strain"});
         Layer bars = read_bars(in);
         const double x = in.number("x", "m^2/m", Range::not_negative, 0);
@@ -116,7 +101,7 @@ void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
             sheet.layers.push_back(bars);
         }
     });
-    read_table(o, "deck", "{ area = 1.2e-3, yield_stress = 320e6 }", [&](Options& in) {
+    o.read_table("deck", "{ area = 1.2e-3, yield_stress = 320e6 }", [&](Options& in) {
         in.expect({"area", "along", "E", "yield_stress", "hardening", "ultimate_strain"});
         Layer ribs = read_bars(in);
         ribs.thickness = in.number("area", "m^2/m", Range::positive);
@@ -134,15 +119,14 @@ void read_bending(Options& o, Sheet& sheet) {
     lua_pop(L, 1);
     if (none) return;
     panel::BendingLaw& law = sheet.bending;
-    const bool given =
-        read_table(o, "bending", "{ stiffness = 1e6, sagging = 20e3, hogging = 30e3 }", [&](Options& in) {
-            in.expect({"stiffness", "poisson", "sagging", "hogging"});
-            law.stiffness = in.number("stiffness", "N m", Range::positive);
-            law.poisson = in.number("poisson", "", Range::not_negative, 0);
-            if (!(law.poisson < 0.5)) in.complain("poisson", show(law.poisson), "must be below 0.5");
-            law.sagging = in.maybe_number("sagging", "N m/m", Range::positive).value_or(law.sagging);
-            law.hogging = in.maybe_number("hogging", "N m/m", Range::positive).value_or(law.hogging);
-        });
+    const bool given = o.read_table("bending", "{ stiffness = 1e6, sagging = 20e3, hogging = 30e3 }", [&](Options& in) {
+        in.expect({"stiffness", "poisson", "sagging", "hogging"});
+        law.stiffness = in.number("stiffness", "N m", Range::positive);
+        law.poisson = in.number("poisson", "", Range::not_negative, 0);
+        if (!(law.poisson < 0.5)) in.complain("poisson", show(law.poisson), "must be below 0.5");
+        law.sagging = in.maybe_number("sagging", "N m/m", Range::positive).value_or(law.sagging);
+        law.hogging = in.maybe_number("hogging", "N m/m", Range::positive).value_or(law.hogging);
+    });
     if (given) return;
     for (const Layer& plate : sheet.layers) {
         if (plate.kind != LayerKind::solid) continue;
@@ -276,11 +260,11 @@ int add_panel(lua_State* L) {
     }
     p.sheet = read_sheet(o);
     p.along = o.triple("along", "").value_or(Vec3::Zero());
-    for (const Panel& other : m->declared<Panel>(panels_effect))
-        if (std::is_permutation(p.nodes.begin(), p.nodes.end(), other.nodes.begin(), other.nodes.end()))
-            throw InputError("model:panel: there is a panel between these nodes already (panel " +
-                             std::to_string(&other - m->declared<Panel>(panels_effect).data() + 1) +
-                             "); give one panel all its layers");
+    const PanelPlace its(p.nodes, int(m->declared<Panel>(panels_effect).size()));
+    const auto& places = m->declared<PanelPlace>(panel_places);
+    if (const auto at = std::lower_bound(places.begin(), places.end(), its); at != places.end() && !(its < *at))
+        throw InputError("model:panel: there is a panel between these nodes already (panel " +
+                         std::to_string(at->panel + 1) + "); give one panel all its layers");
     const panel::Shape shape = shape_of_panel(*m, p);
     if (o.has("along") && !(p.along.head<3>().cross(shape.axes.col(2)).norm() > 1e-6 * p.along.norm()))
         o.complain("along", "across the panel", "must be a direction that lies in it, or nearly so");
@@ -293,6 +277,8 @@ int add_panel(lua_State* L) {
     if (const double off = off_plane(*m, p, shape); off > flat * std::sqrt(shape.area))
         throw InputError("model:panel: its nodes stand " + show(off) +
                          " m off a plane; a panel is flat to a twentieth of its size: give two triangles");
+    auto& list = m->change_declared<PanelPlace>(panel_places);
+    list.insert(std::lower_bound(list.begin(), list.end(), its), its);
     m->declare(panels_effect, std::move(p));
     m->ask(panels_effect, where(L));
     make_panel_metatable(L);

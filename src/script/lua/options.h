@@ -35,6 +35,20 @@ public:
     /// Pushes the field's raw value (nil if absent) and counts it as known.
     int push_field(const char* field);
     int push_item(int i);
+    /// A field that is a table of options: read(them). `such_as`: an example of it, for the error. False where it is
+    /// not given.
+    template <class F>
+    bool read_table(const char* field, const char* such_as, F read) {
+        const int type = push_field(field);
+        if (type == LUA_TTABLE) {
+            Options inner(L_, lua_gettop(L_), function_ + ": field '" + field + "'");
+            read(inner);
+        } else if (type != LUA_TNIL) {
+            complain(field, show(L_, -1), std::string("must be a table, such as ") + such_as);
+        }
+        lua_pop(L_, 1);
+        return type == LUA_TTABLE;
+    }
     /// Raises an error for a field that is none of these, before any missing field is reported.
     void expect(std::vector<std::string> fields, int items_allowed = 0) {
         known_ = std::move(fields), finish(items_allowed);
