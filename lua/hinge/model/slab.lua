@@ -1,17 +1,28 @@
 -- Slabs of floors: panels (model:panel) between the nodes of the members around a floor, inside of them too.
+local hinge = require "hinge.core"
 local check = require "hinge.library.check"
 
 local slab = {}
 
--- The nodes along a side of a floor's panel, from corner to corner.
+-- The number of elements along a side of a floor's panel.
+local function count_along(side)
+  local count = 0
+  for _, piece in ipairs(side.pieces) do
+    local n = piece.member.elements
+    if type(n) ~= "number" then
+      check.fail("model:floor: member %d has elements = 'auto'; a slab needs a number, which says how fine it is laid "
+        .. "out", piece.member.index)
+    end
+    count = count + n
+  end
+  return count
+end
+
+-- The nodes along a side, from corner to corner.
 local function nodes_along(side)
   local list = {}
   for k, piece in ipairs(side.pieces) do
     local member, n = piece.member, piece.member.elements
-    if type(n) ~= "number" then
-      check.fail("model:floor: member %d has elements = 'auto'; a slab needs a number, which says how fine it is laid "
-        .. "out", member.index)
-    end
     local function at(i)
       if i == 0 then return member.a elseif i == n then return member.b end
       return member:node(i)
@@ -21,7 +32,29 @@ local function nodes_along(side)
   return list
 end
 
+-- Before the first part is laid: a slab is laid as a whole or not at all.
+local function refuse_misfit(part)
+  if #part.sides ~= 4 then
+    local at = part.corners[1]
+    check.fail("model:floor: the part of the floor at {%.6g, %.6g} m of its plane has %d sides; a slab needs four: "
+      .. "divide it by members, or lay it with model:panel", at[1], at[2], #part.sides)
+  end
+  local counts = {}
+  for i, side in ipairs(part.sides) do counts[i] = count_along(side) end
+  if counts[1] ~= counts[3] or counts[2] ~= counts[4] then
+    check.fail("model:floor: the sides of a panel have %s elements; a slab needs four sides, and as many elements on a "
+      .. "side as on the one across: give the members there `elements` that fit", table.concat(counts, ", "))
+  end
+end
+
 local function point(node) return { node.x, node.y, node.z } end
+
+local function lay_one(model, corners, options)
+  local o = {}
+  for key, value in pairs(options) do o[key] = value end
+  for i, node in ipairs(corners) do o[i] = node end
+  return model:panel(o)
+end
 
 -- A node inside, between those along the four sides (Coons' surface).
 local function inner_node(model, rows, i, j, n, m)
@@ -42,18 +75,7 @@ end
 local function grid_of(model, panel)
   local sides = {}
   for i, side in ipairs(panel.sides) do sides[i] = nodes_along(side) end
-  local n, m = #sides[1] - 1, #(sides[2] or {}) - 1
-  if #sides ~= 4 then
-    local at = panel.corners[1]
-    check.fail("model:floor: the part of the floor at {%.6g, %.6g} m of its plane has %d sides; a slab needs four: "
-      .. "divide it by members, or lay it with model:panel", at[1], at[2], #sides)
-  end
-  if #sides[3] - 1 ~= n or #sides[4] - 1 ~= m then
-    local counts = {}
-    for i, list in ipairs(sides) do counts[i] = #list - 1 end
-    check.fail("model:floor: the sides of a panel have %s elements; a slab needs four sides, and as many elements on a "
-      .. "side as on the one across: give the members there `elements` that fit", table.concat(counts, ", "))
-  end
+  local n, m = #sides[1] - 1, #sides[2] - 1
   local rows = {}
   for i = 0, n do rows[i] = {} end
   for i = 0, n do rows[i][0], rows[i][m] = sides[1][i + 1], sides[3][n - i + 1] end
@@ -64,6 +86,27 @@ local function grid_of(model, panel)
   return rows, n, m
 end
 
+-- One axis in all parts of a floor: x, or y where the floor stands across x.
+local function level_axis(parts)
+  for _, part in ipairs(parts) do
+    for _, side in ipairs(part.sides) do
+      local member = side.pieces[1].member
+      if math.abs(member.a.x - member.b.x) > 1e-6 * member.length then return { 1, 0, 0 } end
+    end
+  end
+  return { 0, 1, 0 }
+end
+
+-- Options that model:panel does not take are refused by one laid elsewhere, in the place of a part of the floor.
+local function refuse_wrong(part, options)
+  local aside, corners = hinge.model(), {}
+  for i, side in ipairs(part.sides) do
+    local first = side.pieces[1]
+    corners[i] = aside:node(point(first.turned and first.member.b or first.member.a))
+  end
+  lay_one(aside, corners, options)
+end
+
 -- Lays the panels of one part of the floor, their corners counter-clockwise as seen from above.
 local function lay(model, panel, options, list)
   local rows, n, m = grid_of(model, panel)
@@ -71,12 +114,9 @@ local function lay(model, panel, options, list)
   local up = (b[1] - a[1]) * (d[2] - a[2]) - (b[2] - a[2]) * (d[1] - a[1]) >= 0
   for i = 0, n - 1 do
     for j = 0, m - 1 do
-      local o = {}
-      for key, value in pairs(options) do o[key] = value end
-      o[1], o[3] = rows[i][j], rows[i + 1][j + 1]
-      o[2], o[4] = rows[i + 1][j], rows[i][j + 1]
-      if not up then o[2], o[4] = o[4], o[2] end
-      list[#list + 1] = model:panel(o)
+      local corners = { rows[i][j], rows[i + 1][j], rows[i + 1][j + 1], rows[i][j + 1] }
+      if not up then corners[2], corners[4] = corners[4], corners[2] end
+      list[#list + 1] = lay_one(model, corners, options)
     end
   end
 end
@@ -118,7 +158,9 @@ function slab.lay(model, parts, o)
       .. "'reinforcement' or 'deck'")
   end
   options.mass = o.mass or options.mass
-  options.along = options.along or type(o.span) == "table" and o.span or nil
+  for _, part in ipairs(parts) do refuse_misfit(part) end
+  options.along = options.along or type(o.span) == "table" and o.span or level_axis(parts)
+  if parts[1] then refuse_wrong(parts[1], options) end
   for _, part in ipairs(parts) do lay(model, part, options, list) end
   load_nodes(model, list, o.loads, o.direction, o.history)
   return list

@@ -154,7 +154,8 @@ function model:floor(options) end
 ---@field openings? (vec3|hinge.node)[][]
 ---what the floor is made of, as in model:panel, without nodes: then plates with stiffness and strength lie between the
 ---members, bonded to the nodes of their elements, and carry `load` and `mass` at their nodes. Each part must have four
----sides, with as many elements on a side as on the one across. `mass` is that of the whole floor; default: of the slab
+---sides, with as many elements on a side as on the one across. The sheet's x axis is `span` where that is a direction,
+---else the global x axis. `mass` is that of the whole floor; default: of the slab
 ---@field slab? hinge.panel_options
 ---@field direction? vec3 of `load`, of any length; default { 0, 0, -1 }
 ---@field case? hinge.case|string of a `load` that is a number; without it the load acts in every run

@@ -539,5 +539,49 @@ case("a floor whose sides do not fit is refused", function()
   equal("why", why:find("have 4, 2, 2, 2 elements", 1, true) ~= nil, true)
 end)
 
+case("a floor whose slab is refused lays nothing: neither panels nor nodes", function()
+  local model = hinge.model { elements_per_member = 2 }
+  local at = {}
+  for i, x in ipairs { 0, 4, 8 } do
+    for j, y in ipairs { 0, 4 } do at[2 * i + j - 2] = model:node { x, y, 0 } end
+  end
+  local function join(a, b, n)
+    model:member { at[a], at[b], section = beam, material = steel, elements = n }
+  end
+  for _, ends in ipairs { { 1, 3 }, { 2, 4 }, { 1, 2 }, { 3, 4 }, { 3, 5 }, { 4, 6, 4 }, { 5, 6 } } do
+    join(ends[1], ends[2], ends[3]) -- the second bay does not fit
+  end
+  local nodes = #model:nodes()
+  for _, slab in ipairs { concrete_slab(), { concrete = { thickness = 0.1, E = 3e10, colour = 1 } } } do
+    equal("refused", pcall(model.floor, model, { members = model:members(), slab = slab }), false)
+    equal("nodes", #model:nodes(), nodes)
+  end
+end)
+
+case("a node that panels alone join needs a mass in dynamics", function()
+  local model = hinge.model()
+  local nodes = cells(model, 1, 1, square(1, 1), { reinforcement = { x = 1e-4, y = 1e-4, ultimate_strain = 0.1 } })
+  model:fix({ nodes[0][0], nodes[0][1], nodes[1][0] }, "xyz")
+  model:mass { node = nodes[0][0], mass = 1 }
+  for _, integrator in ipairs { "newmark", "explicit", "energy-momentum" } do
+    local good, why = pcall(model.dynamic, model, { dt = 1e-4, duration = 1e-3, integrator = integrator })
+    equal("refused", good, false)
+    equal(tostring(why), tostring(why):find("panels alone join it; give its panels", 1, true) ~= nil, true)
+  end
+end)
+
+case("a panel that tears in statics takes its bending with it", function()
+  local model = hinge.model { displacement = "small" }
+  local bars = { x = 4e-4, y = 4e-4, yield_stress = 500e6, hardening = 1e9, ultimate_strain = 0.05 }
+  local nodes = cells(model, 2, 2, square(2, 2), { reinforcement = bars, bending = { stiffness = 1e6 } })
+  for j = 0, 2 do
+    model:fix(nodes[0][j], "xyz")
+    model:fix({ nodes[1][j], nodes[2][j] }, "yz")
+    model:load { node = nodes[2][j], force = { j == 1 and 4e5 or 2e5, 0, 0 } } -- torn at 8.7e5 N / 2 m
+  end
+  local run = model:static { steps = 9, to_limit = true }:finish()
+  near("limit", run.factor * 8e5, 2 * 4e-4 * (500e6 + 1e9 * (0.05 - 500e6 / 200e9) / (1 + 1e9 / 200e9)), 2e3)
+end)
+
 
 checks.done()
