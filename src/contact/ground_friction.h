@@ -7,6 +7,13 @@
 
 namespace hinge::contact {
 
+/// Stiffness of friction's spring over that of the point's own, k_t / k. A point of the surface of a member also
+/// rotates with its node, which makes it up to 2.5 times as easy to move.
+inline constexpr double tangential_part = 0.4;
+/// Friction that differs by this part of the most that there can be from the one that a step was solved with asks for
+/// another solution.
+inline constexpr double same_friction = 0.01;
+
 /// Friction at a point at the end of a step: the stretch of its spring, and the work dissipated by sliding.
 struct Friction {
     Vec3 slip = Vec3::Zero();  ///< e, m

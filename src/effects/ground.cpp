@@ -1,6 +1,7 @@
 // The ground that members fall on: rigid half spaces. Each plane presses by one of two laws: points on springs
 // (ground_points.cpp) where it has a stiffness or a restitution, else a layer with springs and dashpots per area
-// (ground_layer.cpp). Both have Coulomb's friction (contact/ground_friction.h).
+// (ground_layer.cpp). Nodes of panels have a law of their own (ground_panels.cpp). All have Coulomb's friction
+// (contact/ground_friction.h).
 #include "effects/ground.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "core/rotation.h"
 #include "effects/ground_law.h"
 #include "effects/kinds.h"
+#include "model/panel.h"
 
 namespace hinge {
 
@@ -65,6 +67,7 @@ public:
         const auto is_layer = [](const GroundPlane& p) { return p.is_layer(); };
         if (!std::all_of(planes.begin(), planes.end(), is_layer)) laws_.push_back(ground_points(w, host));
         if (std::any_of(planes.begin(), planes.end(), is_layer)) laws_.push_back(ground_layer(w));
+        if (!w.structure.model().declared<Panel>(panels_effect).empty()) laws_.push_back(ground_panels(w, host));
         planes_ = int(planes.size());
         if (fits(w.state)) return;
         GroundData data;
@@ -73,6 +76,9 @@ public:
         w.state.data.set(ground_effect, std::move(data));
     }
 
+    void begin(const Step& step) override {
+        each([&](GroundLaw& law) { law.begin(step); });
+    }
     void add_forces(double, std::vector<Vec6>& resisting) override {
         each([&](GroundLaw& law) { law.add_forces(resisting); });
     }
@@ -170,6 +176,8 @@ private:
         for (const GroundPoint& p : data->points)
             if (!within(p.plane, planes_) || !within(p.end.node, nodes()) || !within(p.element + 1, elements + 1))
                 return false;
+        for (const GroundPanelPoint& p : data->panels)
+            if (!within(p.plane, planes_) || !within(p.end.node, nodes())) return false;
         for (const GroundStrip& s : data->strips)
             if (!within(s.plane, planes_) || !within(s.element, elements) || !within(s.end[0].node, nodes()) ||
                 !within(s.end[1].node, nodes()))

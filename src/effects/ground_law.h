@@ -1,4 +1,4 @@
-// The two laws of the ground, and what they share: the ends of members that may touch a plane, and friction on it.
+// The laws of the ground, and what they share: the ends of members that may touch a plane, and friction on it.
 // The effect (ground.cpp) goes through those that a scene needs.
 #pragma once
 
@@ -67,16 +67,33 @@ struct GroundStrip {
     }
 };
 
+/// A node of panels (ground_panels.cpp).
+struct GroundPanelPoint {
+    int plane = 0;
+    GroundEnd end;
+    double stiffness = 0, damping = 0;  ///< N/m; of contact::press
+
+    // where a step begins
+    double depth = 0;              ///< m, less the level
+    double rate = 0, fastest = 0;  ///< m/s, at which it went deeper in the step before; the largest since it touched
+
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.plane, s.end, s.stiffness, s.damping, s.depth, s.rate, s.fastest);
+    }
+};
+
 /// What the ground keeps from step to step.
 struct GroundData {
     int planes = 0, nodes = 0;
     std::vector<GroundPoint> points;
     std::vector<GroundStrip> strips;
+    std::vector<GroundPanelPoint> panels;
     static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.planes, s.nodes, s.points, s.strips);
+        a(s.planes, s.nodes, s.points, s.strips, s.panels);
     }
 };
 
@@ -105,6 +122,7 @@ public:
     /// Lists what may touch planes of this law, where the run begins.
     virtual void list(GroundData& to) const = 0;
 
+    virtual void begin(const Step& step) { (void)step; }
     /// Adds the forces in the trial configuration, and counts what is pressed.
     virtual void add_forces(std::vector<Vec6>& resisting) = 0;
     virtual void add_blocks(Blocks& blocks) const = 0;
@@ -187,6 +205,8 @@ private:
 
 /// Points on springs: planes with a stiffness or a restitution.
 std::unique_ptr<GroundLaw> ground_points(Workspace& w, Host& host);
+/// Points of panels, on all planes.
+std::unique_ptr<GroundLaw> ground_panels(Workspace& w, Host& host);
 /// Springs and dashpots per area: all other planes.
 std::unique_ptr<GroundLaw> ground_layer(Workspace& w);
 

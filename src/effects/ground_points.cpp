@@ -27,11 +27,6 @@ namespace {
 /// falls flat stays straight, and raises the square of the highest frequency by a fifth at most: explicit steps of 0.9
 /// of what stability allows stay stable.
 constexpr double normal_part = 0.4;
-/// k_t / k. A point of the surface also rotates with its node, which makes it up to 2.5 times as easy to move.
-constexpr double tangential_part = 0.4;
-/// Friction that differs by this part of the most that there can be from the one that a step was solved with asks for
-/// another solution.
-constexpr double same_friction = 0.01;
 /// Restitution waits for other points of the body by this part of the time that a contact of the point alone takes.
 constexpr double most_wait = 1;
 
@@ -107,7 +102,8 @@ public:
             const Touch now = touch(p, w_.trial), &before = touches_[i];
             if ((now.overlap > 0) != (before.overlap > 0)) return false;
             const double most = plane(p).friction * p.stiffness * now.overlap;
-            if (most > 0 && p.end.stiffness * (now.slip - before.slip).norm() > same_friction * most) return false;
+            if (most > 0 && p.end.stiffness * (now.slip - before.slip).norm() > contact::same_friction * most)
+                return false;
         }
         return true;
     }
@@ -243,7 +239,7 @@ private:
     /// A point where the run begins, or where its element has broken.
     GroundPoint started(GroundPoint p) const {
         if (plane(p).stiffness > 0) p.stiffness = plane(p).stiffness;
-        p.end.stiffness = tangential_part * p.stiffness;
+        p.end.stiffness = contact::tangential_part * p.stiffness;
         p.overlap = begin_at(p.end, plane(p)) - p.end.level;
         p.place = place_of(p.end, w_.state, arm_of(p.end, w_.state));
         p.rotation = w_.state.rotation[p.end.node];

@@ -158,6 +158,17 @@ double Sheet::poisson() const {
         if (l.E * l.thickness > most) most = l.E * l.thickness, nu = l.kind == LayerKind::solid ? l.poisson : 0;
     return nu;
 }
+double Sheet::thickness() const {
+    double most = 0;
+    for (const Layer& l : layers)
+        if (l.kind != LayerKind::bars) most = std::max(most, l.thickness);
+    return most;
+}
+double Sheet::stiffness() const {
+    double most = 0;
+    for (const Layer& l : layers) most = std::max(most, l.E * l.thickness);
+    return most;
+}
 int Sheet::history_size() const {
     int size = 0;
     for (const Layer& l : layers) size += l.history_size();

@@ -52,7 +52,9 @@ struct Sheet {
     double mass = 0;  ///< kg/m^2
     BendingLaw bending = {};
     Mat3 elastic() const;
-    double poisson() const;  ///< of the stiffest solid layer; 0 where there is none
+    double poisson() const;    ///< of the stiffest solid layer; 0 where there is none
+    double thickness() const;  ///< m, of the thickest layer other than bars; 0 where there is none
+    double stiffness() const;  ///< E t of the stiffest layer, N/m
     int history_size() const;
     bool is_elastic() const;
     bool has_bars_alone() const;

@@ -323,7 +323,8 @@ return hinge.scenario {
   equal(status, 0, "status: " .. complaint)
   for _, part in ipairs { "gravity decides (100 % of vz) and ", "changes nothing and ",
     "own error: difference from a setting twice as fine (dt 0.0005)",
-    "plasticity, fracture, removal, friction, connectors, rigid links", "not in this scenario: point masses",
+    "plasticity, fracture, removal, contact of panels, friction, connectors, rigid links",
+    "not in this scenario: point masses",
     "written to " .. folder .. "/p" } do
     expect(support.has(printed, part), "hinge cost --effects does not say '%s':\n%s", part, printed)
   end

@@ -99,6 +99,7 @@ local function scene()
   local edge = { s.model:node { 5, 0, 0 }, s.model:node { 6, 0, 0 }, s.model:node { 6, 1, 0 } }
   s.model:fix(edge, "xyz")
   s.panel = s.model:panel { edge[1], edge[2], edge[3], thickness = 0.01, material = s.steel }
+  s.panel_contact = s.model:panel_contact {}
   s.edge = edge
   s.model:damping { alpha = 1 }
   s.model:ground { point = { 0, 0, -9 } }
@@ -126,7 +127,7 @@ local objects = { ["hinge.material"] = s.steel, ["hinge.section"] = s.bar, ["hin
   ["hinge.node"] = s.wall, ["hinge.member"] = s.member, ["hinge.group"] = s.group, ["hinge.run"] = s.run,
   ["hinge.probe"] = s.probe, ["hinge.load"] = s.load, ["hinge.case"] = s.case, ["hinge.snapshot"] = s.snapshot,
   ["hinge.connector"] = s.connector, ["hinge.node_joint"] = s.node_joint, ["hinge.grid"] = s.grid,
-  ["hinge.panel"] = s.panel }
+  ["hinge.panel"] = s.panel, ["hinge.panel_contact"] = s.panel_contact }
 
 case("every object has the fields and methods that its declared type names", function()
   -- A value has the fields that its declared type names; { ... }[] and lists of a class are
