@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "core/bar_bending.h"
@@ -90,6 +91,7 @@ public:
         if (with_model) add_model();
         add_positions();
         add_bars();
+        add_plates();
         return std::move(j_);
     }
 
@@ -145,6 +147,11 @@ private:
         put("limits", limits);
         put("memberships", of);
         put("connected", connected);
+        std::vector<std::uint32_t> corners;  // four a plate; ~0: a triangle has three
+        for (const output::Panel& p : first.floors)
+            for (std::size_t k = 0; p.has_forces && k < 4; ++k)
+                corners.push_back(k < p.points.size() ? std::uint32_t(p.points[k]) : ~0u);
+        if (!corners.empty()) put("plates", corners);
     }
 
     /// Nodes in each frame, and the loose ends of broken elements: how many, of which element and end, where.
@@ -205,6 +212,28 @@ private:
         j_["f_y_unit"] = f_y_unit;
         add_yield_along();
         add_sags();
+    }
+
+    /// The larger principal force of each plate in each frame, with its sign, as a part of the largest of all; of one
+    /// that has torn, the least number there is.
+    void add_plates() {
+        double largest = 0;
+        std::vector<double> values;
+        for (const Snapshot* s : frames_)
+            for (const output::Panel& p : s->floors) {
+                if (!p.has_forces) continue;
+                const double force = std::abs(p.force[0]) >= std::abs(p.force[1]) ? p.force[0] : p.force[1];
+                values.push_back(p.torn ? std::numeric_limits<double>::quiet_NaN() : force);
+                if (std::isfinite(values.back())) largest = std::max(largest, std::abs(force));
+            }
+        if (values.empty() || values.size() % frames_.size() != 0) return;
+        std::vector<std::uint16_t> part;
+        for (const double v : values)
+            part.push_back(std::uint16_t(std::int16_t(!std::isfinite(v) ? -32768
+                                                      : largest > 0     ? std::lround(v / largest / force_unit)
+                                                                        : 0)));
+        put("plate_forces", part, values.size() / frames_.size());
+        j_["plate_scale"] = largest * force_unit;
     }
 
     /// f_y of laws that are not eq 14, at the ends and in the middle of each element; 65535: eq 14.

@@ -1,8 +1,8 @@
 // What the player of hinge report shows besides members: diagrams, numbers of nodes, the view without perspective, the
 // picture that is saved, the list of members, the directions of the axes on a narrow screen, edges of light colours.
 //
-// Run: node tests/viewer/player_test.js CHROMIUM REPORT DIAGRAMS      ends with a line for each thing that is wrong
-// REPORT and DIAGRAMS are of the first and of the third scene of tests/script/report/report_test.lua.
+// Run: node tests/viewer/player_test.js CHROMIUM REPORT DIAGRAMS PANELS      ends with a line for each thing that is wrong
+// They are of the first scene of tests/script/report/report_test.lua, and of the two before its player is looked at.
 "use strict";
 const { Browser, checks } = require("./browser.js");
 
@@ -187,12 +187,30 @@ async function the_edges(b) {
   expect(dark.ratio > 0.7, `a bar of a darker colour has an edge of ${JSON.stringify(dark)}`);
 }
 
+// A panel that is pulled, one that is pressed, each by a force per width that is known, and a triangle.
+async function the_panels(b, report) {
+  await open(b, report, 1280, 720);
+  const forces = await b.value(`(() => { const { frames } = ${view}.run, last = frames.count - 1;
+    return [0, 1, 2].map((p) => frames.plate_forces[3 * last + p] * frames.plate_scale); })()`);
+  expect(near(forces[0], 2e5, 2e3) && near(forces[1], -8e5, 8e3), `the panels have ${forces} N/m`);
+  const { colour, at } = await b.value(`(${player}.seek(${player}.end), { colour: [...${view}.scene.plates.colour.array],
+    at: [...${view}.scene.plates.at.array] })`);
+  expect(colour[2] > colour[0] && colour[12] > colour[14], `colours of tension and compression: ${colour.slice(0, 15)}`);
+  expect(near(at[3], 2, 0.01) && near(at[12 + 7], 3, 0.01), `corners are at ${at.slice(0, 24)}`);
+  const text = () => b.value("document.querySelector('.legend').textContent");
+  expect((await text()).includes("panel in tension"), "the legend does not name panels");
+  await b.value(tick("panels"));
+  expect(!(await text()).includes("panel in tension") && await b.value(`!${view}.scene.plates.visible`),
+    "panels stay when they are not wanted");
+}
+
 run(async () => {
-  const [program, report, diagrams] = process.argv.slice(2);
+  const [program, report, diagrams, panels] = process.argv.slice(2);
   const b = await Browser.start(program);
   try {
     for (const part of [() => the_diagrams(b, diagrams), () => numbers_and_parallel(b, report), () => the_picture(b), () =>
-      the_list(b, report), () => the_edges(b), () => on_a_phone(b, report)]) {
+      the_list(b, report), () => the_edges(b), () => the_panels(b, panels),
+      () => on_a_phone(b, report)]) {
       await part();
       for (const problem of b.problems) expect(false, `the page complains: ${problem}`);
     }

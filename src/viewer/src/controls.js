@@ -3,6 +3,7 @@ import { make, number, quantity } from "./page.js";
 import { colourings, name_of, offered } from "./colouring.js";
 import { diagrams, diagram_colours } from "./diagrams.js";
 import { hinge_colour } from "./scene.js";
+import { plate_colours } from "./plates.js";
 
 const choice = (label, options, value, choose) => make("label", {}, label, make("select", { onchange: (e) =>
   choose(e.target.value) }, options.map(([v, text]) => make("option", { value: v, selected: v === value }, text))));
@@ -40,7 +41,9 @@ export function controls_of(player) {
     const { run: { frames }, scene } = player.views[0];
     const pairs = colourings[options.colouring].legend(frames, scene, player.runs.map((r) => r.frames));
     legend.replaceChildren(...pairs.map(entry("swatch")),
-      ...(scene.dots.drawn.visible ? [entry("swatch dot")([hinge_colour, "plastic hinge"])] : []));
+      ...(scene.dots.drawn.visible ? [entry("swatch dot")([hinge_colour, "plastic hinge"])] : []),
+      ...(scene.plates.visible ? [entry("swatch")([plate_colours.tension, "panel in tension"]),
+        entry("swatch")([plate_colours.compression, "panel in compression"])] : []));
   };
   // Beneath the legend: the diagram's colours, and its largest value of the frame shown.
   const diagram_legend = make("div", { class: "legend diagram", "aria-live": "off" });
@@ -90,6 +93,9 @@ export function controls_of(player) {
       tick("parallel", false, (on) => player.set_parallel(on)), tick("node numbers", false, set("numbers")),
       tick("undeformed shape", false, scenes((s, on) => { s.ghost.visible = on; })),
       tick("hinges", true, (on) => { dots = on, show_dots(); }),
+      player.views.some((v) => v.scene.plates.count > 0) ? tick("panels", true, (on) => {
+        scenes((s) => s.plates.show(on))(), show_legend();
+      }) : null,
       tick("ground and supports", true, scenes((s, on) => { s.ground.visible = on; })),
       tick("thin members", false, (on) => set("thicker")(on ? 0.25 : 1)),
       tick("smooth", true, (on) => { options.smooth = on; }), tick("again and again", false, (on) => { options.loop = on; })),

@@ -11,7 +11,8 @@ export function make_growing(read) {
     f_y_along: read.f_y_along ? new Uint16Array(room * 3 * read.bars) : null,
     state: new Uint8Array(room * read.bars), forces: new Float32Array(room * 6 * read.bars),
     scale: new Float32Array(6 * read.bars).fill(1), largest: new Float32Array(6 * read.bars), loose: [],
-    sags: null, pointed: new Set() };
+    sags: null, pointed: new Set(), plate_scales: [],
+    plate_forces: read.plate_forces ? new Int16Array(room * read.plates.length / 4) : null };
   frames.abscissa = frames.factors || frames.times;
   put(frames, read);
   return frames;
@@ -30,7 +31,8 @@ export async function add_frame(frames, packed) {
 // The arrays that have so many numbers a frame.
 const arrays = (frames) => [[frames.positions, 3 * frames.nodes], [frames.f_y, frames.bars], [frames.state, frames.bars],
   [frames.forces, 6 * frames.bars], ...(frames.f_y_along ? [[frames.f_y_along, 3 * frames.bars]] : []),
-  ...(frames.sags ? [[frames.sags, 4 * frames.bars]] : [])];
+  ...(frames.sags ? [[frames.sags, 4 * frames.bars]] : []),
+  ...(frames.plate_forces ? [[frames.plate_forces, frames.plates.length / 4]] : [])];
 
 function put(frames, read) {
   const at = frames.count, { bars, largest } = frames;
@@ -45,6 +47,11 @@ function put(frames, read) {
       largest[6 * b + c] = Math.max(largest[6 * b + c], Math.abs(force));
     }
   put_sags(frames, read, at);
+  if (frames.plate_forces && read.plate_forces) {
+    const plates = frames.plates.length / 4;
+    frames.plate_forces.set(read.plate_forces.subarray(0, plates), at * plates);
+  }
+  frames.plate_scales[at] = read.plate_scale;
   frames.times.push(read.times[0]);
   if (frames.factors) frames.factors.push(read.factors[0]);
   frames.loose.push({ end: read.loose_end, at: read.loose_at });
@@ -76,7 +83,7 @@ function thin_out(frames) {
   for (let f = 0; f < frames.count; ++f) if (f % 2 === 0 || f === frames.count - 1) kept.push(f);
   for (const [array, size] of arrays(frames))
     kept.forEach((f, i) => { if (f !== i) array.copyWithin(i * size, f * size, (f + 1) * size); });
-  for (const list of [frames.times, frames.factors, frames.loose]) {
+  for (const list of [frames.times, frames.factors, frames.loose, frames.plate_scales]) {
     if (!list) continue;
     kept.forEach((f, i) => { list[i] = list[f]; });
     list.length = kept.length;

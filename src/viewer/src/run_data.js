@@ -44,6 +44,12 @@ export const state_of = (byte) => byte & 3;
 export const hinges_of = (byte) => (byte >> 2) & 7;
 export const touched_of = (byte) => byte >> 5;
 
+// As unpacked, where the number of words in a frame follows from that of the frames.
+async function whole_frames(packed, name, size) {
+  const bytes = (await inflated(from_base64(packed[name]))).length;
+  return unpacked(packed[name], size, bytes / size / packed.frames);
+}
+
 /// What differs from frame to frame.
 export async function read_changes(packed) {
   const bars = packed.bars;
@@ -54,12 +60,14 @@ export async function read_changes(packed) {
   const f_y_along = packed.f_y_along ? await unpacked(packed.f_y_along, 2, 3 * bars) : null;
   const [sags, sag_scale, pointed] = await Promise.all(packed.sags ? [unpacked(packed.sags, 2, 4 * bars),
     whole(packed.sag_scale, 4), whole(packed.pointed, 4)] : [null, null, []]);
+  const plate_forces = packed.plate_forces && new Int16Array((await whole_frames(packed, "plate_forces", 2)).buffer);
   const loose_from = [0];
   for (const c of count) loose_from.push(loose_from[loose_from.length - 1] + c);
   return {
     count: packed.frames, times: list(packed.times), factors: packed.factors ? list(packed.factors) : null,
     positions: floats(positions), loose_from, loose_end: which, loose_at: floats(loose),
     f_y, f_y_along, f_y_unit: packed.f_y_unit, state, forces: new Int16Array(forces.buffer), scale: floats(scale),
+    plate_forces, plate_scale: packed.plate_scale || 0,
     sags: sags && new Int16Array(sags.buffer), sag_scale: sag_scale && floats(sag_scale), pointed: new Set(pointed),
   };
 }
@@ -73,7 +81,8 @@ export async function read_frames(packed) {
   const frames = {
     nodes: packed.nodes, bars: packed.bars, groups: list(packed.groups), laws: list(packed.laws || []),
     declared_nodes: packed.declared_nodes || packed.nodes, not_shown: packed.not_shown || 0, of_other_models: packed.of_other_models || 0,
-    declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), up: new Int8Array(up.buffer), ...changes,
+    declared: floats(declared), held, ends, member, connected, width: floats(width), limits: floats(limits), up: new Int8Array(up.buffer),
+    plates: packed.plates ? await whole(packed.plates, 4) : [], ...changes,
   };
   frames.abscissa = frames.factors || frames.times;
   measure_bars(frames);
@@ -282,4 +291,10 @@ export function member_state(frames, frame, member) {
     touched |= touched_of(s);
   }
   return { worst, touched };
+}
+
+/// The larger principal force of a plate in a frame, N/m, tension positive; null where it has torn.
+export function plate_force(frames, frame, plate) {
+  const part = frames.plate_forces[frame * (frames.plates.length / 4) + plate];
+  return part === -32768 ? null : part * (frames.plate_scales ? frames.plate_scales[frame] : frames.plate_scale);
 }

@@ -7,6 +7,7 @@ import { place_bars, declared_at, hinges_of, state, state_of, broken, supports_o
 import { support_lines } from "./supports.js";
 import { band_colours } from "./bands.js";
 import { DiagramDrawing } from "./diagrams.js";
+import { PlateDrawing } from "./plates.js";
 
 // A bar is a strip of two triangles that faces the eye, shaded as a tube, and half a width longer at either end: four
 // corners each, so that a renderer without a graphics card keeps up with thousands. (One draws instances one by one.)
@@ -87,6 +88,7 @@ export class RunScene {
     this.#add_ground();
     this.#add_ghost();
     this.diagram = new DiagramDrawing(this);
+    this.plates = new PlateDrawing(frames, this.root);
   }
 
   // Where the camera looks at first: what is attached to supports, and all of it where nothing is.
@@ -185,6 +187,7 @@ export class RunScene {
           a[3 * corner + c] = ends[6 * bar + c], b[3 * corner + c] = ends[6 * bar + 3 + c];
     this.a.needsUpdate = this.b.needsUpdate = true;
     this.#place_dots(frame);
+    this.plates.place(frame, magnify, part);
   }
 
   /// Nodes of elements that are shown, with their places in a frame: [node, [x, y, z]].

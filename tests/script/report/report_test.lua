@@ -278,6 +278,32 @@ for _ in run:steps() do hinge.frame(run) end
 ]=]
   ended(0, "", hinge_on("run -q", diagrams, "--out diagrams"))
   ended(0, "1 run, 2 frames", hinge "report diagrams")
+  -- A panel that is pulled, one that is pressed, a triangle.
+  local panels = [=[
+local hinge = require "hinge"
+local model = hinge.model { displacement = "small" }
+local steel = hinge.material { E = 2e11, nu = 0.3, density = 7850 }
+local function pulled(y, force, o, corners)
+  local at = {}
+  for i, c in ipairs { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 0, 1 } } do
+    if i <= corners then at[i] = model:node { c[1], y + c[2], 0 } end
+  end
+  for i, node in ipairs(at) do o[i] = node end
+  model:panel(o)
+  for i, node in ipairs(at) do
+    model:fix(node, (i == 1 or i == 4) and "xyz" or "yz")
+    if i == 2 or i == 3 then model:load { node = node, force = { force, 0, 0 } } end
+  end
+end
+pulled(0, 1e5, { thickness = 0.01, material = steel, bending = false }, 4)
+pulled(2, -4e5, { thickness = 0.01, material = steel, bending = false }, 4)
+pulled(4, 1e3, { thickness = 0.01, material = steel }, 3)
+local run = model:static { steps = 2 }
+hinge.frame(run)
+for _ in run:steps() do hinge.frame(run) end
+]=]
+  ended(0, "", hinge_on("run -q", panels, "--out panels"))
+  ended(0, "1 run, 3 frames", hinge "report panels")
   local look = support.browser "report"
   local function shows(least, test, ...)
     local seen = ended(0, "checked", look(test, ...))
@@ -287,7 +313,7 @@ for _ in run:steps() do hinge.frame(run) end
     local function of(name) return folder .. "/" .. name .. "/report.html" end
     shows(40, "page_test.js", of "one", of "damaged", arg[2])
     shows(20, "words_test.js", of "one", of "storeys", of "diagrams", of "accurate")
-    shows(50, "player_test.js", of "one", of "diagrams")
+    shows(55, "player_test.js", of "one", of "diagrams", of "panels")
   end
 end)
 
