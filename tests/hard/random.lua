@@ -7,7 +7,8 @@
 --         why                  every seed also with p_delta chord, 4 and 8 elements, a quarter of its step, and without
 --                              contact, fracture or plasticity: what its error comes from
 --         class=NAME           only seeds of this class; as=NAME: all seeds as this class ("hit frame": the frames hit
---                              by a bar; "struck column": one member pressed by 20 t)
+--                              by a bar; "struck column": one member pressed by 20 t;
+--                              floors: buildings with slabs)
 --         setting=NAME         only seeds of this setting: auto, explicit, fine dt, coarse dt
 --         guard=off|on         energy_tolerance of the runs: 0 (default), or their own default
 --         set.NAME=VALUE       an option of the model (p_delta, elements_per_member) or of the run (dt, integrator,
@@ -66,7 +67,7 @@ local function one_line(text) return (tostring(text):gsub("%s*\n%s*", " ")) end
 local function supply(energy) return energy.initial + largest_of(0, energy.work) + largest_of(0, -energy.gravity) end
 
 -- What the balance does not explain: its error, and what has come out of accounts that can only take energy in.
-local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping" }
+local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping", "panels", "panel_contact" }
 local function made(energy)
   local sum = energy.energy_error
   for _, name in ipairs(taking) do
@@ -289,7 +290,7 @@ if options.seed then
   print(("seed %d, %s, %s: %s"):format(scene.seed, scene.class, scene.setting, table.concat(scene.words, "; ")))
   local every = math.max(1, #out.history // (options.rows or 40))
   local names = { "initial", "work", "gravity", "kinetic", "elastic", "plastic",
-    "fracture", "contact", "ground", "connectors", "damping", "numerical" }
+    "fracture", "contact", "ground", "connectors", "damping", "panels", "panel_contact", "numerical" }
   local head = { ("%12s %11s"):format("time", "error %") }
   for _, name in ipairs(names) do head[#head + 1] = ("%11s"):format(name) end
   print(table.concat(head, " "))

@@ -763,6 +763,11 @@ make["struck column"] = function(s)
   s.wanted = 0.3
 end
 
+make.floors = function(s)
+  require "random_floors"(s, { member = member, note = note, damping = damping, fracture = fracture, contact = contact,
+    ground = ground, at_rest = at_rest, section = section, material_of = material_of })
+end
+
 local weights = { { 20, "struck frame" }, { 20, "lost column" }, { 12, "shaken frame" }, { 11, "tower" },
   { 9, "truss" }, { 9, "pressed column" }, { 8, "bin" }, { 11, "fall" } }
 
@@ -794,6 +799,7 @@ function scenes.scene(seed, class)
     scene.setting, run, elements, scene.slow_only = "fine dt", { dt = 2e-5 }, nil, nil
     budget = math.huge
   end
+  if class == "floors" then elements = seed % 4 == 0 and 4 or 2 end -- a slab asks for a number
   scene.budget = budget
 
   function scene.make(hinge, changed)
