@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "core/errors.h"
 #include "panel/principal.h"
@@ -66,6 +67,8 @@ public:
         for (const int p : at) {
             std::array<int, 4> corners{-1, -1, -1, -1};
             for (std::size_t k = 0; k < panels[p].nodes.size(); ++k) corners[k] = index(panels[p].nodes[k]);
+            // all of them look the way the first one does
+            if (sum.dot(normal_of(corners, places())) < 0) std::swap(corners[1], corners[corners[3] < 0 ? 2 : 3]);
             bend_.around.push_back(corners);
             bend_.area += panels[p].area / double(panels[p].nodes.size());
             poisson_ += panels[p].poisson / double(at.size());

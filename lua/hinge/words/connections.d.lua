@@ -362,7 +362,7 @@ function panel_contact:pressing(run) end
 ---@field density? number kg/m^3, default 2500
 
 ---Moments per width. Sagging pulls on the side that the panel's normal points away from. The normal points to where the
----nodes of the panel run counter-clockwise.
+---nodes of the panel run counter-clockwise. Where panels around a node point to both sides, that of the first one counts.
 ---@class hinge.panel_bending
 ---@field stiffness number N m: E I per width, of a plate E t^3 / 12 (1 - poisson^2)
 ---@field poisson? number default 0
