@@ -146,8 +146,9 @@ public:
     double stored(const State& state) const override {
         double sum = 0;
         for (const GroundPanelPoint& p : state.data.find<GroundData>(ground_effect)->panels) {
-            const PressedPoint t = touch(p, state);
-            sum += stored_by(p, t.depth, t.slip);
+            const Vec3 place = w_.structure.position()[p.end.node] + state.displacement[p.end.node];
+            if (!is_held(p.end.node) && !state.gone[p.end.node])
+                sum += stored_by(p, overlap_of(p.end, plane(p), place), p.end.slip);
         }
         return sum;
     }

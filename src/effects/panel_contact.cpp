@@ -81,7 +81,9 @@ public:
             for (std::size_t i = from; i < to; ++i) {
                 PanelTouch& t = n.touches[i];
                 awake_[i] = 1, near |= t.over && t.depth + way > 0;
-                const double apart = std::abs(feet_[i].height) - parts_.reach(t.point, t.panel);
+                // over a panel: from the side on which it is, however deep
+                const double above = t.over ? t.side * feet_[i].height : std::abs(feet_[i].height);
+                const double apart = above - parts_.reach(t.point, t.panel);
                 t.test_at = n.travelled + part_of_gap * std::max(0.0, apart) - way;
             }
         }

@@ -67,7 +67,8 @@ local function one_line(text) return (tostring(text):gsub("%s*\n%s*", " ")) end
 local function supply(energy) return energy.initial + largest_of(0, energy.work) + largest_of(0, -energy.gravity) end
 
 -- What the balance does not explain: its error, and what has come out of accounts that can only take energy in.
-local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping", "panels", "panel_contact" }
+local taking = { "kinetic", "elastic", "plastic", "fracture", "contact", "ground", "damping", "panels",
+  "panel_contact" }
 local function made(energy)
   local sum = energy.energy_error
   for _, name in ipairs(taking) do

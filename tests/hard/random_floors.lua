@@ -13,7 +13,7 @@ return function(s, tools)
   numbers.yield_stress = numbers.yield_stress or 355e6
   local steel = hinge.material(numbers)
   local column = tools.section(hinge, d, height, d.log(20, 70), d.pick { "h", "box" })
-  local beam = tools.section(hinge, d, math.max(span_x, span_y), d.log(25, 80), d.pick { "h", "box" })
+  local beam = tools.section(hinge, d, span_x > span_y and span_x or span_y, d.log(25, 80), d.pick { "h", "box" })
   local at = {}
   for k = 0, storeys do
     for i = 0, nx do

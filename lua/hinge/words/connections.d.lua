@@ -264,8 +264,8 @@ function model:counts() end
 ---sides that they share; triangles do not bend.
 ---What it weighs is at its nodes, and stays there where it tears. A node may belong to panels alone: it has no rotation
 ---then, and takes forces, masses, supports and connectors along x, y and z.
----Bodies do not touch panels, and model:damping acts on the masses of nodes that panels alone join, by alpha of the
----whole model, and not on the stiffness of panels.
+---Bodies touch panels by model:panel_contact. model:damping acts on the masses of nodes that panels alone join, by
+---alpha of the whole model, and not on the stiffness of panels.
 ---In statics a flat plate without bending is an error, since nothing holds it across its plane. A row of supports is an
 ---axis about which plates turn freely. Sides of panels that bend must go on in line at the nodes inside, to 25 degrees.
 ---```lua
@@ -282,7 +282,6 @@ function model:counts() end
 ---@return hinge.panel
 function model:panel(options) end
 
----What a plate is made of is at least one of `thickness` with `material`, `concrete`, `reinforcement` and `deck`.
 ---Lets points press on panels: the nodes of other panels and of members, and points between these where they are
 ---farther apart than the smallest panel is wide. One call holds for all panels of the model. A point that comes closer
 ---to the middle of a panel than the half thicknesses of both together is pushed back along the panel's normal, on the
@@ -333,6 +332,7 @@ local panel_contact = {}
 ---@return number depth
 function panel_contact:pressing(run) end
 
+---What a plate is made of is at least one of `thickness` with `material`, `concrete`, `reinforcement` and `deck`.
 ---@class hinge.panel_options
 ---@field [1]? hinge.node three or four nodes, in their order around the panel. No corner may point inward
 ---@field [2]? hinge.node
@@ -362,7 +362,7 @@ function panel_contact:pressing(run) end
 ---@field density? number kg/m^3, default 2500
 
 ---Moments per width. Sagging pulls on the side that the panel's normal points away from. The normal points to where the
----nodes of the panel run counter-clockwise. Where panels around a node point to both sides, that of the first one counts.
+---nodes of the panel run counter-clockwise. Where panels around a node point to both sides, the first one's counts.
 ---@class hinge.panel_bending
 ---@field stiffness number N m: E I per width, of a plate E t^3 / 12 (1 - poisson^2)
 ---@field poisson? number default 0

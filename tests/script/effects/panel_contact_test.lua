@@ -14,8 +14,8 @@ local g = 9.80665 -- m/s^2
 local steel = hinge.material { E = 200e9, nu = 0.25, density = 8000 }
 local plate = { thickness = 0.02, material = steel } -- 160 kg/m^2
 
--- n by m panels whose nodes are at place(i, j): nodes by [i][j], panels in a list. mixed: every second one has its nodes
--- the other way round.
+-- n by m panels whose nodes are at place(i, j): nodes by [i][j], panels in a list. mixed: every second one has its
+-- nodes the other way round.
 local function cells(model, n, m, place, options, mixed)
   local nodes, panels = {}, {}
   for i = 0, n do
@@ -209,6 +209,22 @@ case("a pile of plates comes to rest, and each carries what lies on it", functio
   equal("depth", depth < 1e-3, true)
 end)
 
+case("however deep a point goes it comes back, also on panels that have no thickness", function()
+  for _, o in ipairs { { panel = { thickness = 0.002, material = steel }, v = 3 },
+    { panel = { reinforcement = { x = 1e-3, y = 1e-3 }, mass = 160 }, v = 1 } } do
+    for _, integrator in ipairs { "newmark", "explicit" } do
+      local model = hinge.model()
+      fix(model, (cells(model, 1, 1, function(i, j) return { i, j, 0 } end, o.panel)))
+      local high = cells(model, 1, 1, function(i, j) return { 0.3 + 0.4 * i, 0.3 + 0.4 * j, 0.03 } end, o.panel)
+      set_going(model, high, { 0, 0, -o.v })
+      model:panel_contact {}
+      local run = model:dynamic { dt = 2e-5, duration = 0.05, integrator = integrator }:finish()
+      near(integrator, (select(3, run:velocity(high[0][0]))), o.v, 1e-3 * o.v)
+      near("energy error", run.energy_error, 0, 1e-4)
+    end
+  end
+end)
+
 -- Members and panels --------------------------------------------------------------------------------------------------
 
 case("a bar that falls across a panel, its ends beyond, is stopped; so is one that a panel falls on", function()
@@ -271,6 +287,17 @@ case("panels fall on the ground and lie there", function()
     local z = z_of(run, nodes[1][1])
     local bounce = ground.restitution and 0.03 or ground.stiffness and 0.6 or 0.005
     near("height", z, 0.01, bounce)
+    near("energy error", run.energy_error, 0, 1e-3)
+  end
+  for _, integrator in ipairs { "newmark", "explicit" } do -- down a slope of 20 degrees, from where it touches
+    local angle, mu, model = math.rad(20), 0.2, hinge.model()
+    local nodes = cells(model, 1, 1, function(i, j) return { 0.5 * i, 0.5 * j, 0.01 } end)
+    model:gravity { g * math.sin(angle), 0, -g * math.cos(angle) }
+    model:ground { friction = mu }
+    local dt = integrator == "explicit" and 2e-5 or 1e-4
+    local run = model:dynamic { dt = dt, duration = 0.5, integrator = integrator }:finish()
+    local way = 0.5 * g * (math.sin(angle) - mu * math.cos(angle)) * 0.5 ^ 2
+    near(integrator, (run:displacement(nodes[0][0])), way, 0.01 * way)
     near("energy error", run.energy_error, 0, 1e-3)
   end
 end)
