@@ -3,6 +3,8 @@
 --
 -- Run     hinge study scripts/studies/robustness.lua x=1:4:1 y=1:3:1 storey=1:4:1 -j 2
 --         hinge run scripts/studies/show.lua robustness=out/robustness-study      (the map and the table)
+--         hinge study scripts/studies/robustness.lua x=1:2:1 y=1:2:1 storey=1:4:1 floor=none,diaphragm,slab \
+--           --out out/robustness-floors -j 2                           (with floors; a quarter of the building)
 -- Shows   a steel frame of 3 by 2 bays and 4 storeys, whose columns have little to spare: 48 columns
 -- Expect  case 1, a corner of the ground floor: holds, dynamic_factor = 2.083 within 0.02
 --         case 19, inside, storey 3: full collapse, largest_drop = 3.49 within 0.1 m
@@ -18,15 +20,22 @@ local hinge = require "hinge"
 
 local g, bay, height, bays, storeys = 9.80665, 7, 4, { 3, 2 }, 4
 
+-- floor = "slab": 10 cm of concrete, a mesh of 252 mm^2/m each way; bending as it is when cracked.
+local slab = {
+  concrete = { thickness = 0.1, E = 30e9, strength = 25e6 },
+  reinforcement = { x = 252e-6, y = 252e-6, yield_stress = 500e6, hardening = 1e9, ultimate_strain = 0.05 },
+  bending = { stiffness = 0.25 * 30e9 * 0.1 ^ 3 / 12, sagging = 8.8e3, hogging = 8.8e3 },
+}
+
 -- The frame; column: { x, y, storey } of the one to lose, and whether it is there. Returns the model, all joints as
 -- { node =, x =, y =, level = }, and the joint above that column.
 local function frame(p, is_there)
-  local model = hinge.model { interaction = p.interaction }
+  local model = hinge.model { interaction = p.interaction, elements_per_member = p.elements }
   local steel = { E = 206e9, density = 7850, yield_stress = p.yield_stress }
   local beam = hinge.section.box { width = 0.2, depth = 0.35, thickness = 0.01 }
   local function loaded(share) -- a floor panel gives a quarter of its weight to each of its four beams
-    return hinge.material { E = steel.E, yield_stress = p.yield_stress,
-      density = steel.density + share * p.load * bay / 4 / g / beam.area }
+    local floor = p.floor == "slab" and 0 or share * p.load * bay / 4 / g / beam.area
+    return hinge.material { E = steel.E, yield_stress = p.yield_stress, density = steel.density + floor }
   end
   local one_panel, two_panels, post = loaded(1), loaded(2), hinge.material(steel)
   local joints, at = {}, {}
@@ -57,6 +66,17 @@ local function frame(p, is_there)
       end
     end
   end
+  for level = 1, p.floor == "none" and 0 or storeys do
+    local nodes, beams = {}, {}
+    for _, one in ipairs(joints) do
+      if one.level == level then nodes[#nodes + 1] = one.node end
+    end
+    for _, member in ipairs(model:group("beams"):members()) do
+      if member.a.z == height * level then beams[#beams + 1] = member end
+    end
+    if p.floor == "diaphragm" then model:diaphragm { nodes = nodes }
+    else model:floor { members = beams, mass = p.load / g, slab = slab } end
+  end
   model:gravity { 0, 0, -g }
   return model, joints, at[p.x .. p.y .. p.storey]
 end
@@ -69,6 +89,8 @@ return hinge.scenario {
     load = 8e3,                    -- N/m2 on all floors
     yield_stress = 325e6, lower = 0.14, upper = 0.12, -- Pa; m, side of the columns below and above
     rotation = 0.1,                -- rad, of a beam's end where it breaks
+    floor = "none",                -- or "diaphragm", "slab": what ties the beams of a storey beside their joints
+    elements = 2,                  -- a member; a slab has as many panels along a beam
     interaction = "exact",         -- of N, Mx and My where a section yields, or "paper": eq 14
     duration = 1.25, picture = false, -- s; whether to draw the frame as it ends
   },
