@@ -18,7 +18,6 @@
 #include "contact/ground_friction.h"
 #include "effects/kinds.h"
 #include "effects/panel_points.h"
-#include "state/bodies.h"
 
 namespace hinge {
 namespace {
@@ -39,9 +38,8 @@ struct Touched {
     Press press;
     Vec3 slip = Vec3::Zero();
     bool slides = false;
-    double rate = 0;  ///< m/s, at which it goes deeper
-    double heat = 0;  ///< J
-    double arm = 0;   ///< height of the point over the place that it touched, where the step began, m
+    double rate = 0, heat = 0;  ///< m/s, at which it goes deeper; J
+    double arm = 0;             ///< height of the point over the place that it touched, where the step began, m
 };
 
 class PanelContact : public Effect,
@@ -203,7 +201,7 @@ public:
         int torn = 0;
         for (int p = 0; p < int(parts_.panels().size()); ++p) torn += parts_.torn(w_.state, p);
         if (torn != torn_) torn_ = torn, surface_.clear();
-        if (drop_what_is_gone()) host_.accelerations_anew(), host_.blocks_changed(w_.state);
+        all_broke();
     }
     void all_broke() override {
         if (drop_what_is_gone()) host_.accelerations_anew(), host_.blocks_changed(w_.state);
@@ -219,8 +217,8 @@ public:
                 if (bodies.of_node[std::size_t(n)] >= 0) rests[std::size_t(bodies.of_node[std::size_t(n)])] = 0;
         }
     }
-    bool allows_long_step() const override { return presses_ == 0; }
     bool busy() const override { return presses_ > 0; }
+    bool allows_long_step() const override { return !busy(); }
     std::string why_awake() const override { return std::to_string(presses_) + " points on panels"; }
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
@@ -327,6 +325,11 @@ private:
             const Foot foot = parts_.foot(s, t);
             t.side = foot.height < 0 ? -1 : 1;
         }
+        std::vector<PanelTouch> deep;  // what presses stays, however deep
+        std::copy_if(n.touches.begin(), n.touches.end(), std::back_inserter(deep), [&](const PanelTouch& t) {
+            return t.over && t.depth > 0 && !std::binary_search(list.begin(), list.end(), t);
+        });
+        list.insert(list.end(), deep.begin(), deep.end()), std::sort(list.begin(), list.end());
         n.touches = std::move(list);
         for (PanelTouch& t : n.touches) t.test_at = 0;
         n.travelled = 0, n.listed = true;
@@ -371,7 +374,10 @@ private:
         double lost = stored_by(old, from);
         if (next) {
             next->side = from.normal.dot(to.normal) < 0 ? -old.side : old.side;
-            next->level = old.level, next->rate = old.rate, next->fastest = old.fastest, next->slip = old.slip;
+            next->rate = old.rate, next->fastest = old.fastest, next->slip = old.slip;
+            // where panels fold towards the point it is deeper in the next one: no energy comes from that
+            next->level = old.level;
+            next->level += std::max(0.0, parts_.depth(*next, to) - parts_.depth(old, from));
             next->over = true;
             lost -= stored_by(*next, to);
         } else if (old.depth > 0) {
@@ -409,11 +415,9 @@ private:
     PanelContactNow saved_;
 };
 
-const std::vector<PanelContactRule>& rules_of(const Model& model) {
-    return model.declared<PanelContactRule>(panel_contact_effect);
-}
 bool is_asked(const Structure& s) {
-    return !rules_of(s.model()).empty() && !s.model().declared<Panel>(panels_effect).empty();
+    return !s.model().declared<PanelContactRule>(panel_contact_effect).empty() &&
+           !s.model().declared<Panel>(panels_effect).empty();
 }
 
 std::vector<PlanLine> panel_contact_plan(const Structure& s, const RunKind&) {

@@ -190,6 +190,25 @@ case("a frictionless plate slides over the seams of panels as if there were none
   near("energy error", off.energy_error, 0, 1e-3)
 end)
 
+case("a plate that slides into a valley of panels gains no energy at the seam", function()
+  local angle = 0.5
+  local model = hinge.model()
+  local low = cells(model, 2, 1, function(i, j)
+    return { 2 * (i - 1) * math.cos(angle), 4 * j - 2, 2 * math.abs(i - 1) * math.sin(angle) }
+  end, { thickness = 0.02, material = steel, bending = false })
+  fix(model, low)
+  local c, s = math.cos(angle), math.sin(angle)
+  cells(model, 1, 1, function(i, j)
+    local x, z = -1.5 + 0.4 * i, 0.021
+    return { x * c + z * s, 0.4 * j - 0.2, -x * s + z * c }
+  end)
+  model:gravity { 0, 0, -g }
+  model:panel_contact {}
+  local run = model:dynamic { dt = 1e-4, duration = 0.8 }:finish()
+  near("energy error", run.energy_error, 0, 2e-3)
+  equal("no less than nothing is lost", run.energy.panel_contact_lost > -1e-9, true)
+end)
+
 case("a pile of plates comes to rest, and each carries what lies on it", function()
   local model, plates = hinge.model(), {}
   for k = 0, 5 do
