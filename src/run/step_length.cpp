@@ -41,7 +41,8 @@ DynamicSettings fitted_to_effects(DynamicSettings s, const Workspace& w, const E
         char text[120];
         std::snprintf(text, sizeof text, "model:dynamic: dt = %.6g s; explicit steps stay stable up to %.6g s (", s.dt,
                       limit.dt);
-        throw InputError(text + std::string("with the springs and dashpots at ") + w.structure.node_name(limit.node) +
+        throw InputError(text + std::string("with what panels, springs, dashpots and contact add at ") +
+                         w.structure.node_name(limit.node) +
                          "); give a shorter one, dt = 'auto', or integrator = 'newmark'");
     }
     return s;

@@ -5,6 +5,7 @@
 
 #include "core/errors.h"
 #include "core/text.h"
+#include "model/panel.h"
 #include "effects/all_effects.h"
 #include "run/automatic_step.h"
 
@@ -85,10 +86,13 @@ double Reading::time_step(bool& automatic) {
     lua_pop(o_.L(), 1);
     automatic = word == "auto";
     const auto& elements = structure_.elements();
-    if (automatic && std::none_of(elements.begin(), elements.end(), [](const Element& e) { return e.mass() > 0; }))
+    if (automatic && std::none_of(elements.begin(), elements.end(), [](const Element& e) { return e.mass() > 0; })) {
+        if (explicit_ && !model_.declared<Panel>(panels_effect).empty())
+            return s_.duration;  // what effects join to the nodes shortens it (fitted_to_effects, run/step_length.h)
         o_.complain("dt", "'auto'",
                     "follows waves along members, and no member has a density; give a number in s, such as a fiftieth "
                     "of the shortest period that counts (run:modes)");
+    }
     if (!word.empty() && !automatic)
         o_.complain("dt", "'" + word + "'", "must be a number in s, or 'auto'" + did_you_mean(word, {"auto"}));
     if (!explicit_) return automatic ? shortest_step(structure_, s_.duration) : o_.number("dt", "s", Range::positive);
