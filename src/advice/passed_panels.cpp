@@ -30,7 +30,7 @@ public:
     void list_findings(const Run&, std::vector<Warning>& list) const override {
         Passed all = passed_;
         look(w_.kind.dynamic ? w_.state.time : w_.state.factor, all);
-        if (all.count == 0) return;
+        if (!all.any) return;
         const bool statics = w_.goes_by_load_factor();
         list.push_back({Warning::Kind::contact,
                         "points passed through panels, first one through panel " + std::to_string(all.panel + 1) +
@@ -49,11 +49,12 @@ public:
 
 private:
     struct Passed {
-        int count = 0, panel = 0;
+        bool any = false;
+        int panel = 0;
         double when = 0;  ///< s, or a load factor
         template <class Self, class A>
         static void fields(Self& s, A& a) {
-            a(s.count, s.panel, s.when);
+            a(s.any, s.panel, s.when);
         }
     };
     struct Before {
@@ -62,12 +63,12 @@ private:
 
     /// Over the straight way of the nodes since the last look. The first finding is enough.
     void look(double when, Passed& found) const {
-        if (found.count > 0) return;
+        if (found.any) return;
         const Before before{last_};
         for (const PanelTouch& t : points_.near(w_.state, &last_, 0)) {
             const contact::Foot from = points_.foot(before, t), to = points_.foot(w_.state, t);
             if (from.beyond > 0 || to.beyond > 0 || !(from.height * to.height < 0)) continue;
-            found = {1, t.panel, when};
+            found = {true, t.panel, when};
             return;
         }
     }

@@ -33,7 +33,8 @@ struct Press {
     double stored = 0;              ///< J
     double fastest = 0;             ///< v, m/s
 
-    /// Whether a step that was solved with this one ends with another force than its slope foretells.
+    /// Whether a step that was solved with this one, and has led deeper by that, ends with the force that its slope
+    /// foretells, to 1 %.
     bool foretells(const Press& now, double deeper) const {
         constexpr double same = 0.01;
         return std::abs(force + slope * deeper - now.force) <= same * std::max(force, now.force);

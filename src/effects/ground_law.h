@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "contact/layer_law.h"
+#include "contact/pressed_point.h"
 #include "effects/effect.h"
 #include "effects/ground.h"
 
@@ -67,19 +68,16 @@ struct GroundStrip {
     }
 };
 
-/// A node of panels (ground_panels.cpp).
+/// A node of panels (ground_panels.cpp). Its end has the place, the level, and whether it is left out.
 struct GroundPanelPoint {
     int plane = 0;
     GroundEnd end;
-    double stiffness = 0, damping = 0;  ///< N/m; of contact::press
-
-    // where a step begins
-    double depth = 0;              ///< m, less the level
-    double rate = 0, fastest = 0;  ///< m/s, at which it went deeper in the step before; the largest since it touched
+    double stiffness = 0, damping = 0;  ///< of contact::PressLaw
+    contact::PressedPoint press;
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.plane, s.end, s.stiffness, s.damping, s.depth, s.rate, s.fastest);
+        a(s.plane, s.end, s.stiffness, s.damping, s.press);
     }
 };
 
@@ -122,6 +120,7 @@ public:
     /// Lists what may touch planes of this law, where the run begins.
     virtual void list(GroundData& to) const = 0;
 
+    /// The step that is tried, before its forces are found.
     virtual void begin(const Step& step) { (void)step; }
     /// Adds the forces in the trial configuration, and counts what is pressed.
     virtual void add_forces(std::vector<Vec6>& resisting) = 0;

@@ -13,9 +13,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
-#include "contact/ground_friction.h"
 #include "effects/kinds.h"
 #include "effects/panel_points.h"
 
@@ -23,7 +22,7 @@ namespace hinge {
 namespace {
 
 using contact::Foot;
-using contact::Press;
+using contact::PressedEnd;
 
 /// A point that presses on a panel stays on it until its foot is that far outside, as long as it is over no other.
 constexpr double held_beyond = 0.02;
@@ -31,15 +30,10 @@ constexpr double held_beyond = 0.02;
 constexpr double part_of_gap = 0.5;
 constexpr double steps_of_list = 50;  ///< the list of what is near holds for about so many
 
-/// A touch at a pose.
-struct Touched {
+/// A touch at the end of a step, as far as it has been solved.
+struct Touched : PressedEnd {
     Foot foot, before;  ///< before: where its foot was when the step began, on the panel as it is now
-    double depth = -std::numeric_limits<double>::infinity();
-    Press press;
-    Vec3 slip = Vec3::Zero();
-    bool slides = false;
-    double rate = 0, heat = 0;  ///< m/s, at which it goes deeper; J
-    double arm = 0;             ///< height of the point over the place that it touched, where the step began, m
+    double arm = 0;     ///< height of the point over the place that it touched, where the step began, m
 };
 
 class PanelContact : public Effect,
@@ -51,9 +45,9 @@ class PanelContact : public Effect,
 public:
     PanelContact(Workspace& w, Host& host)
         : Effect(panel_contact_effect, w, host, {.forces_vanish = true}), parts_(w.structure) {
-        if (!w.state.data.find<PanelContactNow>(panel_contact_effect))
-            w.state.data.set(panel_contact_effect, PanelContactNow{});
-        else drop_what_is_gone();
+        const auto* there = w.state.data.find<PanelContactNow>(panel_contact_effect);
+        if (there && fits(*there)) drop_what_is_gone();
+        else w.state.data.set(panel_contact_effect, empty());
     }
 
     // ---- before a step --------------------------------------------------------------------------------------------
@@ -78,7 +72,7 @@ public:
             lost += choose(from, to);
             for (std::size_t i = from; i < to; ++i) {
                 PanelTouch& t = n.touches[i];
-                awake_[i] = 1, near |= t.over && t.depth + way > 0;
+                awake_[i] = 1, near |= t.over && t.press.depth + way > 0;
                 // over a panel: from the side on which it is, however deep
                 const double above = t.over ? t.side * feet_[i].height : std::abs(feet_[i].height);
                 const double apart = above - parts_.reach(t.point, t.panel);
@@ -97,10 +91,10 @@ public:
         for (std::size_t i = 0; i < n.touches.size(); ++i) {
             const PanelTouch& t = n.touches[i];
             if (!acts(i)) continue;
-            const Touched& at = touched_[i] = touch(i, w_.trial);
-            if (!(at.depth > 0)) continue;
+            const Touched& at = touched_[i] = touch(i);
+            if (!at.touches()) continue;
             ++presses_;
-            const Vec3 push = -at.press.force * t.side * at.foot.normal, drag = friction_stiffness(t) * at.slip;
+            const Vec3 push = -at.press.force * t.side * at.foot.normal, drag = law(t).along() * at.slip;
             const PanelPoint& p = parts_.points()[std::size_t(t.point)];
             for (std::size_t k = 0; k < p.node.size(); ++k) resisting[p.node[k]].head<3>() += p.part[k] * (push + drag);
             const auto& nodes = parts_.panels()[std::size_t(t.panel)].nodes;
@@ -117,65 +111,42 @@ public:
         for (std::size_t i = 0; i < touched_.size(); ++i) {
             const PanelTouch& t = now().touches[i];
             const Touched& at = touched_[i];
-            if (!acts(i) || !(at.depth > 0)) continue;
-            const Vec3& n = at.foot.normal;
-            Mat3 K = at.press.slope * n * n.transpose();
-            if (parts_.rule().friction > 0 && !at.slides)
-                K += friction_stiffness(t) * (Mat3::Identity() - n * n.transpose());
+            if (!acts(i) || !at.touches()) continue;
+            const Mat3 K = contact::slope_of(law(t), at.foot.normal, at.press.slope, !at.slides);
             add_slope(t, at, K, blocks);
         }
     }
     void add_stiffest(Blocks& most) const override {
-        const double steep = 1 + contact::damping_for(parts_.rule().restitution);
-        std::vector<char> touches(w_.structure.position().size(), 0);
-        for (const Panel& p : parts_.panels())
-            for (const int n : p.nodes) touches[std::size_t(n)] = 1;
-        for (const PanelPoint& p : parts_.points())
-            for (const int n : p.node) touches[std::size_t(n)] = 1;
-        for (int n = 0; n < int(touches.size()); ++n) {
-            if (!touches[std::size_t(n)]) continue;
+        for (int n = 0; n < int(w_.structure.position().size()); ++n) {
+            if (!parts_.may_press(n)) continue;
             Mat6 K = Mat6::Zero();  // as a point, and as a corner
-            K.topLeftCorner<3, 3>() = 2 * steep * parts_.stiffest(n) * Mat3::Identity();
+            K.topLeftCorner<3, 3>() = 2 * parts_.stiffest(n) * Mat3::Identity();
             most.stiffness(n, K);
         }
     }
     bool has_converged() override {
-        const PanelContactNow& n = now();
-        for (std::size_t i = 0; i < touched_.size(); ++i) {
-            const PanelTouch& t = n.touches[i];
-            if (!acts(i)) continue;
-            const Touched at = touch(i, w_.trial);
-            if ((at.depth > 0) != (touched_[i].depth > 0)) return false;
-            if (!touched_[i].press.foretells(at.press, at.depth - touched_[i].depth)) return false;
-            const double most = parts_.rule().friction * at.press.force;
-            if (most > 0 && friction_stiffness(t) * (at.slip - touched_[i].slip).norm() > contact::same_friction * most)
-                return false;
-        }
+        for (std::size_t i = 0; i < touched_.size(); ++i)
+            if (acts(i) && !touched_[i].agrees(law(now().touches[i]), touch(i))) return false;
         return true;
     }
 
     // ---- the end of a step ----------------------------------------------------------------------------------------
-    /// A step takes the mean of the forces at its two ends. What that misses of the energy that is stored and lost,
-    /// where a point begins or ceases to touch or turns back, is an impulse along the normal (as
-    /// contact/surface_contact.h).
+    /// Also adds the impulses that the step has missed (contact/press_law.h).
     void end(const Step& step) override {
         const PanelContactNow& n = now();
         lost_ = 0;
         double work = 0;
         bool any = false;
         for (std::size_t i = 0; i < touched_.size(); ++i) {
-            const PanelTouch& t = n.touches[i];
             if (!acts(i)) continue;
-            Touched& at = touched_[i];
-            if (!w_.kind.explicit_steps) at = touch(i, w_.trial);  // else nothing has moved since
-            if (!(at.depth > 0) && !(t.depth > 0)) continue;
-            const Press before = parts_.press(t);
-            lost_ += Press::lost(before, at.press, at.depth - t.depth) + at.heat;
-            const contact::Missed m = contact::missed(before, t.depth, at.press, at.depth, step.dt);
-            if (m.impulse == 0) continue;
+            const PanelTouch& t = n.touches[i];
+            if (!w_.kind.explicit_steps) touched_[i] = touch(i);  // else nothing has moved since
+            const contact::PressedStep done = contact::end_of_step(law(t), t.press, touched_[i], step.dt);
+            lost_ += done.lost;
+            if (done.missed.impulse == 0) continue;
             if (!any) impulse_.assign(w_.trial.velocity.size(), Vec6::Zero()), any = true;
-            add_impulse(t, at, m.impulse);
-            work += m.work;
+            add_impulse(t, touched_[i], done.missed.impulse);
+            work += done.missed.work;
         }
         if (!any) return;
         const ImpulseResponse k = host_.respond(impulse_);
@@ -184,16 +155,8 @@ public:
     void accumulate_energy(const Step&, Accounts& sums) const override { sums["panel_contact_lost"] += lost_; }
     void before_commit(const Step&) override {
         PanelContactNow& n = now();
-        for (std::size_t i = 0; i < touched_.size() && i < n.touches.size(); ++i) {
-            PanelTouch& t = n.touches[i];
-            if (!acts(i)) continue;
-            const Touched& at = touched_[i];
-            t.depth = at.depth, t.rate = at.rate, t.fastest = at.press.fastest, t.slip = at.slip;
-            if (t.level > 0 && t.depth < 0) {
-                const double less = std::min(t.level, -t.depth);
-                t.level -= less, t.depth += less;
-            }
-        }
+        for (std::size_t i = 0; i < touched_.size(); ++i)
+            if (acts(i)) contact::keep(touched_[i], n.touches[i].press, n.touches[i].level);
         lost_ = 0;
     }
     void after_commit(const Step&) override {
@@ -212,7 +175,7 @@ public:
 
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
         for (const PanelTouch& t : now().touches) {
-            if (!t.over || t.depth < -parts_.smallest()) continue;
+            if (!t.over || t.press.depth < -parts_.smallest()) continue;
             for (const int n : parts_.points()[std::size_t(t.point)].node)
                 if (bodies.of_node[std::size_t(n)] >= 0) rests[std::size_t(bodies.of_node[std::size_t(n)])] = 0;
         }
@@ -233,50 +196,45 @@ public:
         from(presses_, pressed_before_), touched_.clear(), feet_.clear(), awake_.clear(), surface_.clear();
     }
     bool restored(std::span<const State* const> states) override {
-        const int points = int(parts_.points().size()), panels = int(parts_.panels().size());
-        for (const State* s : states) {
+        return std::all_of(states.begin(), states.end(), [this](const State* s) {
             const auto* there = s->data.find<PanelContactNow>(panel_contact_effect);
-            if (!there) return false;
-            for (const PanelTouch& t : there->touches)
-                if (t.point < 0 || t.point >= points || t.panel < 0 || t.panel >= panels) return false;
-        }
-        return true;
+            return there && fits(*there);
+        });
     }
 
 private:
     PanelContactNow& now() const { return *w_.state.data.find<PanelContactNow>(panel_contact_effect); }
     /// Whether a touch may press in this step.
     bool acts(std::size_t i) const { return now().touches[i].over && (awake_.empty() || awake_[i] != 0); }
-    double friction_stiffness(const PanelTouch& t) const {
-        return contact::tangential_part * parts_.stiffness(t.point, t.panel);
+    contact::PressLaw law(const PanelTouch& t) const { return parts_.law(t.point, t.panel); }
+    PanelContactNow empty() const { return {int(parts_.points().size()), int(parts_.panels().size()), {}}; }
+    /// Whether it is of this structure: a run may go on from one that had other panels.
+    bool fits(const PanelContactNow& n) const {
+        return n.points == int(parts_.points().size()) && n.panels == int(parts_.panels().size()) &&
+               std::all_of(n.touches.begin(), n.touches.end(), [&](const PanelTouch& t) {
+                   return t.point >= 0 && t.point < n.points && t.panel >= 0 && t.panel < n.panels;
+               });
     }
     double stored_by(const PanelTouch& t, const Foot& foot) const {
-        return parts_.press(t, parts_.depth(t, foot), 0, 0).stored + 0.5 * friction_stiffness(t) * t.slip.squaredNorm();
+        return t.press.stored(law(t), parts_.depth(t, foot));
     }
 
     /// At the trial, on the way from where the step began.
-    Touched touch(std::size_t i, const Pose& pose) const {
+    Touched touch(std::size_t i) const {
         const PanelTouch& t = now().touches[i];
         Touched at;
-        at.foot = parts_.foot(pose, t);
-        at.depth = parts_.depth(t, at.foot);
-        at.rate = w_.at_state ? t.rate : dt_ > 0 ? (at.depth - t.depth) / dt_ : 0;
-        at.press = parts_.press(t, at.depth, at.rate, dt_);
-        at.before = at.foot;
-        const double mu = parts_.rule().friction;
-        if (mu == 0 || (!(at.depth > 0) && t.slip.isZero(0))) return at;
+        at.foot = at.before = parts_.foot(w_.trial, t);
+        static_cast<PressedEnd&>(at) =
+            contact::pressed(law(t), t.press, parts_.depth(t, at.foot), w_.at_state ? 0 : dt_);
+        if (!contact::rubs(law(t), t.press, at)) return at;
         const Foot begun = i < feet_.size() ? feet_[i] : parts_.foot(w_.state, t);
-        const auto corners = parts_.corners(pose, t.panel);
+        const auto corners = parts_.corners(w_.trial, t.panel);
         at.before = contact::surface_at(parts_.span(corners, t.panel), begun.at), at.arm = begun.height;
-        Vec3 moved = parts_.place(pose, parts_.points()[std::size_t(t.point)]) - begun.height * at.before.normal;
+        Vec3 moved = parts_.place(w_.trial, parts_.points()[std::size_t(t.point)]) - begun.height * at.before.normal;
         for (std::size_t k = 0; k < parts_.panels()[std::size_t(t.panel)].nodes.size(); ++k)
             moved -= at.before.share[k] * corners[k];
-        const Vec3& n = at.foot.normal;
-        const auto along = [&](const Vec3& v) { return Vec3(v - v.dot(n) * n); };
-        const double part = t.depth > 0 || !(at.depth > 0) ? 1 : at.depth / (at.depth - t.depth);
-        const contact::Friction f = contact::friction(along(contact::carried(t.slip, begun, at.before)), along(moved),
-                                                      part, friction_stiffness(t), mu * at.press.force);
-        at.slip = f.slip, at.slides = f.slides, at.heat = f.heat;
+        const auto along = [&](const Vec3& v) { return Vec3(v - v.dot(at.foot.normal) * at.foot.normal); };
+        contact::rub(law(t), t.press, along(contact::carried(t.press.slip, begun, at.before)), along(moved), at);
         return at;
     }
 
@@ -327,7 +285,7 @@ private:
         }
         std::vector<PanelTouch> deep;  // what presses stays, however deep
         std::copy_if(n.touches.begin(), n.touches.end(), std::back_inserter(deep), [&](const PanelTouch& t) {
-            return t.over && t.depth > 0 && !std::binary_search(list.begin(), list.end(), t);
+            return t.over && t.press.depth > 0 && !std::binary_search(list.begin(), list.end(), t);
         });
         list.insert(list.end(), deep.begin(), deep.end()), std::sort(list.begin(), list.end());
         n.touches = std::move(list);
@@ -365,7 +323,7 @@ private:
             PanelTouch& t = of_point[best];
             if (!t.over && !had) t.level = std::max(0.0, parts_.depth(t, feet[best]));
             t.over = true;
-            if (!had || best != old || !(t.depth > 0)) t.depth = parts_.depth(t, feet[best]);
+            if (!had || best != old || !(t.press.depth > 0)) t.press.depth = parts_.depth(t, feet[best]);
         }
         return lost;
     }
@@ -374,16 +332,16 @@ private:
         double lost = stored_by(old, from);
         if (next) {
             next->side = from.normal.dot(to.normal) < 0 ? -old.side : old.side;
-            next->rate = old.rate, next->fastest = old.fastest, next->slip = old.slip;
+            next->press = old.press;
             // where panels fold towards the point it is deeper in the next one: no energy comes from that
             next->level = old.level;
             next->level += std::max(0.0, parts_.depth(*next, to) - parts_.depth(old, from));
             next->over = true;
             lost -= stored_by(*next, to);
-        } else if (old.depth > 0) {
+        } else if (old.press.depth > 0) {
             host_.accelerations_anew();
         }
-        old.over = false, old.level = old.depth = old.rate = old.fastest = 0, old.slip.setZero();
+        old.over = false, old.level = 0, old.press = {};
         return lost;
     }
     /// Torn panels, and points of what has broken, press no longer; what they stored is lost. True where one pressed.
@@ -394,7 +352,7 @@ private:
         std::erase_if(n.touches, [&](const PanelTouch& t) {
             if (!parts_.torn(w_.state, t.panel) && parts_.is_there(w_.state, parts_.points()[std::size_t(t.point)]))
                 return false;
-            if (t.over && t.depth > 0) lost += stored_by(t, parts_.foot(w_.state, t)), any = true;
+            if (t.over && t.press.depth > 0) lost += stored_by(t, parts_.foot(w_.state, t)), any = true;
             touched_.clear(), awake_.clear();
             return true;
         });

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "contact/pressed_point.h"
 #include "state/state.h"
 
 namespace hinge {
@@ -28,29 +29,27 @@ struct PanelTouch {
     bool over = false;         ///< its foot is within the panel: the one that it presses on, of a surface
     double level = 0;          ///< m: depth where it was found first. There it is at rest until it rises
 
-    // where a step begins
-    double depth = 0;              ///< m, less the level; negative: apart
-    double rate = 0, fastest = 0;  ///< m/s, at which it went deeper in the step before; the largest since it touched
-    double test_at = 0;            ///< m of PanelContactNow::travelled, up to which it cannot touch
-    Vec3 slip = Vec3::Zero();      ///< stretch of friction's spring, m
+    double test_at = 0;           ///< m of PanelContactNow::travelled, up to which it cannot touch
+    contact::PressedPoint press;  ///< where a step begins; its depth is less the level
 
     bool operator<(const PanelTouch& other) const {
         return point != other.point ? point < other.point : panel < other.panel;
     }
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.point, s.panel, s.side, s.over, s.level, s.depth, s.rate, s.fastest, s.test_at, s.slip);
+        a(s.point, s.panel, s.side, s.over, s.level, s.test_at, s.press);
     }
 };
 
 struct PanelContactNow {
+    int points = 0, panels = 0;        ///< of the structure that they belong to
     std::vector<PanelTouch> touches;   ///< by point, then by panel
     double travelled = 0, margin = 0;  ///< m, since they were listed: nothing else comes near within the margin
     bool listed = false;
     static constexpr bool in_state_hash = false;  ///< the hash of a state is that of its arrays
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.touches, s.travelled, s.margin, s.listed);
+        a(s.points, s.panels, s.touches, s.travelled, s.margin, s.listed);
     }
 };
 

@@ -48,38 +48,55 @@ PanelPoints::PanelPoints(const Structure& s)
         if (radius[n] >= 0) points_.push_back({{int(n)}, {1.0}, radius[n]});
     for (std::size_t p = 0; p < panels_.size(); ++p) add_points_of(int(p));
     for (std::size_t e = 0; rule_.members && e < s.elements().size(); ++e) add_points_of(s.elements()[e], int(e));
-    mass_.resize(nodes, 0);
-    for (const AddedMass& added : added_masses(s.model())) mass_[std::size_t(added.node)] += added.mass.mass;
-    for (const Element& e : s.elements())
-        for (const int n : e.node) mass_[std::size_t(n)] += 0.5 * e.mass();
-    for (PanelPoint& p : points_)
-        for (std::size_t k = 0; k < p.node.size(); ++k) p.mass += p.part[k] * mass_[std::size_t(p.node[k])];
+    find_masses();
     near_.resize(nodes);
     const auto join = [&](int a, int b) { near_[std::size_t(a)].push_back(b); };
     for (const Panel& p : panels_)
         for (const int a : p.nodes)
             for (const int b : p.nodes) join(a, b);
-    for (const Element& e : s.elements()) join(e.node[0], e.node[1]), join(e.node[1], e.node[0]);
+    const auto own = [&](int n) { return s.declared_node(n) >= 0 ? s.declared_node(n) : n; };  // of an end at a joint
+    for (const Element& e : s.elements())
+        for (const int a : e.node)
+            for (const int b : e.node) join(a, own(b)), join(own(a), own(b));
     for (auto& list : near_) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
 }
 
-double PanelPoints::stiffness(int point, int panel) const {
+void PanelPoints::find_masses() {
+    mass_.resize(structure_.position().size(), 0);
+    for (const AddedMass& added : added_masses(structure_.model())) mass_[std::size_t(added.node)] += added.mass.mass;
+    for (const Element& e : structure_.elements())
+        for (const int n : e.node) mass_[std::size_t(n)] += 0.5 * e.mass();
+    std::vector<char> takes_part(mass_.size(), 0);
+    for (PanelPoint& p : points_)
+        for (std::size_t k = 0; k < p.node.size(); ++k)
+            p.mass += p.part[k] * mass_[std::size_t(p.node[k])], takes_part[std::size_t(p.node[k])] = 1;
+    for (const Panel& p : panels_) {
+        panel_mass_.push_back(0);
+        for (const int n : p.nodes) panel_mass_.back() += mass_[std::size_t(n)] / double(p.nodes.size());
+    }
+    for (std::size_t n = 0; n < mass_.size(); ++n)
+        if (!takes_part[n]) mass_[n] = -1;
+}
+
+contact::PressLaw PanelPoints::law(int point, int panel) const {
     const PanelPoint& p = points_[std::size_t(point)];
-    if (rule_.stiffness > 0) return p.softer * rule_.stiffness;
-    double mass = 0;
-    const auto& nodes = panels_[std::size_t(panel)].nodes;
-    for (const int n : nodes) mass += mass_[std::size_t(n)] / double(nodes.size());
-    // of the lighter one; what has no mass leaves it to the other
-    if (p.mass > 0) mass = mass > 0 ? std::min(mass, p.mass) : p.mass;
-    const double most = most_stiffness * panels_[std::size_t(panel)].sheet->stiffness();
-    return p.softer * (mass > 0 ? std::min(most, mass * frequency * frequency) : most);
+    double k = rule_.stiffness;
+    if (k == 0) {
+        // of the lighter one; what has no mass leaves it to the other
+        const double other = panel_mass_[std::size_t(panel)];
+        const double mass = p.mass > 0 && other > 0 ? std::min(p.mass, other) : std::max(p.mass, other);
+        const double most = most_stiffness * panels_[std::size_t(panel)].sheet->stiffness();
+        k = mass > 0 ? std::min(most, mass * frequency * frequency) : most;
+    }
+    return {p.softer * k, damping_, rule_.friction};
 }
 
 double PanelPoints::stiffest(int node) const {
-    return rule_.stiffness > 0 ? rule_.stiffness : mass_[std::size_t(node)] * frequency * frequency;
+    const double k = rule_.stiffness > 0 ? rule_.stiffness : mass_[std::size_t(node)] * frequency * frequency;
+    return contact::PressLaw{k, damping_}.steepest();
 }
 
 bool PanelPoints::belongs(int point, int panel) const {
@@ -177,7 +194,8 @@ PanelPress pressing_on_panels(const Structure& structure, const State& state) {
         if (!t.over) continue;
         const double depth = parts.depth(t, parts.foot(state, t));
         if (!(depth > 0)) continue;
-        ++sum.points, sum.force += parts.press(t, depth, t.rate, 0).force, sum.depth = std::max(sum.depth, depth);
+        ++sum.points, sum.force += contact::pressed(parts.law(t.point, t.panel), t.press, depth, 0).press.force,
+            sum.depth = std::max(sum.depth, depth);
     }
     return sum;
 }

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "contact/point_on_panel.h"
-#include "contact/press_law.h"
 #include "effects/panel_contact.h"
 #include "effects/panels.h"
 #include "model/structure.h"
@@ -35,9 +34,10 @@ public:
     double half(int panel) const { return half_[std::size_t(panel)]; }
     /// The distance at which a point touches a panel, m.
     double reach(int point, int panel) const { return points_[std::size_t(point)].radius + half(panel); }
-    /// Of a point on a panel, N/m.
-    double stiffness(int point, int panel) const;
-    /// That of any point at a node, N/m.
+    /// Of a point on a panel.
+    contact::PressLaw law(int point, int panel) const;
+    /// Whether a point or a panel has the node, and the largest stiffness of its contacts, N/m.
+    bool may_press(int node) const { return mass_[std::size_t(node)] >= 0; }
     double stiffest(int node) const;
     /// Whether a node of the panel belongs to the point, or is joined to one that does.
     bool belongs(int point, int panel) const;
@@ -83,25 +83,22 @@ public:
     double depth(const PanelTouch& t, const contact::Foot& foot) const {
         return reach(t.point, t.panel) - t.side * foot.height - t.level;
     }
-    /// Where a step begins, and where one of length dt ends.
-    contact::Press press(const PanelTouch& t) const { return press(t, t.depth, t.rate, 0); }
-    contact::Press press(const PanelTouch& t, double depth, double rate, double dt) const {
-        return contact::press(stiffness(t.point, t.panel), damping_, depth, rate, t.fastest, dt);
-    }
 
 private:
     Vec3 at(const Panel& p, std::size_t k) const { return structure_.position()[p.nodes[k % p.nodes.size()]]; }
     int divisions(double length) const;
     void add_points_of(int panel);
     void add_points_of(const Element& e, int index);
+    void find_masses();
 
     const Structure& structure_;
     PanelContactRule rule_;  ///< as a script declares it, or the default one
     double damping_;         ///< contact::damping_for its restitution
     const std::vector<Panel>& panels_;
     std::vector<PanelPoint> points_;
-    std::vector<double> mass_;  ///< kg, of each node
-    std::vector<double> half_;
+    std::vector<double> mass_;            ///< kg, of each node; -1: neither a panel nor a point has it
+    std::vector<double> panel_mass_;      ///< kg, the mean of each panel's nodes
+    std::vector<double> half_;            ///< m, of the thickness of each panel
     std::vector<std::vector<int>> near_;  ///< of each node, those that a member or a panel joins to it, rising
     double smallest_;
 };

@@ -1,7 +1,6 @@
 // model:panel_contact: panels that points of other panels and of members press on.
 #include "contact/press_law.h"
 #include "effects/panel_contact.h"
-#include "effects/panels.h"
 #include "script/bind/model_methods.h"
 #include "script/bind/run_box.h"
 #include "script/bind/value_box.h"
@@ -11,7 +10,6 @@ namespace hinge::script {
 struct PanelContactBox {
     static constexpr const char* lua_name = "hinge.panel_contact";
     std::shared_ptr<ScriptModel> model;
-    int index = 0;
 };
 std::string name_of(const PanelContactBox&) { return "the contact of panels"; }
 
@@ -55,6 +53,8 @@ int declare_panel_contact(lua_State* L) {
     o.expect({"stiffness", "restitution", "friction", "members"});
     PanelContactRule rule;
     rule.stiffness = o.number("stiffness", "N/m", Range::positive, rule.stiffness);
+    if (constexpr double most = 1e15; rule.stiffness > most)
+        o.complain("stiffness", show(rule.stiffness) + " N/m", "must be at most " + show(most) + " N/m");
     rule.restitution = o.number("restitution", "", Range::positive, rule.restitution);
     if (!(rule.restitution >= contact::least_restitution && rule.restitution <= 1))
         o.complain("restitution", show(rule.restitution),

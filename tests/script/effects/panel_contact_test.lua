@@ -4,6 +4,7 @@
 -- Run: lua5.4 tests/script/effects/panel_contact_test.lua, with the module on LUA_CPATH
 package.path = debug.getinfo(1, "S").source:match "^@(.-)[^/]*$" .. "../?.lua;" .. package.path
 local support = require "support"
+local panel_cells = require "panel_cells"
 local hinge = require "hinge"
 local checks = support.checks "panel contact"
 local case = checks.case
@@ -14,23 +15,8 @@ local g = 9.80665 -- m/s^2
 local steel = hinge.material { E = 200e9, nu = 0.25, density = 8000 }
 local plate = { thickness = 0.02, material = steel } -- 160 kg/m^2
 
--- n by m panels whose nodes are at place(i, j): nodes by [i][j], panels in a list. mixed: every second one has its
--- nodes the other way round.
 local function cells(model, n, m, place, options, mixed)
-  local nodes, panels = {}, {}
-  for i = 0, n do
-    nodes[i] = {}
-    for j = 0, m do nodes[i][j] = model:node(place(i, j)) end
-  end
-  for i = 0, n - 1 do
-    for j = 0, m - 1 do
-      local o = { nodes[i][j], nodes[i + 1][j], nodes[i + 1][j + 1], nodes[i][j + 1] }
-      if mixed and (i + j) % 2 == 1 then o[2], o[4] = o[4], o[2] end
-      for key, value in pairs(options or plate) do o[key] = value end
-      panels[#panels + 1] = model:panel(o)
-    end
-  end
-  return nodes, panels
+  return panel_cells.lay(model, n, m, place, options or plate, mixed)
 end
 local function each(nodes, f)
   for i = 0, #nodes do
@@ -157,6 +143,42 @@ case("a plate that falls flat comes back with the restitution's part of its spee
       local since = 0.25 - v / g - math.pi / 2 / 400 * (1 + restitution) -- what the contact takes
       near(integrator .. " velocity", (select(3, run:velocity(high[0][0]))), restitution * v - g * since, 0.02 * v)
       near("energy error", run.energy_error, 0, 1e-4)
+    end
+  end
+end)
+
+case("what comes at v goes v / 400 deep, and sinks in by its weight: its mass times (400 rad/s)^2", function()
+  local run, _, contact = on_slope { gap = 0.2, duration = 0.25 }
+  local deepest = 0
+  for _ in run:steps() do deepest = support.largest_of(deepest, (select(3, contact:pressing(run)))) end
+  near("deepest", deepest, math.sqrt(2 * g * 0.2) / 400, 0.02 * deepest)
+  local still, _, under = on_slope { restitution = 0.2, duration = 0.3 }
+  local _, force, depth = under:pressing(still:finish())
+  near("weight", force, 40 * g, 0.01 * 40 * g)
+  near("sinks in", depth, g / 400 ^ 2, 0.01 * depth)
+end)
+
+case("an oblique blow loses mu (1 + e) v of its speed along the surface, on panels and on the ground", function()
+  local v, mu = 3, 0.2
+  for _, what in ipairs { "panel", "layer", "points" } do
+    for _, integrator in ipairs { "newmark", "explicit" } do
+      for _, e in ipairs(what == "layer" and { 0.2 } or { 1, 0.3 }) do
+        local model = hinge.model()
+        if what == "panel" then
+          fix(model, (cells(model, 1, 1, function(i, j) return { 20 * i - 10, 20 * j - 10, 0 } end)))
+          model:panel_contact { friction = mu, restitution = e }
+        else
+          model:ground { friction = mu, restitution = what == "points" and e or nil }
+        end
+        local high = cells(model, 1, 1, function(i, j) return { 0.5 * i, 0.5 * j, 0.05 } end)
+        set_going(model, high, { 6, 0, -v })
+        local run = model:dynamic { dt = 2e-5, duration = 0.06, integrator = integrator }:finish()
+        local vx, _, vz = run:velocity(high[0][0])
+        local name = ("%s, %s, e = %g"):format(what, integrator, e)
+        near(name .. ": out", vz, e * v, 0.03 * v)
+        near(name .. ": along", vx, 6 - mu * (1 + e) * v, 0.03 * mu * (1 + e) * v)
+        near("energy error", run.energy_error, 0, 1e-4)
+      end
     end
   end
 end)
@@ -313,12 +335,21 @@ case("panels fall on the ground and lie there", function()
     local nodes = cells(model, 1, 1, function(i, j) return { 0.5 * i, 0.5 * j, 0.01 } end)
     model:gravity { g * math.sin(angle), 0, -g * math.cos(angle) }
     model:ground { friction = mu }
-    local dt = integrator == "explicit" and 2e-5 or 1e-4
+    local dt = integrator == "explicit" and "auto" or 1e-4
     local run = model:dynamic { dt = dt, duration = 0.5, integrator = integrator }:finish()
     local way = 0.5 * g * (math.sin(angle) - mu * math.cos(angle)) * 0.5 ^ 2
     near(integrator, (run:displacement(nodes[0][0])), way, 0.01 * way)
     near("energy error", run.energy_error, 0, 1e-3)
   end
+end)
+
+case("a basement under the ground is left out, as members are", function()
+  local model = hinge.model()
+  local low = cells(model, 1, 1, function(i, j) return { i, j, -3 } end)
+  model:gravity { 0, 0, -g }
+  model:ground {}
+  local run = model:dynamic { dt = 1e-3, duration = 0.4 }:finish()
+  near("falls", z_of(run, low[0][0]), -3 - 0.5 * g * 0.4 ^ 2, 1e-3)
 end)
 
 -- Runs ----------------------------------------------------------------------------------------------------------------
@@ -338,6 +369,56 @@ case("a checkpoint while plates press on each other goes on with the same bits",
   local rest = new()
   rest:resume(folder .. "/plates")
   equal("hash", rest:finish().hash, whole.hash)
+end)
+
+case("in a floor at rest, whose beams have joints, nothing presses: contact of panels changes no bit", function()
+  local hash = {}
+  for _, with in ipairs { false, true } do
+    local model = hinge.model { elements_per_member = 4 }
+    local section, at = hinge.section.named "IPE 240", {}
+    for i, p in ipairs { { 0, 0 }, { 5, 0 }, { 5, 4 }, { 0, 4 } } do
+      at[i] = model:node { p[1], p[2], 3 }
+      local foot = model:node { p[1], p[2], 0 }
+      model:fix(foot)
+      model:member { foot, at[i], section = section, material = steel }
+    end
+    local pin = hinge.joint { Mx = { stiffness = 1e5 } }
+    for i = 1, 4 do
+      model:member { at[i], at[i % 4 + 1], section = section, material = steel, group = "beams",
+        ends = { a = pin, b = pin } }
+    end
+    model:floor { group = "beams", mass = 300, slab = { thickness = 0.1, material = steel } }
+    model:gravity { 0, 0, -g }
+    local contact = with and model:panel_contact { friction = 0.5 }
+    local run = model:dynamic { from = model:static { steps = 1 }:finish(), dt = 1e-3, duration = 0.05 }:finish()
+    if with then equal("presses", contact:pressing(run), 0) end
+    hash[#hash + 1] = run.hash
+  end
+  equal("hash", hash[2], hash[1])
+end)
+
+case("a run that goes on from one with fewer panels has contact with all", function()
+  local model, nodes = hinge.model(), {}
+  for i = 0, 2 do
+    for j = 0, 1 do
+      nodes[2 * i + j] = model:node { i, j, 0 }
+      model:fix(nodes[2 * i + j], "xyz")
+    end
+  end
+  local function lay(k)
+    model:panel { nodes[k], nodes[k + 2], nodes[k + 3], nodes[k + 1], thickness = 0.02, material = steel }
+  end
+  lay(0)
+  local high = cells(model, 1, 1, function(i, j) return { 0.2 + 0.5 * i, 0.2 + 0.5 * j, 0.021 } end)
+  model:gravity { 0, 0, -g }
+  set_going(model, high, { 2, 0, 0 })
+  model:panel_contact { restitution = 0.3 }
+  local first = model:dynamic { dt = 1e-3, duration = 0.1 }:finish()
+  lay(2)
+  local run = model:dynamic { from = first, dt = 1e-3, duration = 0.5 }:finish() -- it slides onto the new one
+  equal("over the new one", run:displacement(high[0][0]) > 0.9, true)
+  near("height", z_of(run, high[0][0]), 0.02, 2e-3)
+  near("energy error", run.energy_error, 0, 1e-4)
 end)
 
 case("panels that pass through each other without contact are warned of, and contact left out is as not declared",
@@ -367,6 +448,7 @@ case("wrong input is refused and changes nothing", function()
   refused({ restitution = 1.1 }, "must be 0.2 to 1")
   refused({ friction = -1 }, "friction")
   refused({ stiffness = 0 }, "stiffness")
+  refused({ stiffness = 1e300 }, "must be at most")
   refused({ groups = {} }, "groups")
   refused({ members = 1 }, "members")
   local contact = model:panel_contact {}
