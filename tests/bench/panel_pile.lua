@@ -1,12 +1,12 @@
--- A thousand plates that fall on each other, in piles of forty: how long until they rest, and what a step takes.
--- Run: hinge run -q tests/bench/panel_pile.lua plates=1000 duration=1.5
+-- Plates that fall on each other, in piles of forty: how near they are to rest at the end, and what a step takes.
+-- Run: hinge run -q tests/bench/panel_pile.lua
 local hinge = require "hinge"
 
 local g = 9.80665 -- m/s^2
 local high = 40   -- plates in a pile
 
 return hinge.scenario {
-  parameters = { plates = 1000, duration = 1.5, dt = 1e-3, restitution = 0.3, integrator = "newmark" },
+  parameters = { plates = 200, duration = 3, dt = 4e-5, restitution = 0.3, integrator = "explicit" },
   run = function(p)
     local steel = hinge.material { E = 200e9, nu = 0.3, density = 7850 }
     local model, tops = hinge.model(), {}
@@ -28,12 +28,12 @@ return hinge.scenario {
     local from = os.clock()
     run:finish()
     local seconds, points, force, depth = os.clock() - from, contact:pressing(run)
-    local fastest = 0
-    for _, node in ipairs(tops) do fastest = fastest + math.abs((select(3, run:velocity(node)))) / #tops end
+    local speed = 0
+    for _, node in ipairs(tops) do speed = speed + math.abs((select(3, run:velocity(node)))) / #tops end
     local weights = #tops * high * (high + 1) / 2 * 0.02 * 7850 * g -- what the plates press with, all together
     print(("%d plates, %d steps: %.1f ms a step; mean speed of the tops %.1e m/s, "
       .. "forces over weights %.4f, depth %.2g mm, energy error %.1e"):format(#tops * high, run.counts.substeps,
-      1e3 * seconds / run.counts.substeps, fastest, force / weights, 1e3 * depth, run.energy_error))
-    return { fastest = fastest, points = points, part = force / weights, energy_error = run.energy_error }
+      1e3 * seconds / run.counts.substeps, speed, force / weights, 1e3 * depth, run.energy_error))
+    return { speed = speed, points = points, part = force / weights, energy_error = run.energy_error }
   end,
 }
