@@ -15,9 +15,9 @@ async function inflated(bytes) {
   return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Words of `size` bytes, `a_frame` of them in each frame: planes of bytes, changes since the frame before.
-async function unpacked(text, size, a_frame) {
-  const bytes = await inflated(from_base64(text));
+// Words of `size` bytes, as many in each of so many frames: planes of bytes, changes since the frame before.
+async function unpacked(text, size, frames) {
+  const bytes = await inflated(from_base64(text)), a_frame = bytes.length / size / frames;
   const words = new (size === 4 ? Uint32Array : size === 2 ? Uint16Array : Uint8Array)(bytes.length / size);
   for (let from = 0; from < words.length; from += a_frame)
     for (let i = 0; i < a_frame; ++i) {
@@ -44,23 +44,17 @@ export const state_of = (byte) => byte & 3;
 export const hinges_of = (byte) => (byte >> 2) & 7;
 export const touched_of = (byte) => byte >> 5;
 
-// As unpacked, where the number of words in a frame follows from that of the frames.
-async function whole_frames(packed, name, size) {
-  const bytes = (await inflated(from_base64(packed[name]))).length;
-  return unpacked(packed[name], size, bytes / size / packed.frames);
-}
-
 /// What differs from frame to frame.
 export async function read_changes(packed) {
-  const bars = packed.bars;
+  const n = packed.frames;
   const [positions, count, which, loose, f_y, state, forces, scale] = await Promise.all([
-    unpacked(packed.positions, 4, 3 * packed.nodes), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
-    whole(packed.loose_at, 4), unpacked(packed.f_y, 2, bars), unpacked(packed.state, 1, bars),
-    unpacked(packed.forces, 2, 6 * bars), whole(packed.force_scale, 4)]);
-  const f_y_along = packed.f_y_along ? await unpacked(packed.f_y_along, 2, 3 * bars) : null;
-  const [sags, sag_scale, pointed] = await Promise.all(packed.sags ? [unpacked(packed.sags, 2, 4 * bars),
+    unpacked(packed.positions, 4, n), whole(packed.loose_count, 4), whole(packed.loose_end, 4),
+    whole(packed.loose_at, 4), unpacked(packed.f_y, 2, n), unpacked(packed.state, 1, n),
+    unpacked(packed.forces, 2, n), whole(packed.force_scale, 4)]);
+  const f_y_along = packed.f_y_along ? await unpacked(packed.f_y_along, 2, n) : null;
+  const [sags, sag_scale, pointed] = await Promise.all(packed.sags ? [unpacked(packed.sags, 2, n),
     whole(packed.sag_scale, 4), whole(packed.pointed, 4)] : [null, null, []]);
-  const plate_forces = packed.plate_forces && new Int16Array((await whole_frames(packed, "plate_forces", 2)).buffer);
+  const plate_forces = packed.plate_forces && new Int16Array((await unpacked(packed.plate_forces, 2, n)).buffer);
   const loose_from = [0];
   for (const c of count) loose_from.push(loose_from[loose_from.length - 1] + c);
   return {
