@@ -27,8 +27,8 @@ local function damage_table(damage, groups)
 end
 
 -- The accounts of which the balance consists (hinge.energy), without their parts.
-local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "ground",
-  "connectors", "joints", "damping", "heat", "numerical", "energy_error" }
+local accounts = { "initial", "work", "kinetic", "gravity", "elastic", "plastic", "fracture", "contact", "panels",
+  "panel_contact", "ground", "connectors", "joints", "damping", "heat", "numerical", "energy_error" }
 local shown_if_any = { heat = true, numerical = true }
 
 local function energy_table(run)
