@@ -199,10 +199,11 @@ int member_node(lua_State* L) {
         throw InputError("member:node: the number of elements before it is " + script::show(L, 2) +
                          "; must be an integer from 1");
     int node = 0;
+    const std::size_t nodes = m.model->nodes().size();
     try {
         node = name_inner_node(*m.model, m.index, int(std::clamp<lua_Integer>(after, -1, 1 << 30)));
     } catch (const InputError& e) { throw InputError(std::string("member:node: ") + e.what()); }
-    note_change(L, *m.model, "member:node");
+    if (m.model->nodes().size() > nodes) note_change(L, *m.model, "member:node");
     push_handle<NodeBox>(L, m.model, node);
     return 1;
 }
