@@ -47,10 +47,12 @@ public:
 
     // ---- what acts ------------------------------------------------------------------------------------------------
     void add_forces(double, std::vector<Vec6>& resisting) override {
+        ends_.resize(bends_.size());
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (has_ended(i)) continue;
             const At at = place(i, w_.trial);
-            const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * respond(i, at).moment);
+            ends_[i] = respond(i, at);
+            const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * ends_[i].moment);
             const panel::Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
             for (std::size_t j = 0; j < bends_[i].nodes.size(); ++j)
                 resisting[bends_[i].nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * m;
@@ -87,14 +89,14 @@ public:
     // ---- a step ---------------------------------------------------------------------------------------------------
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double dissipated = 0;
-        ends_.assign(bends_.size(), {});
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (now().ended[i]) continue;
             if (has_ended(i)) {  // statics
                 dissipated += now().stored[i];
                 continue;
             }
-            ends_[i] = respond(i, place(i, w_.trial));
+            if (!w_.kind.explicit_steps)  // else nothing has moved since the forces were found
+                ends_[i] = respond(i, place(i, w_.trial));
             dissipated += bends_[i].area * ends_[i].dissipated;
         }
         sums["panel_dissipated"] += dissipated;

@@ -58,10 +58,11 @@ public:
     // ---- what acts ------------------------------------------------------------------------------------------------
     void add_forces(double, std::vector<Vec6>& resisting) override {
         PanelsNow& n = now();
+        ends_.resize(shape_.size());
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(n, declared()[i], i)) continue;
             const Placed at = place(i, w_.trial);
-            const Evaluated e = evaluate(i, at, n, false);
+            const Evaluated& e = ends_[i] = evaluate(i, at, n, false);
             n.on_trial[i] = !w_.kind.dynamic && e.tears == all_layers;
             Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
             panel::add_forces(shape_[i], at, e.resultants, force);
@@ -102,9 +103,9 @@ public:
         double dissipated = 0;
         ends_.resize(shape_.size());
         for (std::size_t i = 0; i < shape_.size(); ++i) {
-            ends_[i] = {};
             if (is_torn(now(), declared()[i], i)) continue;
-            ends_[i] = evaluate(i, place(i, w_.trial), now(), false);
+            if (!w_.kind.explicit_steps)  // else nothing has moved since the forces were found
+                ends_[i] = evaluate(i, place(i, w_.trial), now(), false);
             dissipated += ends_[i].dissipated;
         }
         sums["panel_dissipated"] += dissipated;
