@@ -23,18 +23,20 @@ local schemes = { -- integrator and contact rule
 
 return hinge.scenario {
   -- m/s, m, kg, m, s
-  parameters = { speed = 440 / 3.6, size = 15.0, mass = 15000.0, height = 30.0, before = 3e-3, after = 6e-3 },
+  parameters = { speed = 440 / 3.6, size = 15.0, mass = 15000.0, height = 30.0, before = 3e-3, after = 6e-3,
+    floor = "none" }, -- or "weight", "slab"
   accuracy = { dt = { 1e-5, 2e-5, 4e-5 },
     scheme = { "newmark", "newmark, double", "newmark, iterated", "newmark, surface", "explicit" } },
   run = function(p)
     local model = hinge.model { p_delta = "chord", interaction = "paper", weight = "nodes" } -- as in the paper
-    local frame = building.add(model, { design = "heavy" })
+    local frame = building.add(model, { design = "heavy", floor = p.floor })
     local plane = aircraft.add(model, { design = "slender", size = p.size, mass = p.mass, speed = p.speed,
       position = { -0.5, frame.size[2] / 2, p.height } })
     local surface = p.scheme:find "surface"
     model:gravity { 0, 0, -9.80665 }
     model:fracture { curvature_x = 0.4, curvature_y = 0.4, axial_strain = 0.3 }
     model:contact { rule = surface and "surface" or "gap", binding_time = not surface and 0.5e-3 or nil }
+    if p.floor == "slab" then model:panel_contact { friction = 0.5, restitution = 0.3 } end
     local run = model:static { fixed_group = plane, steps = 1 }:finish()
     local function go_on(duration)
       local options = { from = run, dt = p.dt, duration = duration }

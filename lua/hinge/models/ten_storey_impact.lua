@@ -37,6 +37,8 @@ local rules = {
   gap = { "number", unit = "m", default = 0.5 }, -- nose before the facade
   contact = { "string", optional = true }, -- of the design
   contact_limits = { "table", default = {} }, -- further options of model:contact
+  floor = { "string", default = "none", one_of = { "none", "weight", "slab" } },
+  panel_contact = { "table", default = { friction = 0.5, restitution = 0.3 } }, -- where slabs are struck
   yield_stress = { "number", unit = "Pa", above = 0, optional = true }, -- of the building; of the design
   building = { "table", default = {} }, -- further options of the two models, beside the design's
   aircraft = { "table", default = {} },
@@ -79,7 +81,8 @@ function impact.add(model, options)
   local design = design_of("ten_storey_impact.add", o)
   for _, name in ipairs { "height", "contact", "yield_stress" } do o[name] = o[name] or design[name] end
   local steel = hinge.material { E = 206e9, nu = 0.3, density = 7850, yield_stress = o.yield_stress }
-  local frame = building.add(model, impact.with(impact.with(design.building, { material = steel }), o.building))
+  local frame = building.add(model, impact.with(
+    impact.with(design.building, { material = steel, floor = o.floor }), o.building))
   local plane, parts = aircraft.add(model, impact.with(impact.with(design.aircraft, o.aircraft), {
     size = o.size, mass = o.mass, speed = o.speed, heading = { 1, 0, 0 },
     position = { -o.gap, frame.size[2] / 2 + o.offset, o.height },
@@ -92,6 +95,7 @@ function impact.add(model, options)
   end
   local numbers = { rule = o.contact, binding_time = o.contact == "gap" and 0.5e-3 or nil }
   model:contact(impact.with(numbers, o.contact_limits))
+  if o.floor == "slab" then model:panel_contact(o.panel_contact) end
   -- m/s, of an elastic wave along a column; and of a long wave, which also moves the mass of the floors
   local columns = model:group("columns")
   frame.wave = math.sqrt(steel.E / steel.density)
@@ -125,6 +129,10 @@ function impact.damage(run, frame)
   d.broken_aircraft = run:count { group = "aircraft", state = "broken" }
   local touched = run:read("touched", "aircraft")
   d.missed = #touched - sum(touched)
+  d.torn_panels = 0
+  for _, panel in ipairs(frame.floor and frame.floor.slab or {}) do
+    if panel:torn(run) then d.torn_panels = d.torn_panels + 1 end
+  end
   for level = #frame.storey_groups, 1, -1 do
     if run:count { group = frame.storey_groups[level], state = "broken" } > 0 then d.lowest = level end
   end
@@ -210,8 +218,9 @@ function impact.simulate(p, see)
   r.speed, r.mass, r.size = p.speed, p.mass, p.size
   local i = loaded.instability -- of the building under its own weight
   r.unstable = i and { factor = i.factor, node = i.node, component = i.component, by = i.by } or nil
-  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "energy_error" } do
-    r[name] = energy[name]
+  for _, name in ipairs { "kinetic", "elastic", "plastic", "fracture", "contact", "panels", "panel_contact",
+    "energy_error" } do
+    r[name] = energy[name] -- of panels: nil without slabs
   end
   r.brought, r.own_kinetic = brought, 0.5 * p.mass * p.speed ^ 2
   r.given = since and run.time > since and momentum_of(model, run, before, since) / brought or nil

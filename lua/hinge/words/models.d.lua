@@ -15,8 +15,16 @@
 ---@field beam? hinge.section *reconstructed*; its y axis points up
 ---@field material? hinge.material default E 206 GPa, nu 0.3, 7850 kg/m^3, the design's yield stress, *reconstructed*
 ---weight of all floors, divided by the own weight of the whole structure; default 20. It is put into the density of the
----beams (section 4.1)
+---beams (section 4.1), or into a slab
 ---@field floor_weight? number
+---none (default): floors are weight alone, shared out evenly to all beams, as in the paper. weight: shared out by area to
+---the beams around each panel (model:floor). slab: all storeys have slabs of the same mass, with as many panels along a
+---beam as it has elements. They are struck where the model has model:panel_contact
+---@field floor? "none"|"weight"|"slab"
+---with floor = "slab": what it is made of, as in model:floor. light: 12 cm of C30/37, bars of 393 mm^2/m each way in its
+---middle; heavy: 25 cm and 785 mm^2/m. E and strengths are those of EN 1992-1-1, bending is that of the cracked slab:
+---E I / 4, and As f_y (t / 2 - As f_y / 2 f_c) both sagging and hogging. *reconstructed*
+---@field slab? hinge.panel_options
 ---@field origin? vec3 m, the corner that the frame stands on, default { 0, 0, 0 }
 
 ---@class ten_storey.frame
@@ -33,6 +41,7 @@
 ---@field mass number kg, both
 ---@field floor_load number kg/m^2
 ---@field beam_density number kg/m^3
+---@field floor? hinge.floor with floor = "weight" or "slab"
 
 ---@class ten_storey
 ---@field designs table<string, ten_storey.options> "light" and "heavy"
@@ -158,6 +167,9 @@ function space_frame.add(model, options) end
 ---@field gap? number m from nose to facade, default 0.5
 ---@field contact? string rule of model:contact, default "gap", the paper's gap elements
 ---@field contact_limits? table further options of model:contact
+---@field floor? "none"|"weight"|"slab" of the building, default "none"
+---where slabs are struck: options of model:panel_contact; default friction 0.5, restitution 0.3
+---@field panel_contact? hinge.panel_contact_options
 ---@field yield_stress? number Pa, of the building, *reconstructed*
 ---@field building? ten_storey.options
 ---@field aircraft? aircraft.options
@@ -170,8 +182,8 @@ function space_frame.add(model, options) end
 ---after first contact. inner and outer mean columns. broken_, hinged_, touched_ and work_ are given with inner, outer
 ---and beams. Further: broken_columns, broken, hinged_columns, work_columns, work (building), worst_column (largest
 ---plastic work in one column), work_aircraft, broken_aircraft, missed (members of the aircraft that touch nothing),
----lowest (lowest storey with a fracture, 0: none). Energies at the end:
----kinetic, elastic, plastic, fracture, contact, energy_error. brought: momentum of the aircraft.
+---lowest (lowest storey with a fracture, 0: none), torn_panels. Energies at the end:
+---kinetic, elastic, plastic, fracture, contact, energy_error, with slabs panels and panel_contact. brought: momentum of the aircraft.
 ---own_kinetic: its kinetic energy. given: the part of this momentum that the building has at the end. faint, felt and
 ---red, by storey: the time when f_y of a column has changed by 0.005, has changed by 0.05, is 1; -1: not within the
 ---run. pulled: columns that were in compression at rest and carry tension. times, counts, below: times, and how many
