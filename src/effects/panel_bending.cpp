@@ -247,18 +247,30 @@ std::vector<PlanLine> bending_plan(const Structure& s, const RunKind&) {
     return {{bending_effect, n > 0, n == 0 ? "no panel has it" : std::to_string(n) + " panels", ""}};
 }
 
+/// Their membranes and masses stay.
+void leave_out_bending(Model& model) {
+    if (model.declared<Panel>(panels_effect).empty()) return;
+    for (Panel& p : model.change_declared<Panel>(panels_effect)) {
+        auto sheet = std::make_shared<panel::Sheet>(*p.sheet);
+        sheet->bending = {};
+        p.sheet = std::move(sheet);
+    }
+}
+
 }  // namespace
 
 EffectKind panel_bending_kind() {
-    return {
-        .name = bending_effect, .plan = bending_plan, .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
-            const auto& panels = w.structure.model().declared<Panel>(panels_effect);
-            if (std::none_of(panels.begin(), panels.end(), bends)) {
-                w.state.data.erase(bending_effect);
-                return nullptr;
-            }
-            return std::make_unique<PanelBending>(w, host);
-        }};
+    return {.name = bending_effect,
+            .plan = bending_plan,
+            .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
+                const auto& panels = w.structure.model().declared<Panel>(panels_effect);
+                if (std::none_of(panels.begin(), panels.end(), bends)) {
+                    w.state.data.erase(bending_effect);
+                    return nullptr;
+                }
+                return std::make_unique<PanelBending>(w, host);
+            },
+            .leave_out = leave_out_bending};
 }
 
 }  // namespace hinge

@@ -437,6 +437,24 @@ case("a node that panels alone join needs a mass in dynamics", function()
   end
 end)
 
+case("bending that is left out leaves the membranes and their masses", function()
+  local core = require "hinge.core"
+  local function sag(bending)
+    local model = hinge.model()
+    local nodes = cells(model, 4, 4, square(4, 4), { thickness = 0.02, material = elastic(2e11, 0.25, 8000),
+      bending = bending })
+    for i = 0, 4 do model:fix({ nodes[i][0], nodes[i][4] }, "xyz") end
+    model:gravity { 0, 0, -g }
+    return z_of(model:dynamic { dt = 1e-4, duration = 0.1, record = false }:finish(), nodes[2][2])
+  end
+  local with, membranes = sag(), sag(false)
+  core.leave_out "bending of panels"
+  local without = sag()
+  core.leave_out(nil)
+  equal("sag", without, membranes)
+  equal("bending counts", with > 0.9 * without, true)
+end)
+
 case("a panel that tears in statics takes its bending with it", function()
   local model = hinge.model { displacement = "small" }
   local bars = { x = 4e-4, y = 4e-4, yield_stress = 500e6, hardening = 1e9, ultimate_strain = 0.05 }
