@@ -3,6 +3,7 @@
 -- Run     hinge cost scripts/cost/ten_storey_impact.lua --within 1%   (or --quantity before.plastic;
 --                                                                     after=12e-3: far into fracture)
 --         hinge cost scripts/cost/ten_storey_impact.lua --effects
+--         hinge cost scripts/cost/ten_storey_impact.lua --effects floor=slab scheme=explicit height=28.6 after=0.03
 -- Shows   energies of two runs, before the first member breaks and after it. It varies the integrator, the time step
 --         and the contact rule
 -- Expect  error of plastic work before: under 1 % at all steps. After: 11 % at 20 us, and 0.9 % at 10 us, where the
@@ -11,6 +12,9 @@
 --         break are chaotic: that of fracture scatters by 9 %, so they have means in place of errors.
 --         These are errors of the step. Elements change more: with 4 and 8 of them gap elements bind later (eq 18), and
 --         plastic work before is 39 and 0 kJ in the place of 385 (../studies/impact_elements.lua)
+--         With slabs that the aircraft strikes (the third command): panels with their mass take 91 % of the time, and
+--         change the plastic work by 5.7 %. Contact of panels changes it by 0.7 % and costs nothing. Bending cannot be
+--         left out: statics refuses a flat slab without it
 local hinge    = require "hinge"
 local building = require "hinge.models.ten_storey"
 local aircraft = require "hinge.models.aircraft"

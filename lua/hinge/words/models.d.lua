@@ -17,13 +17,13 @@
 ---weight of all floors, divided by the own weight of the whole structure; default 20. It is put into the density of the
 ---beams (section 4.1), or into a slab
 ---@field floor_weight? number
----none (default): floors are weight alone, shared out evenly to all beams, as in the paper. weight: shared out by area to
----the beams around each panel (model:floor). slab: all storeys have slabs of the same mass, with as many panels along a
----beam as it has elements. They are struck where the model has model:panel_contact
+---none (default): floors are weight alone, shared out evenly to all beams, as in the paper. weight: shared out by area
+---to the beams around each panel (model:floor). slab: all storeys have slabs of the same mass, with as many panels
+---along a beam as it has elements. They are struck where the model has model:panel_contact
 ---@field floor? "none"|"weight"|"slab"
----with floor = "slab": what it is made of, as in model:floor. light: 12 cm of C30/37, bars of 393 mm^2/m each way in its
----middle; heavy: 25 cm and 785 mm^2/m. E and strengths are those of EN 1992-1-1, bending is that of the cracked slab:
----E I / 4, and As f_y (t / 2 - As f_y / 2 f_c) both sagging and hogging. *reconstructed*
+---with floor = "slab": what it is made of, as in model:floor. light: 12 cm of C30/37, bars of 393 mm^2/m each way in
+---its middle; heavy: 25 cm and 785 mm^2/m. E and strengths are those of EN 1992-1-1; bending is that of the cracked
+---slab: E I / 4, and As f_y (t / 2 - As f_y / 2 f_c) both sagging and hogging. *reconstructed*
 ---@field slab? hinge.panel_options
 ---@field origin? vec3 m, the corner that the frame stands on, default { 0, 0, 0 }
 
@@ -183,7 +183,8 @@ function space_frame.add(model, options) end
 ---and beams. Further: broken_columns, broken, hinged_columns, work_columns, work (building), worst_column (largest
 ---plastic work in one column), work_aircraft, broken_aircraft, missed (members of the aircraft that touch nothing),
 ---lowest (lowest storey with a fracture, 0: none), torn_panels. Energies at the end:
----kinetic, elastic, plastic, fracture, contact, energy_error, with slabs panels and panel_contact. brought: momentum of the aircraft.
+---kinetic, elastic, plastic, fracture, contact, energy_error, with slabs panels and panel_contact. brought: momentum of
+---the aircraft.
 ---own_kinetic: its kinetic energy. given: the part of this momentum that the building has at the end. faint, felt and
 ---red, by storey: the time when f_y of a column has changed by 0.005, has changed by 0.05, is 1; -1: not within the
 ---run. pulled: columns that were in compression at rest and carry tension. times, counts, below: times, and how many
