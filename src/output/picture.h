@@ -72,6 +72,8 @@ struct Panel {
     bool has_forces = false;   ///< it is a plate (model:panel); else its members carry it
     double force[2] = {0, 0};  ///< principal membrane forces, N/m, tension positive, the larger one first
     bool torn = false;
+    double membrane[3] = {0, 0, 0};  ///< n11, n22, n12 in the sheet's axes, N/m
+    double used = 0;                 ///< largest part of its ultimate strain that a layer has reached
 };
 
 /// A plane that members fall on; the solid is on the side that `normal` points away from.

@@ -24,11 +24,12 @@
 #include "output/quiet_vtk.h"
 #include "output/snapshot_check.h"
 #include "output/snapshot_lists.h"
+#include "output/snapshot_plates.h"
 
 namespace hinge::output {
 namespace {
 
-/// One cell array: how it is filled from the bars.
+/// One cell array: how it is filled from the bars, of which there is a row for each cell.
 template <class Array, class Value>
 void add_column(vtkFieldData* to, const char* name, const std::vector<Bar>& bars, Value value) {
     const vtkNew<Array> column;
@@ -141,10 +142,11 @@ void add_yield_along(vtkFieldData* to, const std::vector<Bar>& bars) {
 
 constexpr const char *width_name = "width [m]", *old_width_name = "width";  // the latter in frames of earlier versions
 
-void add_bars(vtkPolyData* data, const std::vector<Bar>& bars) {
+void add_bars(vtkPolyData* data, const Snapshot& snapshot) {
+    const std::vector<Bar> bars = rows_of_cells(snapshot);
     const vtkNew<vtkCellArray> lines;
     lines->Use32BitStorage();
-    for (const Bar& bar : bars) {
+    for (const Bar& bar : snapshot.bars) {
         const vtkIdType ends[2] = {bar.point[0], bar.point[1]};
         lines->InsertNextCell(2, ends);
     }
@@ -236,15 +238,16 @@ Array* find_array(vtkFieldData* in, const char* array, vtkIdType n, const std::s
 
 void read_bars(vtkPolyData* data, Snapshot& snapshot, const std::string& name) {
     const vtkIdType n = data->GetNumberOfLines();
-    if (data->GetNumberOfCells() != n) not_ours(name, "it has cells other than lines");
+    const vtkIdType rows = data->GetNumberOfCells();
+    if (rows != n + data->GetNumberOfPolys()) not_ours(name, "it has cells other than lines and polygons");
     vtkCellData* cells = data->GetCellData();
-    auto* f_y = find_array<vtkDataArray>(cells, "f_y", n, name);
-    const auto* group = find_array<vtkIntArray>(cells, "group", n, name);
-    const auto* state = find_array<vtkUnsignedCharArray>(cells, "state", n, name);
-    const auto* member = find_array<vtkIntArray>(cells, "member", n, name);
-    const auto* element = find_array<vtkIntArray>(cells, "element", n, name);
+    auto* f_y = find_array<vtkDataArray>(cells, "f_y", rows, name);
+    const auto* group = find_array<vtkIntArray>(cells, "group", rows, name);
+    const auto* state = find_array<vtkUnsignedCharArray>(cells, "state", rows, name);
+    const auto* member = find_array<vtkIntArray>(cells, "member", rows, name);
+    const auto* element = find_array<vtkIntArray>(cells, "element", rows, name);
     auto* width =
-        find_array<vtkDataArray>(cells, cells->HasArray(old_width_name) ? old_width_name : width_name, n, name);
+        find_array<vtkDataArray>(cells, cells->HasArray(old_width_name) ? old_width_name : width_name, rows, name);
     snapshot.bars.reserve(static_cast<std::size_t>(n));
     for (vtkIdType i = 0; i < n; ++i) {
         vtkIdType count = 0;
@@ -275,9 +278,10 @@ std::vector<std::array<double, 3>> read_vectors(vtkFieldData* from, const char* 
 void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     vtkCellData* cells = data->GetCellData();
     const auto n = static_cast<vtkIdType>(snapshot.bars.size());
+    const vtkIdType rows = data->GetNumberOfCells();
     const auto each = [&](const char* name, auto set) {
         auto* column = vtkDataArray::SafeDownCast(cells->GetAbstractArray(name));
-        if (!column || column->GetNumberOfValues() != n) return;
+        if (!column || column->GetNumberOfValues() != rows) return;
         for (vtkIdType i = 0; i < n; ++i) set(snapshot.bars[i], column->GetTuple1(i));
     };
     for (const Column& column : force_columns)
@@ -294,10 +298,10 @@ void read_forces(vtkPolyData* data, Snapshot& snapshot) {
     each("hinges", [](Bar& bar, double value) { bar.hinges = static_cast<std::uint8_t>(value); });
     each("touched", [](Bar& bar, double value) { bar.touched = static_cast<std::uint8_t>(value); });
     each("section", [](Bar& bar, double value) { bar.shape = static_cast<int>(value); });
-    const auto up = read_vectors(cells, up_name, n);
-    for (std::size_t i = 0; i < up.size(); ++i) snapshot.bars[i].up = (1 / 127.0) * up[i];
-    const auto along = read_vectors(cells, along_name, n);
-    for (std::size_t i = 0; i < along.size(); ++i) std::ranges::copy(along[i], snapshot.bars[i].yield_along);
+    const auto up = read_vectors(cells, up_name, rows), along = read_vectors(cells, along_name, rows);
+    for (std::size_t i = 0; i < snapshot.bars.size() && !up.empty(); ++i) snapshot.bars[i].up = (1 / 127.0) * up[i];
+    for (std::size_t i = 0; i < snapshot.bars.size() && !along.empty(); ++i)
+        std::ranges::copy(along[i], snapshot.bars[i].yield_along);
     auto* laws = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(laws_name));
     for (vtkIdType i = 0; laws && i < laws->GetNumberOfValues(); ++i) snapshot.laws.push_back(laws->GetValue(i));
     auto* members = vtkIntArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("memberships"));
@@ -323,7 +327,8 @@ std::string encode_snapshot(const Snapshot& snapshot) {
     check_snapshot(snapshot);
     const vtkNew<vtkPolyData> data;
     add_points(data, snapshot);
-    add_bars(data, snapshot.bars);
+    add_bars(data, snapshot);
+    add_plates(data, snapshot);
     add_field(data, snapshot);
 
     const vtkNew<vtkXMLPolyDataWriter> writer;
@@ -369,6 +374,7 @@ Snapshot decode_snapshot(const std::string& bytes, const std::string& name) {
     read_bars(data, snapshot, name);
     read_forces(data, snapshot);
     read_surroundings(field, snapshot);
+    read_plates(data, snapshot);
     if (auto* groups = vtkStringArray::SafeDownCast(field->GetAbstractArray("groups")))
         for (vtkIdType i = 0; i < groups->GetNumberOfValues(); ++i) snapshot.groups.push_back(groups->GetValue(i));
     try {

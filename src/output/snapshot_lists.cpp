@@ -38,7 +38,8 @@ constexpr const char *sections_name = "sections: kind, width, depth, web, flange
                      *loads_name = "loads: kind, point, line, place, first and second vector",
                      *parts_name = "loads over a part of a line: load, from, to",
                      *floors_name = "floors: panel, point at a corner",
-                     *plates_name = "plates: panel, principal forces [N/m], torn",
+                     // in frames of earlier versions
+                         *old_plates_name = "plates: panel, principal forces [N/m], torn",
                      *ground_name = "ground: point, normal [m]", *joints_name = "joints that can yield";
 
 }  // namespace
@@ -56,11 +57,8 @@ void add_surroundings(vtkFieldData* to, const Snapshot& snapshot) {
         if (const Load& l = snapshot.loads[i]; l.is_partial()) parts.push_back({static_cast<double>(i), l.from, l.to});
     std::vector<std::array<double, 2>> floors;
     for (std::size_t i = 0; i < snapshot.floors.size(); ++i)
-        for (const int p : snapshot.floors[i].points) floors.push_back({double(i), double(p)});
-    std::vector<std::array<double, 4>> plates;
-    for (std::size_t i = 0; i < snapshot.floors.size(); ++i)
-        if (const Panel& p = snapshot.floors[i]; p.has_forces)
-            plates.push_back({double(i), p.force[0], p.force[1], p.torn ? 1.0 : 0.0});
+        if (const Panel& panel = snapshot.floors[i]; !panel.has_forces)  // plates are cells
+            for (const int p : panel.points) floors.push_back({double(i), double(p)});
     std::vector<std::array<double, 6>> ground;
     for (const Plane& p : snapshot.ground)
         ground.push_back({p.point[0], p.point[1], p.point[2], p.normal[0], p.normal[1], p.normal[2]});
@@ -68,7 +66,6 @@ void add_surroundings(vtkFieldData* to, const Snapshot& snapshot) {
     add_rows(to, loads_name, loads);
     add_rows(to, parts_name, parts);
     add_rows(to, floors_name, floors);
-    add_rows(to, plates_name, plates);
     add_rows(to, ground_name, ground);
     add_rows(to, "declared nodes", std::vector<std::array<double, 1>>{{static_cast<double>(snapshot.declared)}});
     if (snapshot.joints) add_rows(to, joints_name, std::vector<std::array<double, 1>>{{1}});
@@ -93,7 +90,7 @@ void read_surroundings(vtkFieldData* from, Snapshot& snapshot) {
         if (snapshot.floors.empty() || r[0] != panel) snapshot.floors.emplace_back();
         panel = r[0], snapshot.floors.back().points.push_back(whole(r[1]));
     }
-    for (const auto& r : read_rows<4>(from, plates_name))
+    for (const auto& r : read_rows<4>(from, old_plates_name))
         if (const int i = whole(r[0]); i >= 0 && static_cast<std::size_t>(i) < snapshot.floors.size()) {
             Panel& p = snapshot.floors[static_cast<std::size_t>(i)];
             p.has_forces = true, p.force[0] = r[1], p.force[1] = r[2], p.torn = r[3] != 0;

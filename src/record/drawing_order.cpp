@@ -50,7 +50,9 @@ void snapshot(A& a, S& s) {
             a(each.kind, each.point, each.bar, each.at, each.from, each.to);
             array(a, each.value[0]), array(a, each.value[1]);
         });
-    list(a, s.floors, [&](auto& each) { a(each.points, each.has_forces, each.force[0], each.force[1], each.torn); });
+    list(a, s.floors, [&](auto& p) {
+        a(p.points, p.has_forces, p.force[0], p.force[1], p.torn, p.membrane[0], p.membrane[1], p.membrane[2], p.used);
+    });
     list(a, s.ground, [&](auto& each) { array(a, each.point), array(a, each.normal); });
 }
 

@@ -166,7 +166,12 @@ void add_plates(output::Snapshot& snapshot, const Run& run) {
     for (std::size_t i = 0; now && i < panels.size(); ++i) {
         const Vec3& n = now->force[i];
         const double middle = 0.5 * (n[0] + n[1]), half = std::hypot(0.5 * (n[0] - n[1]), n[2]);
-        snapshot.floors.push_back({panels[i].nodes, true, {middle + half, middle - half}, is_torn(*now, panels[i], i)});
+        snapshot.floors.push_back({panels[i].nodes,
+                                   true,
+                                   {middle + half, middle - half},
+                                   is_torn(*now, panels[i], i),
+                                   {n[0], n[1], n[2]},
+                                   now->used[i]});
     }
 }
 

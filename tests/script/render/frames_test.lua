@@ -54,9 +54,10 @@ return said
 assert(hinge_on("run -q", scene, "--out one") == 0, "the scene")
 local said = support.json(support.read(folder .. "/one/summary.json") or "{}").results or {}
 
-local function read_frame(name)
-  local text = support.output(("%s %s/one/%s"):format(quote(arg[2]), quote(folder), name))
-  local found = { points = tonumber(text:match "points (%d+)"), lines = tonumber(text:match "lines (%d+)"), of = {} }
+local function read_frame(name, out)
+  local text = support.output(("%s %s/%s/%s"):format(quote(arg[2]), quote(folder), out or "one", name))
+  local found = { points = tonumber(text:match "points (%d+)"), lines = tonumber(text:match "lines (%d+)"),
+    polygons = tonumber(text:match "polygons (%d+)"), of = {} }
   for where, array, kind, components, tuples, rest in text:gmatch
     "(%l+)\t([^\t\n]+)\t([^\t]+)\t(%d+)\t(%d+)\t([^\n]*)\n" do
     local low, high, sum = rest:match "^(%S+)\t(%S+)\t(%S+)$"
@@ -151,6 +152,77 @@ case("forces of members in a frame are those of member:forces", function()
     expect(low <= of.low + 1e-6 * size and high >= of.high - 1e-6 * size, ranges)
     expect(high - low <= 3 * (of.high - of.low) + 1, ranges)
   end
+end)
+
+-- A girder and two panels beside it, of which the outer one is pulled until it tears.
+local of_panels = [=[
+local hinge = require "hinge"
+local steel = hinge.material { E = 206e9, density = 7850, yield_stress = 235e6 }
+local model = hinge.model()
+local node = {}
+for i, p in ipairs { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 0, 1, 0 }, { 2, 3, 0 }, { 0, 3, 0 } } do
+  node[i] = model:node(p)
+end
+model:member { node[1], node[2], section = hinge.section.named "IPE 200", material = steel }
+model:fix({ node[1], node[2] })
+model:fix({ node[3], node[4], node[5], node[6] }, "z")
+local plate = { model:panel { node[1], node[2], node[3], node[4], thickness = 0.02, material = steel },
+  model:panel { node[4], node[3], node[5], node[6], thickness = 0.005, material = steel, ultimate_strain = 0.01 } }
+model:move { node = { node[5], node[6] }, y = function(t) return 0.5 * t end }
+local run = model:dynamic { dt = 1e-4, duration = 0.05 }
+local said = { forces = {}, used = {}, torn = {} }
+local function note()
+  hinge.frame(run)
+  for i, p in ipairs(plate) do
+    table.insert(said.forces, { p:force(run) })
+    table.insert(said.used, p:used(run))
+    table.insert(said.torn, p:torn(run) and 1 or 0)
+  end
+end
+for step in run:steps() do
+  if #said.used == 0 and step.time > 0.02 then note() end
+end
+note()
+return said
+]=]
+
+case("panels are polygons with their forces, behind the lines", function()
+  equal(hinge_on("run -q", of_panels, "--out plates"), 0, "the scene")
+  local told = support.json(support.read(folder .. "/plates/summary.json")).results
+  local function row(frame, array, k)
+    local text = support.output(("%s %s/plates/frames/frame_%05d.vtp '%s' %d"):format(quote(arg[2]), quote(folder),
+      frame, array, k))
+    return tonumber(text:match "%S+")
+  end
+  expect(told.torn[2] == 0 and told.torn[4] == 1 and told.torn[3] == 0, "the outer panel alone tears, at the end")
+  expect(told.forces[2][2] > 1e5 and told.used[2] > 0.001, "it is pulled in the first frame")
+  for frame = 1, 2 do
+    local found = read_frame(("frames/frame_%05d.vtp"):format(frame), "plates")
+    equal(found.lines .. " " .. found.polygons, "2 2", "lines and polygons")
+    for name, array in pairs(found.of) do
+      if array.where == "cell" then equal(array.tuples, 4, "rows of " .. name) end
+    end
+    equal(row(frame, "panel", 0) .. " " .. row(frame, "panel", 3), "0 2", "numbers of panels")
+    for k = 1, 2 do
+      local at = 2 * (frame - 1) + k
+      local n = told.forces[at]
+      for c, name in ipairs { "n11 [N/m]", "n22 [N/m]", "n12 [N/m]" } do
+        near(row(frame, name, k + 1), n[c], 1e-6 * (math.abs(n[1]) + math.abs(n[2])) + 1e-3, name)
+      end
+      local middle, half = (n[1] + n[2]) / 2, math.sqrt(((n[1] - n[2]) / 2) ^ 2 + n[3] ^ 2)
+      local slack = 1e-6 * (math.abs(middle) + half) + 1e-3
+      near(row(frame, "principal 1 [N/m]", k + 1), middle + half, slack, "the larger one")
+      near(row(frame, "principal 2 [N/m]", k + 1), middle - half, slack, "the smaller one")
+      near(row(frame, "used", k + 1), told.used[at], 1e-6 * told.used[at] + 1e-12, "used")
+      equal(row(frame, "torn", k + 1), told.torn[at], "torn")
+    end
+    equal(row(frame, "N [N]", 2), nil, "a panel has no N")
+  end
+  -- the program reads them as it does without panels
+  local status, _, complaint = support.run(("cd %s && %s render plates"):format(quote(folder),
+    quote(arg[1] .. "/hinge")))
+  equal(status, 0, complaint)
+  expect(support.is_there(folder .. "/plates/frames/frame_00002.png"), "the picture of a frame with panels")
 end)
 
 checks.done()
