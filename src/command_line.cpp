@@ -191,6 +191,10 @@ void add_export(CLI::App& app, Request& request) {
          "Of a file of SAP2000 or ETABS: a table of sections that hinge has in place of the file's, one a line, such "
          "as W14X999,W14X873",
          "CSV");
+    text("--slabs", "slabs",
+         "Of a file of SAP2000 or ETABS: floors become plates with stiffness. Area of the bars in concrete each way, "
+         "m^2/m, and their yield stress, Pa, such as 393e-6,500e6; or 'file': the file has them",
+         "AREA,YIELD");
     verb->footer(
         "Exit status: 0 the script was written, also where something was not read; 1 it cannot be written; 2 the file "
         "is wrong.");

@@ -3,6 +3,7 @@ local core = require "hinge.core"
 local check = require "hinge.library.check"
 local in_full = require "hinge.import.in_full"
 local named = require "hinge.sections.named"
+local slabs = require "hinge.import.slabs"
 local ties = require "hinge.import.ties"
 
 local where = "hinge.import.build"
@@ -53,12 +54,13 @@ return function(frame, options, ...)
   for _, m in ipairs(full.members) do
     members[m.name] = model:member { nodes[m.a], nodes[m.b], section = sections[m.section],
       material = materials[m.material], up = m.up, group = m.group, ends = ends_of(m), release = m.release,
-      offset = m.offset }
+      offset = m.offset, elements = m.elements }
   end
   for _, m in ipairs(full.masses) do
     model:mass { node = nodes[m.node], mass = m.mass, inertia = m.inertia, offset = m.offset }
   end
   ties.build(core, model, full, nodes)
   add_loads(model, full, nodes, members)
+  slabs.build(model, full, members, materials)
   return model, nodes, members
 end

@@ -12,6 +12,7 @@ local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
 local rows = require "hinge.import.sap2000.row"
 local sap_frame = require "hinge.import.sap2000.frame"
+local sheets = require "hinge.import.sap2000.sheets"
 local units = require "hinge.library.units"
 
 local where = "hinge.import.e2k"
@@ -167,7 +168,8 @@ function Reader:read_materials()
     local mass = given.M
       or weight and tostring(lines.number_of(m.line, weight, "the weight") * self.metre / units.gravity) or nil
     self:row("MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES", section, m.line, { Material = m.name,
-      E1 = given.E, U12 = given.U, G12 = given.G, UnitMass = mass, UnitWeight = weight })
+      E1 = given.E, U12 = given.U, G12 = given.G, UnitMass = mass, UnitWeight = weight,
+      Kind = given.DESIGNTYPE or given.TYPE, Strength = tonumber(given.FC) and given.FC })
     if given.FY then
       self:row("MATERIAL PROPERTIES 03A - STEEL DATA", section, m.line, { Material = m.name, Fy = given.FY })
     end
@@ -398,7 +400,8 @@ end
 
 return function(options, ...)
   check.no_more(where, ...)
-  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true } })
+  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true },
+    slabs = sheets.rule })
   local sections, others = notes.within_limits(where, o.file, function() return lines.sections_of(o.file) end)
   if #sections == 0 then check.fail("%s: %s has no line that begins with '$ '", where, o.file) end
   local self = setmetatable({ file = o.file, sections = sections, tables = {}, remarks = {}, joints = {},
@@ -418,5 +421,5 @@ return function(options, ...)
   self:read_point_loads()
   self:read_line_loads()
   self:note_the_rest()
-  return sap_frame.read(where, o.file, self.tables, others, "ETABS", o.sections)
+  return sap_frame.read(where, o.file, self.tables, others, "ETABS", o.sections, o.slabs)
 end

@@ -59,17 +59,31 @@ local function sections_of(path)
   return of
 end
 
+-- "393e-6,500e6", or "file", as the option `slabs` of import.s2k.
+local function slabs_of(text)
+  if text == "file" then return true end
+  local area, yield = text:match "^%s*([^,%s]+)%s*,%s*([^,%s]+)%s*$"
+  area, yield = tonumber(area), tonumber(yield)
+  if not (area and yield and area > 0 and yield > 0) then
+    check.fail("--slabs is '%s'; must be the area of the bars each way, m^2/m, and their yield stress, Pa, such as "
+      .. "393e-6,500e6, or 'file' where the file has them", text)
+  end
+  return { reinforcement = { x = area, y = area, yield_stress = yield } }
+end
+
 --- Reads the frame of a file, or of a folder with tables in CSV. Returns its description and the notes. o.units and
 --- o.model: texts for a script of OpenSees; o.run_python: a script in Python is run; o.sections: path of a table of
---- sections for a file of SAP2000 or ETABS.
+--- sections for a file of SAP2000 or ETABS; o.slabs: text for floors that have stiffness.
 function export.read(source, o)
   local units = o.units
   local tables_there = csv_of(source)
   local reader = by_ending[(source:match "%.([^./]*)$" or ""):lower()]
   if units and reader ~= "tcl" then check.fail("--units is for scripts of OpenSees; %s has its own", source) end
   if o.model and reader ~= "tcl" then check.fail("--model is for scripts of OpenSees; %s has one model", source) end
-  if o.sections and reader ~= "s2k" and reader ~= "e2k" then
-    check.fail("--sections is for files of SAP2000 and ETABS")
+  for _, name in ipairs { "sections", "slabs" } do
+    if o[name] and reader ~= "s2k" and reader ~= "e2k" then
+      check.fail("--%s is for files of SAP2000 and ETABS", name)
+    end
   end
   if tables_there then return import.csv(tables_there) end
   if source:find "%.lua$" then check.fail("%s is a script of hinge already; export reads %s", source, known) end
@@ -78,7 +92,8 @@ function export.read(source, o)
     return import.tcl { file = source, units = units_of(units), model = model_of(o.model),
       run_python = o.run_python and true }
   end
-  return import[reader] { file = source, sections = o.sections and sections_of(o.sections) }
+  return import[reader] { file = source, sections = o.sections and sections_of(o.sections),
+    slabs = o.slabs and slabs_of(o.slabs) }
 end
 
 -- frame.lua beside where the command was typed, from models/frame.s2k or models/frame/.

@@ -5,10 +5,10 @@
 -- frame.materials  { name =, E =, G = or nu =, density =, yield_stress =, unit_weight = }
 -- frame.sections   { name =, named = } or { name =, and what hinge.section.general takes }
 -- frame.members    { name =, a =, b =, section =, material =, up =, group =, release = { a =, b = },
---                    offset = { a =, b = } }
+--                    offset = { a =, b = }, elements = }
 -- frame.cases      { name =, self_weight =, loads = { { node = or member =, and what case:load takes } } }
 -- frame.masses     { node =, mass =, inertia =, offset =, weight = (N: what of it is in the file's self weight) }
--- and those of ties.lua: links, diaphragms, connectors, joints, motions, damping, model.
+-- and those of ties.lua: links, diaphragms, connectors, joints, motions, damping, model; of slabs.lua: sheets, slabs.
 --
 -- An offset { x, y, z } (m, in the axes of the frame) leads from a node to the member's end, and is rigid and has no
 -- mass: rigid ends, insertion points. The member, its length, loads and releases are those between these ends.
@@ -21,6 +21,7 @@ local check = require "hinge.library.check"
 local vectors = require "hinge.library.vectors"
 local named = require "hinge.sections.named"
 local notes = require "hinge.import.notes"
+local slabs = require "hinge.import.slabs"
 local ties = require "hinge.import.ties"
 
 local frame_module = {}
@@ -83,13 +84,15 @@ local rules = {
     density = optional("number", { unit = "kg/m^3", at_least = 0 }),
     unit_weight = optional("number", { unit = "N/m^3" }), hardening = optional "table" },
   members = { name = text, a = text, b = text, section = text, material = text, up = vector(),
-    group = optional "string", release = optional "table", offset = optional "table", ends = optional "table" },
+    group = optional "string", release = optional "table", offset = optional "table", ends = optional "table",
+    elements = optional("number", { whole = true, at_least = 1 }) },
   cases = { name = text, self_weight = { "number", default = 0 }, loads = { "table", default = {} },
     history = optional "table", held = optional "boolean" },
   masses = { node = text, mass = { "number", unit = "kg", above = 0 }, inertia = vector "kg m^2", offset = vector "m",
     weight = optional("number", { unit = "N", at_least = 0 }) },
 }
 for part, rule in pairs(ties.rules) do rules[part] = rule end
+for part, rule in pairs(slabs.rules) do rules[part] = rule end
 local general = { name = text, named = optional "string" }
 for _, field in ipairs { "area", "Ix", "Iy", "J", "shear_area_x", "shear_area_y", "mass_Ix", "mass_Iy", "N0", "Mx0",
   "My0", "Mz0" } do general[field] = optional "number" end
@@ -233,12 +236,14 @@ function frame_module.check(where, frame)
   parts.cases = rows_of(where, frame, "cases")
   parts.masses = rows_of(where, frame, "masses")
   for part in pairs(ties.rules) do parts[part] = rows_of(where, frame, part) end
+  for part in pairs(slabs.rules) do parts[part] = rows_of(where, frame, part) end
   parts.damping, parts.model = frame.damping, frame.model
   if #parts.members == 0 then check.fail("%s: the frame has no member", where) end
   check_members(where, parts)
   check_loads(where, parts)
   check_lonely(where, parts)
   ties.check(where, parts, known)
+  slabs.check(where, parts, known)
   return parts
 end
 
@@ -291,6 +296,7 @@ function frame_module.summary(frame)
     s.loads = s.loads + #case.loads + ((case.self_weight or 0) ~= 0 and 1 or 0)
   end
   for _, m in ipairs(frame.masses) do s.mass_of_nodes = s.mass_of_nodes + m.mass end
+  if frame.slabs then s.area_of_slabs, s.mass_of_slabs, s.slabs = slabs.sum(frame) end
   return s
 end
 

@@ -2,6 +2,7 @@
 -- becomes gravity or loads.
 local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
+local slabs = require "hinge.import.slabs"
 
 -- Releases ------------------------------------------------------------------------------------------------------------
 
@@ -41,6 +42,7 @@ local function not_by_gravity(parts, g)
         material.name, material.unit_weight, by_mass)
     end
   end
+  return slabs.not_by_gravity(parts, g)
 end
 
 local function weight_as_loads(parts, case, g)
@@ -81,6 +83,7 @@ local function expand_weight(where, parts, options)
       if way == "loads" then
         weight_as_loads(parts, case, g)
         weight_of_masses(parts, case)
+        slabs.weight_as_loads(parts, case)
       else
         case.gravity = -case.self_weight * g
       end

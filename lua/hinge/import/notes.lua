@@ -67,6 +67,7 @@ function Notes:__tostring()
       count(s.members, "member"), s.length, count(s.sections, "section"), count(s.materials, "material"),
       count(s.cases, "load case"), count(s.loads, "load"))
     lines[2] = ("  mass of the members %.6g kg, point masses %.6g kg"):format(s.mass_of_members, s.mass_of_nodes)
+    if s.slabs then lines[2] = ("%s, slabs of %.6g m^2 %.6g kg"):format(lines[2], s.area_of_slabs, s.mass_of_slabs) end
   end
   section(lines, "not read", self)
   section(lines, "assumed", self.assumed)

@@ -3,6 +3,7 @@ local check = require "hinge.library.check"
 local notes = require "hinge.import.notes"
 local rows = require "hinge.import.sap2000.row"
 local sap_frame = require "hinge.import.sap2000.frame"
+local sheets = require "hinge.import.sap2000.sheets"
 
 local where = "hinge.import.s2k"
 
@@ -76,7 +77,8 @@ end
 
 return function(options, ...)
   check.no_more(where, ...)
-  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true } })
+  local o = check.options(where, options, { file = { "string" }, sections = { "table", optional = true },
+    slabs = sheets.rule })
   local tables, others = notes.within_limits(where, o.file, function() return tables_of(o.file) end)
-  return sap_frame.read(where, o.file, tables, others, "SAP2000", o.sections)
+  return sap_frame.read(where, o.file, tables, others, "SAP2000", o.sections, o.slabs)
 end

@@ -3,6 +3,7 @@ local check = require "hinge.library.check"
 local core = require "hinge.core"
 local in_full = require "hinge.import.in_full"
 local quote = require "hinge.library.quote"
+local slabs = require "hinge.import.slabs"
 local ties = require "hinge.import.ties"
 
 local where = "hinge.import.write"
@@ -115,14 +116,15 @@ end
 local function add_members(lines, full)
   local has = {}
   for _, m in ipairs(full.members) do
-    for _, field in ipairs { "ends", "release", "offset" } do has[field] = has[field] or m[field] ~= nil end
+    for _, field in ipairs { "ends", "release", "offset", "elements" } do has[field] = has[field] or m[field] ~= nil end
   end
   lines[#lines + 1] = ("-- Members: name; first and second node; section; material; direction of the section's y axis; "
-    .. "group%s%s\nlocal members = {}\nfor _, m in ipairs {"):format(
+    .. "group%s%s%s\nlocal members = {}\nfor _, m in ipairs {"):format(
     has.release and ";\n-- moments that are released at its ends" or "",
-    has.offset and ";\n-- what leads from its nodes to its ends, m" or "")
+    has.offset and ";\n-- what leads from its nodes to its ends, m" or "",
+    has.elements and ";\n-- elements, as many as there are panels of slabs along it" or "")
   for _, m in ipairs(full.members) do
-    local more = fields(m, { "up", "group", "ends", "release", "offset" })
+    local more = fields(m, { "up", "group", "ends", "release", "offset", "elements" })
     add_line(lines, ("  { %s, %s, %s, %s, %s%s },"):format(quote.lua(m.name), quote.lua(m.a), quote.lua(m.b),
       quote.lua(m.section), quote.lua(m.material), more ~= "" and ", " .. more or ""), "  ")
   end
@@ -133,10 +135,10 @@ local function add_members(lines, full)
   end
   lines[#lines + 1] = ([=[
   members[m[1]] = model:member { nodes[m[2]], nodes[m[3]], section = sections[m[4]], material = materials[m[5]],
-    up = m.up, group = m.group%s%s%s }
+    up = m.up, group = m.group%s%s%s%s }
 end
 ]=]):format(has.ends and ", ends = ends" or "", has.release and ", release = m.release" or "",
-    has.offset and ", offset = m.offset" or "")
+    has.offset and ", offset = m.offset" or "", has.elements and ",\n    elements = m.elements" or "")
 end
 
 local function add_masses(lines, full)
@@ -284,8 +286,10 @@ return function(frame, file, options, ...)
   add_nodes(lines, full)
   add_members(lines, full)
   add_masses(lines, full)
-  ties.write({ line = function(text) add_line(lines, text, "") end, literal = literal, quote = quote.lua }, full)
+  local writer = { line = function(text) add_line(lines, text, "") end, literal = literal, quote = quote.lua }
+  ties.write(writer, full)
   add_cases(lines, full)
+  slabs.write(writer, full)
   add_end(lines, full)
   local path = path_of(file)
   must_be_own(path)

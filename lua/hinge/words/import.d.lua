@@ -18,8 +18,8 @@ local import = {}
 ---LOAD PATTERN DEFINITIONS, JOINT LOADS - FORCE, FRAME LOADS - POINT, FRAME LOADS - DISTRIBUTED (forces).
 ---Sections have the properties that the file states, and the size, the outline and what is left out of
 ---their shape: I/Wide Flange, Box/Tube, Pipe, Rectangular or Circle. Where AS2 or AS3 is 0 the shear area becomes 1000
----times the area. Areas are one note with their size, loads and weight. A file that contradicts itself is an error with
----its line.
+---times the area. Loads and weight of horizontal areas lie on the members around them; `slabs` makes plates of areas.
+---Of other areas one note has size, loads and weight. A file that contradicts itself is an error with its line.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -55,6 +55,17 @@ function import.s2k(options) end
 ---@field file string path of the file
 ---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
 ---@field sections? table<string, string>
+---areas become plates between the members around them (model:floor with `slab`). true: of what the file says. A table:
+---what it lacks. Default: they are loads alone
+---@field slabs? boolean|hinge.import_slabs_options
+
+---And of the fields of hinge.panel_options, in the place of the file's: thickness, hardening, ultimate_strain,
+---concrete, reinforcement, deck, bending, along, mass. Of a table that the file has too, the fields that are given
+---count. A section of concrete needs reinforcement or deck.
+---@class hinge.import_slabs_options
+---@field panels? integer the fewest along a side, which is the number of elements of the members there; default 4
+---@field material? string name of a material of the file: an elastic plate of it where it is concrete
+---@field sections? table<string, hinge.import_slabs_options> the same but `panels`, of single sections by their names
 
 ---Reads a text file of ETABS (.e2k, .$et), of versions 9 to 22: sections that begin with "$ NAME". Read are CONTROLS
 ---(UNITS), STORIES, POINT COORDINATES, LINE CONNECTIVITIES, LINE ASSIGNS (SECTION, ANG, RELEASE, CARDINALPT, OFFSETXI
@@ -64,7 +75,7 @@ function import.s2k(options) end
 ---"3@Storey 2", a member a line on a storey, "C1@Storey 2"; its group is columns, beams or braces. Local axes,
 ---releases, shapes and the division at joints are as those of import.s2k. A shape may also be a name of
 ---hinge.section.named. Insertion points and offsets count where TRANSFORMSTIFF or TRANSSTIFF is "Yes". Of areas the
----rigid diaphragm alone is read; a note has their size, loads and weight.
+---rigid diaphragm, uniform loads and the weight are read, as by import.s2k; `slabs` makes plates of areas.
 ---```lua
 ---local import = hinge.import
 ---local name = os.tmpname()
@@ -104,6 +115,9 @@ function import.e2k(options) end
 ---@field file string path of the file
 ---names of hinge.section.named for sections of the file, by their names there, such as { ["W14X999"] = "W14X873" }
 ---@field sections? table<string, string>
+---areas become plates between the members around them (model:floor with `slab`). true: of what the file says. A table:
+---what it lacks. Default: they are loads alone
+---@field slabs? boolean|hinge.import_slabs_options
 
 ---Reads a script of OpenSees, in Tcl or in Python (OpenSeesPy). What stands at its end is the model; `model` chooses
 ---among several, which wipe or remove separate. Read are nodes, supports and masses, the elements of beams and bars,
@@ -278,6 +292,9 @@ function import.write(frame, file, options) end
 ---@field length number m, of all members
 ---@field mass_of_members number kg
 ---@field mass_of_nodes number kg
+---@field slabs? integer nil: the option `slabs` was not given
+---@field area_of_slabs? number m^2
+---@field mass_of_slabs? number kg
 
 ---A frame in SI. Names are texts; each part has each name once.
 ---@class hinge.import_frame
@@ -293,6 +310,8 @@ function import.write(frame, file, options) end
 ---@field connectors? hinge.import_connector[] springs; default: none
 ---@field joints? hinge.import_joint[] joints between nodes; default: none
 ---@field motions? hinge.import_motion[] of the ground, in dynamics; default: none
+---@field sheets? hinge.import_sheet[] what slabs are made of; default: none
+---@field slabs? hinge.import_slab[] plates between members; default: none
 ---@field damping? { alpha: number, beta: number } as in model:damping; default: none
 ---@field model? hinge.model_options what the file says of them; the option `model` of import.build goes first
 
@@ -355,6 +374,7 @@ function import.write(frame, file, options) end
 ---@field name string
 ---@field a string name of its first node
 ---@field b string name of its second node
+---@field elements? integer default as in model:member
 ---@field section string
 ---@field material string
 ---@field up? vec3 direction of the section's y axis; default as in model:member
@@ -372,6 +392,20 @@ function import.write(frame, file, options) end
 ---@field loads? hinge.import_load[] default: none
 ---@field history? number[][] points { time (s), factor } of all its loads in dynamics; default: constant
 ---@field held? boolean true: a scenario of import.write lets it act first, and while the others act; default false
+
+---And the fields of hinge.panel_options, but nodes.
+---@class hinge.import_sheet
+---@field name string
+---@field material? string name of the material of a plate
+
+---A slab, as model:floor with `slab` makes it.
+---@class hinge.import_slab
+---@field name string
+---@field sheet string name of what it is made of
+---@field corners vec3[] m, in their order around it
+---@field members string[] those along its edges and inside of it; their `elements` must fit
+---@field load? table<string, number> Pa, downwards, by load case
+---@field weight? number N/m^2, in the self weight of the file; default: none
 
 ---@class hinge.import_load
 ---@field node? string

@@ -314,7 +314,7 @@ case("a frame that is no frame is refused", function()
     { function(f) f.cases[1].loads[1].member = "x" end, "unknown member 'x'" },
     { function(f) f.masses = { { node = "1", mass = 0 } } end, "frame.masses[1]: field 'mass' is 0 kg" },
     { function(f) f.members[2].release = { a = "x" } end, "release.a is 'x'; must be rotations" },
-    { function(f) f.slabs = {} end, "unknown field 'slabs'" },
+    { function(f) f.shells = {} end, "unknown field 'shells'" },
     { function(f) f.members = {} end, "the frame has no member" },
     { function(f) f.members[2].offset = { c = { 0, 0, 0 } } end, "offset: unknown end 'c'" },
     { function(f) f.members[2].offset = { a = { 0, 0 } } end, "offset.a" },

@@ -65,10 +65,14 @@ function Areas:read_properties()
     for _, line in ipairs(self.reader:lines(section, "SHELLPROP")) do
       local given = self.reader.pairs_after(line, 3)
       local thickness = given.SLABTHICKNESS or given.WALLTHICKNESS or given.TM or given.T
+      local made = self.made[line.words[2]]
+      if made then made.M11Mod, made.M22Mod = given.M11MOD or made.M11Mod, given.M22MOD or made.M22Mod end
       if thickness and not self.thick[line.words[2]] and tonumber(thickness) then
         self.thick[line.words[2]] = true
-        self.reader:row("AREA SECTION PROPERTIES", section, line, { Section = line.words[2], Material = given.MATERIAL,
-          Thickness = thickness })
+        local fields = { Section = line.words[2], Material = given.MATERIAL, Thickness = thickness,
+          M11Mod = given.M11MOD, M22Mod = given.M22MOD }
+        self.made[line.words[2]] = fields
+        self.reader:row("AREA SECTION PROPERTIES", section, line, fields)
       end
     end
   end
@@ -109,7 +113,7 @@ function Areas:read_loads()
 end
 
 return function(reader)
-  local self = setmetatable({ reader = reader, thick = {}, assigned = {} }, Areas)
+  local self = setmetatable({ reader = reader, thick = {}, made = {}, assigned = {} }, Areas)
   self:read_connectivities()
   self:read_properties()
   self:read_assigns()

@@ -1,8 +1,10 @@
 -- Floors and walls of SAP2000 and ETABS. What lies on a horizontal area goes to the members around it, by tributary
--- areas; of the other areas there is one note with their number, size, and loads by pattern.
+-- areas; of the other areas there is one note with their number, size, and loads by pattern. With the option `slabs` of
+-- the readers, areas become slabs of the frame (slabs.lua).
 local check = require "hinge.library.check"
 local frame_module = require "hinge.import.frame"
 local notes = require "hinge.import.notes"
+local slabs = require "hinge.import.sap2000.slabs"
 local strips = require "hinge.model.floor_strips"
 local units = require "hinge.library.units"
 local vectors = require "hinge.library.vectors"
@@ -46,6 +48,13 @@ local function areas_of(reader)
   return list, by_name
 end
 
+local function is_level(points)
+  for _, p in ipairs(points) do
+    if math.abs(p[3] - points[1][3]) > near then return false end
+  end
+  return #points >= 3
+end
+
 -- The weight of the areas by their thickness and material.
 local function read_weights(reader, by_name)
   local per_area = {}
@@ -56,7 +65,14 @@ local function read_weights(reader, by_name)
   end
   for _, row in ipairs(reader:rows "AREA SECTION ASSIGNMENTS") do
     local area = by_name[row:text "Area" or ""]
-    if area then area.weight = area.weight + (per_area[row:text "Section" or ""] or 0) end
+    if area then
+      area.section = row:text "Section"
+      area.weight = area.weight + (per_area[area.section or ""] or 0)
+    end
+  end
+  for _, row in ipairs(reader.slabs and reader:rows "AREA LOCAL AXES ASSIGNMENTS 1 - TYPICAL" or {}) do
+    local area = by_name[row:text "Area" or ""]
+    if area and is_level(area.points) then area.angle = row:number("Angle", 0) end
   end
 end
 
@@ -106,13 +122,6 @@ local function members_near(members, points)
     if is_in(member.a) and is_in(member.b) then list[#list + 1] = member end
   end
   return list
-end
-
-local function is_level(points)
-  for _, p in ipairs(points) do
-    if math.abs(p[3] - points[1][3]) > near then return false end
-  end
-  return #points >= 3
 end
 
 -- Puts a pressure (Pa, down) on the members that carry an area.
@@ -197,8 +206,11 @@ return function(reader)
   if #list == 0 then return end
   read_weights(reader, by_name)
   read_loads(reader, by_name)
-  local members, carried, lost = members_of(reader), {}, {}
-  for _, area in ipairs(list) do table.insert(carry(reader, area, members) and carried or lost, area) end
+  local members, laid, carried, lost = members_of(reader), {}, {}, {}
+  if reader.slabs then laid = slabs(reader, list, function(points) return members_near(members, points) end) end
+  for _, area in ipairs(list) do
+    if not laid[area] then table.insert(carry(reader, area, members) and carried or lost, area) end
+  end
   if #carried > 0 then
     local first = carried[1].row
     notes.add(reader.notes.assumed, first.place, first.line, ("%s: loads and weight lie on the members around, two "

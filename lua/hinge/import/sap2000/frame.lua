@@ -13,6 +13,7 @@ local nonprismatic = require "hinge.import.sap2000.nonprismatic"
 local sap_loads = require "hinge.import.sap2000.loads"
 local sap_offsets = require "hinge.import.sap2000.offsets"
 local sap_ties = require "hinge.import.sap2000.ties"
+local sheets = require "hinge.import.sap2000.sheets"
 local sap_section = require "hinge.import.sap2000.section"
 local rows = require "hinge.import.sap2000.row"
 local units = require "hinge.library.units"
@@ -149,6 +150,8 @@ function Reader:read_materials()
     local G, nu = row:number("G12", 0), row:number("U12", 0.3)
     local E = row:number("E1", 0)
     for _, key in ipairs { "A1", "SymType" } do row:text(key) end
+    local strength = row:number("Strength", 0) -- of ETABS, as is Kind
+    self.of_material[name] = { kind = row:text "Kind", strength = strength > 0 and strength * stress or nil }
     if self.material[name] then
       self:not_read(row, "material " .. name .. " has other values above, at another temperature")
     elseif E <= 0 then
@@ -307,12 +310,13 @@ end
 --- The description of the frame and the notes. `tables`: by name, { name =, place =, rows = }, and in their order; a
 --- table may have a title of its own, remarks for the notes, and beside = true: it says nothing about the frame.
 --- `others`: lines of the file that belong to none, { place =, line = }. `program`: whose rules hold. `sections`: the
---- option of import.s2k and import.e2k.
-function sap_frame.read(where, file, tables, others, program, sections)
+--- option of import.s2k and import.e2k; so is `slabs`.
+function sap_frame.read(where, file, tables, others, program, sections, slabs)
   local self = setmetatable({ where = where, file = file, tables = tables, program = program or "SAP2000",
     other_sections = sap_frame.other_sections(where, sections), used_sections = {},
     frame = frame_module.new(file), notes = notes.new(), places = {}, node = {}, material = {}, section = {},
-    member = {}, parts = {}, case = {}, unreadable = {}, reasons = {}, lost = {} }, Reader)
+    member = {}, parts = {}, case = {}, unreadable = {}, reasons = {}, lost = {}, of_material = {},
+    slabs = sheets.option(where, slabs) }, Reader)
   self:read_units()
   self:read_freedoms()
   self:read_joints()
