@@ -9,34 +9,28 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/text.h"
 #include "effects/all_effects.h"
 #include "effects/damping.h"
 #include "effects/kinds.h"
+#include "effects/panel_curvature.h"
 #include "effects/translation_blocks.h"
+#include "panel/response.h"
 
 namespace hinge {
 namespace {
 
+using panel::all_layers;
 using panel::Layer;
 using panel::Mat5;
 using panel::Placed;
 using panel::Resultants;
 using panel::Shape;
+using Evaluated = panel::PanelResponse;
 
 const std::vector<Panel>& panels_of(const Model& model) { return model.declared<Panel>(panels_effect); }
-
-constexpr std::uint8_t all_layers = 255;
-
-/// What the stresses of a panel come to.
-struct Evaluated {
-    Resultants resultants;
-    Mat5 tangent = Mat5::Zero();
-    double stored = 0, dissipated = 0, used = 0;  ///< J, J, part of the ultimate strain
-    std::array<double, 8> stored_in{};            ///< each layer, J
-    std::uint8_t tears = 0;                       ///< layers that reach their ultimate strain
-};
 
 class Panels : public Effect, public Force, public BreakListener, public StepLimiter {
 public:
@@ -45,29 +39,36 @@ public:
         for (const Panel& p : declared()) {
             add(p);
             history_at_.push_back(size);
-            size += std::size_t(p.sheet->history_size()) * std::size_t(shape_.back().points);
+            size += std::size_t(panel::history_size(*p.sheet, shape_.back()));
             for (const Layer& l : p.sheet->layers) traits_.forces_vanish |= std::isfinite(l.ultimate);
         }
         history_at_.push_back(size);
+        curvature_.emplace(w, declared(), shape_);
+        curvature_->join(blocks_);
         blocks_.joined();
+        curvature_->find_places(blocks_);
         for (const Panel& p : declared()) place_.push_back(blocks_.places(p.nodes));
         next_.resize(size);
         begin(size);
+        curvature_->begin();
     }
 
     // ---- what acts ------------------------------------------------------------------------------------------------
     void add_forces(double, std::vector<Vec6>& resisting) override {
         PanelsNow& n = now();
         ends_.resize(shape_.size());
+        curvature_->place(w_.trial);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(n, declared()[i], i)) continue;
             const Placed at = place(i, w_.trial);
             const Evaluated& e = ends_[i] = evaluate(i, at, n, false);
+            if (curvature_->has(i)) curvature_->add_moments(i, e.moment);
             n.on_trial[i] = !w_.kind.dynamic && e.tears == all_layers;
             Vec3 force[4] = {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
             panel::add_forces(shape_[i], at, e.resultants, force);
             for (int k = 0; k < shape_[i].nodes; ++k) resisting[declared()[i].nodes[k]].head<3>() += force[k];
         }
+        curvature_->add_forces(resisting);
     }
     bool has_blocks() const override { return any_whole(); }
     bool blocks_follow() const override {
@@ -77,8 +78,8 @@ public:
     }
     bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        add_stiffness(at, blocks, [&](std::size_t i, const Placed& placed, Resultants& r) {
-            const Evaluated e = evaluate(i, placed, now(), true);
+        add_stiffness(at, blocks, [&](std::size_t i, const Placed& placed, Resultants& r, panel::Mat17* bending) {
+            const Evaluated e = evaluate(i, placed, now(), true, bending);
             if (w_.kind.geometric) r = e.resultants;
             return e.tangent;
         });
@@ -88,13 +89,16 @@ public:
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             const int node = declared()[i].nodes[0];
             const Vec3 where = w_.structure.position()[node] + at.displacement[node];
-            sum += declared()[i].sheet->elastic().trace() * (shape_[i].area + where.squaredNorm());
+            sum += declared()[i].sheet->elastic().membrane.trace() * (shape_[i].area + where.squaredNorm());
         }
         return sum;
     }
     void add_stiffest(Blocks& most) const override {
-        add_stiffness(w_.state, most, [&](std::size_t i, const Placed&, Resultants&) {
-            return generalised(shape_[i], declared()[i].sheet->elastic());
+        add_stiffness(w_.state, most, [&](std::size_t i, const Placed&, Resultants&, panel::Mat17* bending) -> Mat5 {
+            const panel::SectionTangent elastic = declared()[i].sheet->elastic();
+            if (!bending) return generalised(shape_[i], elastic.membrane);
+            *bending = panel::stiffest(shape_[i], elastic);
+            return Mat5::Zero();
         });
     }
 
@@ -102,6 +106,7 @@ public:
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double dissipated = 0;
         ends_.resize(shape_.size());
+        curvature_->place(w_.trial);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(now(), declared()[i], i)) continue;
             if (!w_.kind.explicit_steps)  // else nothing has moved since the forces were found
@@ -123,7 +128,8 @@ public:
             n.used[i] = std::max(n.used[i], e.used);
             if (e.tears) tear(i, e.tears, e, w_.kind.dynamic ? step.end() : w_.factor), any = true;
         }
-        if (any) changed(w_.trial);
+        curvature_->keep();
+        if (any) curvature_->end_of_torn(), changed(w_.trial);
     }
     /// A node that panels alone join from now on does not rotate: nothing resists that, and nothing has inertia there.
     void broke(const Break& b) override {
@@ -142,13 +148,14 @@ public:
     /// A node that has lost its last member, and has no mass, holds nothing any more.
     void all_broke() override {
         bool any = false;
+        curvature_->place(w_.state);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(now(), declared()[i], i)) continue;
             const auto& nodes = declared()[i].nodes;
             if (std::none_of(nodes.begin(), nodes.end(), [&](int n) { return w_.state.gone[n] != 0; })) continue;
             tear(i, all_layers, evaluate(i, place(i, w_.state), now(), false), w_.state.time), any = true;
         }
-        if (any) changed(w_.state);
+        if (any) curvature_->end_of_torn(), changed(w_.state);
     }
     bool allows_long_step() const override { return !any_whole(); }
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
@@ -167,7 +174,7 @@ public:
         return std::all_of(states.begin(), states.end(), [&](const State* s) {
             const PanelsNow* there = panels_now(*s);
             return there && there->history.size() == next_.size() && there->torn.size() == shape_.size() &&
-                   there->on_trial.size() == shape_.size();
+                   there->on_trial.size() == shape_.size() && curvature_->fits(*s);
         });
     }
 
@@ -181,7 +188,6 @@ private:
         std::array<Vec3, 4> places;
         for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = X[p.nodes[k]];
         shape_.push_back(panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson()));
-        bars_alone_.push_back(p.sheet->has_bars_alone());
         blocks_.join(p.nodes);
     }
 
@@ -224,17 +230,9 @@ private:
     /// d(resultants)/d(strain, p) of one stiffness at all points.
     static Mat5 generalised(const Shape& s, const Mat3& D) {
         Mat5 sum = Mat5::Zero();
-        for (int k = 0; k < s.points; ++k) add_point(s.point[k], D, sum);
+        for (int k = 0; k < s.points; ++k) panel::add_point(s.point[k], D, sum);
         return sum;
     }
-    static void add_point(const panel::Point& point, const Mat3& D, Mat5& sum) {
-        const Mat3 of = point.area * D;
-        sum.topLeftCorner<3, 3>() += of;
-        sum.topRightCorner<3, 2>() += of * point.P;
-        sum.bottomLeftCorner<2, 3>() += point.P.transpose() * of;
-        sum.bottomRightCorner<2, 2>() += point.P.transpose() * of * point.P;
-    }
-
     /// Whether a layer is left that holds the panel together, where `layers` tear: concrete alone does not.
     bool any_holds(std::size_t i, std::uint8_t layers) const {
         const auto& all = declared()[i].sheet->layers;
@@ -242,45 +240,26 @@ private:
             if (all[l].kind != panel::LayerKind::concrete && !((layers | now().torn[i]) >> l & 1)) return true;
         return false;
     }
-    /// Statics: a layer that tears in the step holds nothing at its end, which is in equilibrium without it.
-    Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent) const {
-        Evaluated e = evaluate(i, at, from, with_tangent, 0);
+    /// Statics: a layer that tears in the step holds nothing at its end, which is in equilibrium without it. The
+    /// curvature is the one that was placed last.
+    Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent,
+                       panel::Mat17* tangent = nullptr) const {
+        panel::Bending bending;
+        panel::Curvatures curved;
+        std::uint8_t gone = from.torn[i];
+        if (curvature_->has(i)) curved = curvature_->at(i), bending = {&curved, &curvature_->own_strains(i), tangent};
+        // writes what its layers keep into next_
+        const auto answer = [&] {
+            return panel::respond(*declared()[i].sheet, shape_[i], at, gone, with_tangent, bending,
+                                  &from.history[history_at_[i]], &next_[history_at_[i]]);
+        };
+        Evaluated e = answer();
         if (!e.tears) return e;
         if (!any_holds(i, e.tears)) e.tears = all_layers;
         if (w_.kind.dynamic) return e;
-        const Evaluated left = evaluate(i, at, from, with_tangent, e.tears);
-        e.resultants = left.resultants, e.tangent = left.tangent;
-        return e;
-    }
-    /// Writes what its layers keep into next_. `gone`: layers that carry nothing.
-    Evaluated evaluate(std::size_t i, const Placed& at, const PanelsNow& from, bool with_tangent,
-                       std::uint8_t gone) const {
-        Evaluated e;
-        const Shape& s = shape_[i];
-        const auto& layers = declared()[i].sheet->layers;
-        std::size_t history = history_at_[i];
-        for (int k = 0; k < s.points; ++k) {
-            const panel::Point& point = s.point[k];
-            const panel::Strained strained(at.strain + point.P * at.p, at.large, !bars_alone_[i]);
-            Vec3 stress = Vec3::Zero();
-            Mat3 tangent = Mat3::Zero();
-            for (std::size_t l = 0; l < layers.size(); history += std::size_t(layers[l].history_size()), ++l) {
-                if ((from.torn[i] | gone) >> l & 1) {
-                    std::copy_n(&from.history[history], layers[l].history_size(), &next_[history]);
-                    continue;
-                }
-                const panel::Response r =
-                    panel::respond(layers[l], strained, &from.history[history], &next_[history], with_tangent);
-                stress += r.stress, tangent += r.tangent;
-                e.stored += point.area * r.stored, e.dissipated += point.area * r.dissipated;
-                e.stored_in[l] += point.area * r.stored;
-                e.used = std::max(e.used, r.used);
-                if (r.used >= 1) e.tears |= std::uint8_t(1u << l);
-            }
-            e.resultants.mean += point.area * stress;
-            e.resultants.varying += point.area * (point.P.transpose() * stress);
-            if (with_tangent) add_point(point, tangent, e.tangent);
-        }
+        gone |= e.tears;
+        const Evaluated left = answer();
+        e.resultants = left.resultants, e.tangent = left.tangent, e.moment = left.moment;
         return e;
     }
 
@@ -288,11 +267,15 @@ private:
     template <class F>
     void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
         blocks_.begin();
+        curvature_->place(pose);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
             if (is_torn(now(), declared()[i], i)) continue;
             const Placed at = place(i, pose);
             Resultants r;
-            const Mat5 D = of(i, at, r);
+            panel::Mat17 bending;
+            const bool bends = curvature_->has(i);
+            const Mat5 D = of(i, at, r, bends ? &bending : nullptr);
+            if (bends) curvature_->add_stiffness(i, shape_[i], at, bending, blocks_);
             const auto& nodes = declared()[i].nodes;
             panel::for_each_stiffness(shape_[i], at, r, D, [&](int a, int b, const Mat3& K) {
                 const int place = place_[i][std::size_t(int(nodes.size()) * a + b)];
@@ -322,10 +305,10 @@ private:
     }
 
     std::vector<Shape> shape_;
-    std::vector<char> bars_alone_;         ///< of each: whether it has bars and nothing else
     std::vector<std::vector<int>> place_;  ///< of each: those of its nodes in the blocks
     std::vector<std::size_t> history_at_;  ///< of each panel, and of all
     mutable TranslationBlocks blocks_;     ///< a sum that is listed at once
+    mutable std::optional<PanelCurvature> curvature_;
     mutable std::vector<double> next_;     ///< PanelsNow::history where stresses were found last
     mutable std::vector<Evaluated> ends_;  ///< where the step has ended
 };
@@ -342,6 +325,15 @@ panel::Shape shape_of_panel(const Model& model, const Panel& p) {
     std::array<Vec3, 4> places;
     for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = model.nodes()[p.nodes[k]].position;
     return panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson());
+}
+
+void make_panels_linear(Model& model) {
+    if (panels_of(model).empty()) return;
+    std::shared_ptr<const panel::Sheet> from, to;  // many panels have the same
+    for (Panel& p : model.change_declared<Panel>(panels_effect)) {
+        if (p.sheet != from) from = p.sheet, to = std::make_shared<panel::Sheet>(from->linear());
+        p.sheet = to;
+    }
 }
 
 double alpha_of_panels(const Structure& structure) {

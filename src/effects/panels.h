@@ -35,6 +35,9 @@ inline bool is_torn(const PanelsNow& now, const Panel& panel, std::size_t i) {
     return now.torn[i] == (1u << panel.sheet->layers.size()) - 1;
 }
 
+/// Panels that neither yield nor crack nor tear.
+void make_panels_linear(Model& model);
+
 /// alpha of model:damping of the masses on nodes that panels alone join, 1/s: that of the last declaration for the
 /// whole model.
 double alpha_of_panels(const Structure& structure);

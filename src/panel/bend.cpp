@@ -90,6 +90,7 @@ public:
         const auto line = [&](std::size_t i) -> Vec3 { return place_[lines_.list[i][1]] - place_[lines_.list[i][0]]; };
         const Vec3 first = lines_.list.empty() ? Vec3(place_[lines_.beside] - place_[node_]) : line(0);
         const Vec3 e1 = (first - normal_.dot(first) * normal_).normalized(), e2 = normal_.cross(e1);
+        bend_.frame << e1, e2, normal_;
         const auto flat = [&](const Vec3& v) { return Vec2(e1.dot(v), e2.dot(v)); };
         const bool both = lines_.list.size() == 2;
         const Vec2 s(1, 0), t = both ? Vec2(flat(line(1)).normalized()) : Vec2(0, 1);

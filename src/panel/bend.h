@@ -45,7 +45,8 @@ struct Bend {
     std::vector<int> nodes;                     ///< of the model; the first is the one that it is about
     std::vector<std::array<double, 3>> weight;  ///< of each in the two second derivatives and the mixed one, 1/m^2
     std::vector<std::array<int, 4>> around;     ///< corners of each panel, by their places in `nodes`; -1: a triangle
-    Mat3 to_frame = Mat3::Zero();               ///< curvature from those three
+    Mat3 to_frame = Mat3::Zero();               ///< curvature from those three, in the frame
+    Mat3 frame = Mat3::Identity();              ///< columns: its first and second axis, the normal
     double area = 0;                            ///< m^2
     Vec3 start = Vec3::Zero();                  ///< those three where the panels are declared
     std::vector<int> panels;                    ///< of the model

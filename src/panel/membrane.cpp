@@ -63,6 +63,8 @@ void set_points(Shape& s, const Vec2 at[4], double poisson) {
     for (int k = 0; k < 4; ++k) {
         const double across_a = natural[k][1] - mean[1], across_b = natural[k][0] - mean[0];
         s.point[k].P = across_a / own_a * e_a * by_a.transpose() + across_b / own_b * e_b * by_b.transpose();
+        s.point[k].S << across_a * Vec3(a[0] * a[0], a[1] * a[1], a[0] * a[1]),
+            across_b * Vec3(b[0] * b[0], b[1] * b[1], b[0] * b[1]);
     }
 }
 
@@ -122,6 +124,16 @@ Placed place(const Shape& s, std::span<const Vec3> x, std::span<const Vec3> move
     }
     at.strain = {E(0, 0), E(1, 1), 2 * E(0, 1)};
     return at;
+}
+
+Mat53 strain_gradient(const Shape& s, const Placed& at, int i) {
+    Mat53 B;
+    const Vec3 f0 = at.F.col(0), f1 = at.F.col(1), gq = s.g[i] * at.q;
+    B.row(0) = s.b[i][0] * f0, B.row(1) = s.b[i][1] * f1;
+    B.row(2) = s.b[i][1] * f0 + s.b[i][0] * f1;
+    B.row(0) += s.H(0, 0) * gq, B.row(1) += s.H(1, 1) * gq, B.row(2) += 2 * s.H(0, 1) * gq;
+    for (int a : {0, 1}) B.row(3 + a) = s.g[i] * at.F.col(a) + s.b[i][a] * at.q;
+    return B;
 }
 
 void add_forces(const Shape& s, const Placed& at, const Resultants& r, std::span<Vec3> forces) {

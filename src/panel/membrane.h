@@ -20,11 +20,13 @@ using Mat2 = Eigen::Matrix2d;
 using Mat32 = Eigen::Matrix<double, 3, 2>;
 using Vec5 = Eigen::Matrix<double, 5, 1>;
 using Mat5 = Eigen::Matrix<double, 5, 5>;
+using Mat53 = Eigen::Matrix<double, 5, 3>;
 
 /// Part of a panel that has a strain of its own.
 struct Point {
     double area = 0;          ///< m^2
     Mat32 P = Mat32::Zero();  ///< d(strain)/dp, 1/m^2
+    Mat32 S = Mat32::Zero();  ///< stress of each of the two that vary
 };
 
 /// Shape of a panel where it was declared.
@@ -66,20 +68,15 @@ struct Resultants {
 /// Forces of the nodes, N.
 void add_forces(const Shape& shape, const Placed& at, const Resultants& r, std::span<Vec3> forces);
 
-/// Their derivative by the displacements. `of_strain`: d(resultants)/d(mean strain, p). f(I, J, K) is called for I <=
-/// J, K in N/m.
+/// Derivative of the mean strain and of p by the place of a node.
+Mat53 strain_gradient(const Shape& shape, const Placed& at, int node);
+
+/// Derivative of the forces by the displacements. `of_strain`: d(resultants)/d(mean strain, p). f(I, J, K) is called
+/// for I <= J, K in N/m.
 template <class F>
 void for_each_stiffness(const Shape& s, const Placed& at, const Resultants& r, const Mat5& of_strain, F f) {
-    using Mat53 = Eigen::Matrix<double, 5, 3>;
     Mat53 B[4];
-    for (int i = 0; i < s.nodes; ++i) {
-        const Vec3 f0 = at.F.col(0), f1 = at.F.col(1);
-        B[i].row(0) = s.b[i][0] * f0, B[i].row(1) = s.b[i][1] * f1;
-        B[i].row(2) = s.b[i][1] * f0 + s.b[i][0] * f1;
-        const Vec3 gq = s.g[i] * at.q;
-        B[i].row(0) += s.H(0, 0) * gq, B[i].row(1) += s.H(1, 1) * gq, B[i].row(2) += 2 * s.H(0, 1) * gq;
-        for (int a : {0, 1}) B[i].row(3 + a) = s.g[i] * at.F.col(a) + s.b[i][a] * at.q;
-    }
+    for (int i = 0; i < s.nodes; ++i) B[i] = strain_gradient(s, at, i);
     const Mat2 N = (Mat2() << r.mean[0], r.mean[2], r.mean[2], r.mean[1]).finished();
     const double NH = (N.array() * s.H.array()).sum();
     for (int i = 0; i < s.nodes; ++i)

@@ -145,12 +145,24 @@ Mat3 Layer::elastic() const {
     return D;
 }
 
-int Layer::history_size() const { return kind == LayerKind::solid ? 7 : kind == LayerKind::concrete ? 6 : 3; }
+int Layer::history_size() const {
+    return int(levels.size()) * (kind == LayerKind::solid ? 7 : kind == LayerKind::concrete ? 6 : 3);
+}
 
-Mat3 Sheet::elastic() const {
-    Mat3 D = Mat3::Zero();
-    for (const Layer& l : layers) D += l.elastic();
-    return D;
+SectionTangent Sheet::elastic() const {
+    SectionTangent sum;
+    for (const Layer& l : layers)
+        for (const Level& level : l.levels) sum.add(level.part * l.elastic(), level.z);
+    return sum;
+}
+Sheet Sheet::linear() const {
+    Sheet sheet = *this;
+    for (Layer& l : sheet.layers) {
+        if (l.kind == LayerKind::concrete) l.kind = LayerKind::solid, l.poisson = 0;
+        l.strength = l.ultimate = std::numeric_limits<double>::infinity();
+    }
+    sheet.bending.sagging = sheet.bending.hogging = std::numeric_limits<double>::infinity();
+    return sheet;
 }
 double Sheet::poisson() const {
     double nu = 0, most = 0;
@@ -178,6 +190,9 @@ bool Sheet::is_elastic() const {
     return std::all_of(layers.begin(), layers.end(), [](const Layer& l) { return l.is_elastic(); });
 }
 
+bool Sheet::has_solid() const {
+    return std::any_of(layers.begin(), layers.end(), [](const Layer& l) { return l.kind == LayerKind::solid; });
+}
 bool Sheet::has_bars_alone() const {
     return std::all_of(layers.begin(), layers.end(), [](const Layer& l) { return l.kind == LayerKind::bars; });
 }
@@ -207,15 +222,18 @@ Response respond(const Layer& l, const Strained& at, const double* before, doubl
                     n.transpose();
     } else {
         law = l.kind == LayerKind::solid ? solid(l, at.stretch, before, after) : concrete(l, at.stretch, before, after);
+        if (!at.large) {
+            r.stress = l.thickness * law.stress, r.tangent = l.thickness * law.tangent;
+            r.stored = l.thickness * law.stored, r.dissipated = l.thickness * law.dissipated, r.used = law.used;
+            return r;
+        }
         r.stress = l.thickness * (at.by_green.transpose() * law.stress);
         if (with_tangent) {
             r.tangent = l.thickness * (at.by_green.transpose() * law.tangent * at.by_green);
-            if (at.large) {  // d(by_green)
-                const Mat2 X = half_of(at.U, l.thickness * tensor_of_stress(law.stress));
-                for (int i = 0; i < 3; ++i) {
-                    const Mat2 dU = tensor_of_strain(at.by_green.col(i));
-                    r.tangent.col(i) -= 2 * stress_of(half_of(at.U, dU * X + X * dU));
-                }
+            const Mat2 X = half_of(at.U, l.thickness * tensor_of_stress(law.stress));
+            for (int i = 0; i < 3; ++i) {  // d(by_green)
+                const Mat2 dU = tensor_of_strain(at.by_green.col(i));
+                r.tangent.col(i) -= 2 * stress_of(half_of(at.U, dU * X + X * dU));
             }
         }
     }

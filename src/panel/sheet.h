@@ -22,6 +22,16 @@ enum class LayerKind : std::uint8_t {
     bars       ///< reinforcement, or the ribs of a deck: carries along one direction
 };
 
+/// Part of a layer that lies at a height above the panel's middle plane.
+struct Level {
+    double z = 0;     ///< m
+    double part = 1;  ///< of the layer
+    template <class Self, class A>
+    static void fields(Self& s, A& a) {
+        a(s.z, s.part);
+    }
+};
+
 /// A layer over the whole panel. Its hardening is isotropic and linear.
 struct Layer {
     LayerKind kind = LayerKind::solid;
@@ -32,7 +42,8 @@ struct Layer {
     double hardening = 0;                                       ///< Pa, of stress over plastic strain
     double ultimate = std::numeric_limits<double>::infinity();  ///< strain that tears it: of bars their stretch, of
                                                                 ///< solid layers the equivalent plastic strain
-    Vec3 direction = {1, 0, 0};  ///< of bars at an angle a to the sheet's x axis: [cos^2 a, sin^2 a, sin a cos a]
+    Vec3 direction = {1, 0, 0};        ///< of bars at an angle a to the sheet's x axis: [cos^2 a, sin^2 a, sin a cos a]
+    std::vector<Level> levels = {{}};  ///< one, or several through its thickness where the panel bends by its layers
 
     /// Elastic stiffness, N/m; that of concrete under compression.
     Mat3 elastic() const;
@@ -43,7 +54,16 @@ struct Layer {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.kind, s.thickness, s.E, s.poisson, s.strength, s.hardening, s.ultimate, s.direction);
+        a(s.kind, s.thickness, s.E, s.poisson, s.strength, s.hardening, s.ultimate, s.direction, s.levels);
+    }
+};
+
+/// Stiffness of the section at a point, N/m, N and N m: membrane forces by strain, moments by curvature, and each by
+/// the other.
+struct SectionTangent {
+    Mat3 membrane = Mat3::Zero(), coupling = Mat3::Zero(), bending = Mat3::Zero();
+    void add(const Mat3& of_layer, double z) {
+        membrane += of_layer, coupling -= z * of_layer, bending += z * z * of_layer;
     }
 };
 
@@ -51,17 +71,20 @@ struct Sheet {
     std::vector<Layer> layers;
     double mass = 0;  ///< kg/m^2
     BendingLaw bending = {};
-    Mat3 elastic() const;
+    bool bends_by_layers = false;  ///< the strain of a layer is that of the middle plane and of its curvature
+    SectionTangent elastic() const;
+    Sheet linear() const;      ///< without yielding, cracks and tearing: concrete carries tension too
     double poisson() const;    ///< of the stiffest solid layer; 0 where there is none
     double thickness() const;  ///< m, of the thickest layer other than bars; 0 where there is none
     double stiffness() const;  ///< E t of the stiffest layer, N/m
     int history_size() const;
     bool is_elastic() const;
     bool has_bars_alone() const;
+    bool has_solid() const;
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.layers, s.mass, s.bending);
+        a(s.layers, s.mass, s.bending, s.bends_by_layers);
     }
 };
 

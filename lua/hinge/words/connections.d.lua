@@ -345,12 +345,15 @@ function panel_contact:pressing(run) end
 ---@field ultimate_strain? number of the plate: equivalent plastic strain at which it tears; default: never
 ---concrete without tension, and with a constant compressive strength in the directions of principal strain
 ---@field concrete? hinge.panel_concrete
----bars along the sheet's axes. Their mass is that of the concrete in their place
----@field reinforcement? hinge.panel_bars
+---bars along the sheet's axes, one mesh or a list of several. Their mass is that of the concrete in their place
+---@field reinforcement? hinge.panel_bars|hinge.panel_bars[]
 ---ribs of a steel deck, which carry along one axis
 ---@field deck? hinge.panel_deck
----bending across the plate. Default: that of the solid plate; without one, none. false: none
----@field bending? hinge.panel_bending|false
+---bending across the plate. Default: that of the solid plate; without one, none. false: none. "layers": the layers at
+---their heights z give it, six levels of concrete and of a plate among them, so that cracks, moments beside membrane
+---forces and plastic moments of either direction and sign follow from what the panel is made of. That takes about ten
+---times the time of a moment given by hand. See the guide's page on slabs
+---@field bending? hinge.panel_bending|"layers"|false
 ---@field along? vec3 the sheet's x axis, projected into the panel; default: from the first node to the second one
 ---kg/m^2; default: density times thickness of the plate and of concrete, and 7850 kg/m^3 times the area of a deck
 ---@field mass? number
@@ -360,6 +363,7 @@ function panel_contact:pressing(run) end
 ---@field E number Pa
 ---@field strength? number Pa, in compression; default: elastic
 ---@field density? number kg/m^3, default 2500
+---@field z? number m, of its middle above that of the panel, to where its normal points; with bending = "layers"
 
 ---Moments per width. Sagging pulls on the side that the panel's normal points away from. The normal points to where the
 ---nodes of the panel run counter-clockwise. Where panels around a node point to both sides, the first one's counts.
@@ -376,10 +380,13 @@ function panel_contact:pressing(run) end
 ---@field yield_stress? number Pa, default: elastic
 ---@field hardening? number Pa, of stress over plastic strain; default 0
 ---@field ultimate_strain? number their stretch at which they break; default: never
+---m, above the middle of the panel, to where its normal points (up, in model:floor); with bending = "layers"; default 0
+---@field z? number
 
 ---@class hinge.panel_deck
 ---@field area number m^2/m, per width
 ---@field along? "x"|"y" default "x"
+---@field z? number m, as of bars
 ---@field E? number Pa, default 200e9
 ---@field yield_stress? number Pa, default: elastic
 ---@field hardening? number Pa, default 0

@@ -1,6 +1,8 @@
 // model:panel: plates in their plane between nodes, and what has become of one in a run.
 #include "effects/panels.h"
 
+#include <numbers>
+
 #include "section/material_law.h"
 #include "script/bind/model_methods.h"
 #include "script/bind/run_box.h"
@@ -41,6 +43,9 @@ Layer read_bars(Options& o) {
     return bars;
 }
 
+/// Of a layer's middle above that of the panel, m.
+void read_height(Options& in, Layer& layer) { layer.levels[0].z = in.number("z", "m", Range::any, 0); }
+
 void read_solid(Options& o, Sheet& sheet, double& mass) {
     const auto thickness = o.maybe_number("thickness", "m", Range::positive);
     lua_State* L = o.L();
@@ -76,39 +81,97 @@ void read_solid(Options& o, Sheet& sheet, double& mass) {
 
 void read_concrete(Options& o, Sheet& sheet, double& mass) {
     o.read_table("concrete", "{ thickness = 0.12, strength = 30e6, E = 33e9 }", [&](Options& in) {
-        in.expect({"thickness", "strength", "E", "density"});
+        in.expect({"thickness", "strength", "E", "density", "z"});
         Layer layer;
         layer.kind = LayerKind::concrete;
         layer.thickness = in.number("thickness", "m", Range::positive);
         layer.E = in.number("E", "Pa", Range::positive);
         layer.strength = in.maybe_number("strength", "Pa", Range::positive).value_or(layer.strength);
         mass += layer.thickness * in.number("density", "kg/m^3", Range::not_negative, density_of_concrete);
+        read_height(in, layer);
         sheet.layers.push_back(layer);
     });
 }
 
+void read_mesh(Options& in, Sheet& sheet) {
+    in.expect({"x", "y", "z", "E", "yield_stress", "hardening", "ultimate_strain"});
+    Layer bars = read_bars(in);
+    const double x = in.number("x", "m^2/m", Range::not_negative, 0);
+    const double y = in.number("y", "m^2/m", Range::not_negative, 0);
+    if (x == 0 && y == 0) in.complain("x", "missing", "give the area of the bars per width, m^2/m, as x, y or both");
+    read_height(in, bars);
+    for (const auto& [area, direction] : {std::pair(x, along_x), std::pair(y, along_y)}) {
+        if (area == 0) continue;
+        bars.thickness = area, bars.direction = direction;
+        sheet.layers.push_back(bars);
+    }
+}
+
 void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
-    o.read_table("reinforcement", "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }", [&](Options& in) {
-        in.expect({"x", "y", "E", "yield_stress", "hardening", "ultimate_strain"});
-        Layer bars = read_bars(in);
-        const double x = in.number("x", "m^2/m", Range::not_negative, 0);
-        const double y = in.number("y", "m^2/m", Range::not_negative, 0);
-        if (x == 0 && y == 0)
-            in.complain("x", "missing", "give the area of the bars per width, m^2/m, as x, y or both");
-        for (const auto& [area, direction] : {std::pair(x, along_x), std::pair(y, along_y)}) {
-            if (area == 0) continue;
-            bars.thickness = area, bars.direction = direction;
-            sheet.layers.push_back(bars);
-        }
-    });
+    constexpr const char* example = "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }";
+    lua_State* L = o.L();
+    const int type = o.push_field("reinforcement");
+    const lua_Integer meshes = type == LUA_TTABLE ? lua_Integer(lua_rawlen(L, -1)) : 0;
+    if (meshes == 0) o.read_table("reinforcement", example, [&](Options& in) { read_mesh(in, sheet); });
+    for (lua_Integer i = 1; i <= meshes; ++i) {
+        const std::string which = "reinforcement[" + std::to_string(i) + "]";
+        if (lua_rawgeti(L, -1, i) != LUA_TTABLE)
+            o.complain(which.c_str(), show(L, -1), std::string("must be a table such as ") + example);
+        Options in(L, lua_gettop(L), o.function() + ": field '" + which + "'");
+        read_mesh(in, sheet);
+        lua_pop(L, 1);
+    }
+    lua_pop(L, 1);
     o.read_table("deck", "{ area = 1.2e-3, yield_stress = 320e6 }", [&](Options& in) {
-        in.expect({"area", "along", "E", "yield_stress", "hardening", "ultimate_strain"});
+        in.expect({"area", "along", "z", "E", "yield_stress", "hardening", "ultimate_strain"});
         Layer ribs = read_bars(in);
         ribs.thickness = in.number("area", "m^2/m", Range::positive);
         ribs.direction = in.word("along", {"x", "y"}, "x") == "x" ? along_x : along_y;
+        read_height(in, ribs);
         mass += ribs.thickness * density_of_steel;
         sheet.layers.push_back(ribs);
     });
+}
+
+/// Levels of a layer through its thickness, at the points of Gauss: their number bends as the layer does, exactly while
+/// it is elastic.
+void divide(Layer& layer, int count) {
+    const double middle = layer.levels[0].z;
+    layer.levels.clear();
+    for (int i = 0; i < count; ++i) {
+        double x = std::cos(std::numbers::pi * (i + 0.75) / (count + 0.5)), slope = 0;
+        for (int round = 0; round < 20; ++round) {  // a root of Legendre's polynomial
+            double before = 1, now = x;
+            for (int n = 2; n <= count; ++n)
+                before = std::exchange(now, ((2 * n - 1) * x * now - (n - 1) * before) / n);
+            slope = count * (x * now - before) / (x * x - 1);
+            x -= now / slope;
+        }
+        layer.levels.push_back({middle + 0.5 * layer.thickness * x, 1 / ((1 - x * x) * slope * slope)});
+    }
+}
+
+constexpr int levels = 6;  ///< of concrete and of plates that bend by their layers
+
+void bend_by_layers(Options& o, Sheet& sheet) {
+    bool off = false;
+    sheet.bends_by_layers = true;
+    double low = std::numeric_limits<double>::infinity(), high = -low;  // of concrete and plates, m
+    for (Layer& l : sheet.layers) {
+        if (l.kind == LayerKind::bars) {
+            off |= l.levels[0].z != 0;
+            continue;
+        }
+        low = std::min(low, l.levels[0].z - 0.5 * l.thickness),
+        high = std::max(high, l.levels[0].z + 0.5 * l.thickness);
+        divide(l, levels);
+    }
+    if (!(low < high) && !off)
+        o.complain("bending", "\"layers\"", "needs a plate, concrete, or bars at heights 'z' (m) that differ from 0");
+    for (const Layer& l : sheet.layers)
+        if (const double z = l.levels[0].z; l.kind == LayerKind::bars && low < high && (z < low || z > high))
+            o.complain("z", show(z),
+                       "m: bars lie outside of the concrete or plate, from " + show(low) + " to " + show(high) + " m");
 }
 
 /// Of a solid plate it follows from the plate, unless it is given or false.
@@ -116,7 +179,16 @@ void read_bending(Options& o, Sheet& sheet) {
     lua_State* L = o.L();
     const int type = o.push_field("bending");
     const bool none = type == LUA_TBOOLEAN && !lua_toboolean(L, -1);
+    const bool layers = type == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "layers";
     lua_pop(L, 1);
+    if (layers) return bend_by_layers(o, sheet);
+    if (type == LUA_TSTRING)
+        o.complain("bending", "another word", "must be \"layers\", false, or a table with 'stiffness' (N m)");
+    for (const Layer& l : sheet.layers)
+        if (l.levels[0].z != 0)
+            o.complain("bending", none ? "false" : "not \"layers\"",
+                       "a layer has a height 'z', which acts where the panel bends by its layers: give bending = "
+                       "\"layers\"");
     if (none) return;
     panel::BendingLaw& law = sheet.bending;
     const bool given = o.read_table("bending", "{ stiffness = 1e6, sagging = 20e3, hogging = 30e3 }", [&](Options& in) {

@@ -1,0 +1,161 @@
+#include "effects/panel_curvature.h"
+
+#include <algorithm>
+
+namespace hinge {
+
+using panel::Bend;
+using panel::Gradient;
+
+PanelCurvature::PanelCurvature(Workspace& w, const std::vector<Panel>& declared,
+                               const std::vector<panel::Shape>& shapes)
+    : w_(w), declared_(declared) {
+    std::vector<panel::Corners> corners;
+    std::vector<int> which;
+    for (std::size_t i = 0; i < declared.size(); ++i) {
+        if (!declared[i].sheet->bends_by_layers) continue;
+        corners.push_back({declared[i].nodes, shapes[i].area, declared[i].sheet->poisson()});
+        which.push_back(int(i));
+    }
+    if (corners.empty()) {
+        w.state.data.erase(name);
+        return;
+    }
+    bends_ = panel::bends_of(corners, w.structure.position());
+    of_.resize(declared.size());
+    for (const int p : which) {
+        OfPanel& of = of_[std::size_t(p)];
+        of.nodes = declared[std::size_t(p)].nodes, of.own = panel::own_strains_of(shapes[std::size_t(p)]);
+    }
+    for (std::size_t b = 0; b < bends_.size(); ++b)
+        for (int& p : bends_[b].panels) {
+            p = which[std::size_t(p)];
+            add_corner(int(b), p, shapes[std::size_t(p)].axes);
+        }
+    placed_.resize(bends_.size());
+}
+
+void PanelCurvature::add_corner(int bend, int panel, const Mat3& sheet) {
+    const Bend& b = bends_[std::size_t(bend)];
+    const auto& own = declared_[std::size_t(panel)].nodes;
+    OfPanel& of = of_[std::size_t(panel)];
+    Corner& corner = of.corner[std::find(own.begin(), own.end(), b.nodes[0]) - own.begin()];
+    corner.bend = bend;
+    // [k11, k22, 2 k12] in the sheet's axes, from that in the frame of the bend
+    const Eigen::Matrix2d R = sheet.leftCols<2>().transpose() * b.frame.leftCols<2>();
+    Mat3 turn;
+    turn << R(0, 0) * R(0, 0), R(0, 1) * R(0, 1), R(0, 0) * R(0, 1),  //
+        R(1, 0) * R(1, 0), R(1, 1) * R(1, 1), R(1, 0) * R(1, 1),      //
+        2 * R(0, 0) * R(1, 0), 2 * R(0, 1) * R(1, 1), R(0, 0) * R(1, 1) + R(0, 1) * R(1, 0);
+    corner.to_sheet = (sheet.col(2).dot(b.frame.col(2)) < 0 ? -turn : turn) * b.to_frame;
+    for (const int n : b.nodes) {
+        const auto at = std::find(of.nodes.begin(), of.nodes.end(), n);
+        corner.node.push_back(int(at - of.nodes.begin()));
+        if (at == of.nodes.end()) of.nodes.push_back(n);
+    }
+}
+
+void PanelCurvature::begin() {
+    if (bends_.empty() || (w_.state.data.find<CurvatureNow>(name) && fits(w_.state))) return;
+    w_.state.data.set(name, CurvatureNow{});
+    now().ended.resize(bends_.size(), 0), now().kept.resize(bends_.size(), Vec3::Zero());
+    place(w_.state);
+    keep();
+    end_of_torn();
+}
+
+void PanelCurvature::join(TranslationBlocks& blocks) const {
+    for (const OfPanel& of : of_) blocks.join(of.nodes);
+}
+void PanelCurvature::find_places(const TranslationBlocks& blocks) {
+    for (OfPanel& of : of_) of.place = blocks.places(of.nodes);
+}
+
+void PanelCurvature::place(const Pose& pose) {
+    const bool large = w_.structure.large();
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Bend& b = bends_[i];
+        Placed& at = placed_[i];
+        const Vec3 origin = w_.structure.position()[b.nodes[0]], by = pose.displacement[b.nodes[0]];
+        at.places.resize(b.nodes.size()), at.moved.resize(b.nodes.size());
+        for (std::size_t k = 0; k < b.nodes.size(); ++k) {
+            const Vec3 start = w_.structure.position()[b.nodes[k]] - origin;
+            const Vec3 moved = pose.displacement[b.nodes[k]] - by;
+            at.places[k] = large ? Vec3(start + moved) : start;
+            at.moved[k] = large ? at.places[k] : moved;
+        }
+        at.moment.setZero();
+        at.acts = !now().ended[i];
+        at.bent = panel::bent(b, at.places, at.moved, large);
+        at.derivative = at.acts ? at.bent.derivative : now().kept[i];
+    }
+}
+
+panel::Curvatures PanelCurvature::at(std::size_t panel) const {
+    panel::Curvatures k{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+    for (std::size_t c = 0; c < 4; ++c)
+        if (const Corner& corner = of_[panel].corner[c]; corner.bend >= 0)
+            k[c] = corner.to_sheet * placed_[std::size_t(corner.bend)].derivative;
+    return k;
+}
+
+void PanelCurvature::add_moments(std::size_t panel, const std::array<Vec3, 4>& moment) {
+    for (std::size_t c = 0; c < 4; ++c)
+        if (const Corner& corner = of_[panel].corner[c]; corner.bend >= 0)
+            placed_[std::size_t(corner.bend)].moment += corner.to_sheet.transpose() * moment[c];
+}
+
+void PanelCurvature::add_forces(std::vector<Vec6>& resisting) {
+    for (std::size_t i = 0; i < bends_.size(); ++i) {
+        const Placed& at = placed_[i];
+        if (!at.acts) continue;
+        const Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
+        for (std::size_t j = 0; j < bends_[i].nodes.size(); ++j)
+            resisting[bends_[i].nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * at.moment;
+    }
+}
+
+void PanelCurvature::add_stiffness(std::size_t panel, const panel::Shape& shape, const panel::Placed& at,
+                                   const panel::Mat17& bending, TranslationBlocks& blocks) const {
+    const OfPanel& of = of_[panel];
+    const int n = int(of.nodes.size());
+    using Wide = Eigen::Matrix<double, 17, Eigen::Dynamic>;
+    Wide W = Wide::Zero(17, 3 * n);  // of mean strain, p and curvatures, by the places of the nodes
+    for (int k = 0; k < shape.nodes; ++k) W.block<5, 3>(0, 3 * k) = panel::strain_gradient(shape, at, k);
+    for (int c = 0; c < 4; ++c) {
+        const Corner& corner = of.corner[c];
+        if (corner.bend < 0 || !placed_[std::size_t(corner.bend)].acts) continue;
+        const Placed& bent = placed_[std::size_t(corner.bend)];
+        const Gradient G = corner.to_sheet * panel::gradient(bends_[std::size_t(corner.bend)], bent.bent, bent.places,
+                                                             w_.structure.large());
+        for (std::size_t j = 0; j < corner.node.size(); ++j)
+            W.block<3, 3>(5 + 3 * c, 3 * corner.node[j]) += G.block<3, 3>(0, 3 * int(j));
+    }
+    const Wide HW = bending * W;
+    for (int j = 0; j < n; ++j)
+        for (int k = 0; k < n; ++k) {
+            if (of.nodes[std::size_t(j)] > of.nodes[std::size_t(k)]) continue;
+            const Mat3 K = W.middleCols<3>(3 * j).transpose() * HW.middleCols<3>(3 * k);
+            const int place = of.place[std::size_t(n * j + k)];
+            if (j == k) blocks.add_own(place, K);
+            else blocks.add(place, K, true);
+        }
+}
+
+void PanelCurvature::keep() {
+    for (std::size_t i = 0; i < bends_.size(); ++i)
+        if (placed_[i].acts) now().kept[i] = placed_[i].derivative;
+}
+void PanelCurvature::end_of_torn() {
+    const PanelsNow* panels = bends_.empty() ? nullptr : panels_now(w_.state);
+    for (std::size_t i = 0; i < bends_.size(); ++i)
+        for (const int p : bends_[i].panels)
+            if (is_torn(*panels, declared_[std::size_t(p)], std::size_t(p))) now().ended[i] = 1;
+}
+bool PanelCurvature::fits(const State& state) const {
+    if (bends_.empty()) return true;
+    const auto* there = state.data.find<CurvatureNow>(name);
+    return there && there->ended.size() == bends_.size() && there->kept.size() == bends_.size();
+}
+
+}  // namespace hinge
