@@ -309,7 +309,8 @@ local function compare(what, fields, line)
   end
   for _, field in ipairs(fields) do
     if not field.name:find "^%[" then declared[field.name] = true end
-    local inner = looks_like_options(field.type:match "|({.*})$" or field.type)
+    local inner = looks_like_options(field.type:match "|({.*})$" or field.type:match "^([%w_.]+)|[%w_.]+%[%]$"
+      or field.type)
     if inner and calls[what .. "." .. field.name] then compare(what .. "." .. field.name, inner, line) end
   end
   same(declared, there, ("%s takes '%%s', which is not declared: add it in lua/hinge/%s"):format(what, line),
