@@ -87,8 +87,13 @@ public:
             const Connector& c = declared()[i];
             const Evaluated& now = now_[i];
             const Placed p = place(i, at, list()[i]);
-            const Vec6 springs = slope_of(c, p.deformation), slope = springs + now.law_slope;
+            const Vec6 springs = slope_of(i, p.deformation), slope = springs + now.law_slope;
             Mat12 K = p.B.transpose() * slope.asDiagonal() * p.B;
+            if (c.yield.any()) {  // x and y that yield together
+                Mat6 across = spring_that_yields(i, p.deformation).slope;
+                across.diagonal().setZero();
+                K += p.B.transpose() * across * p.B;
+            }
             if (w_.structure.large() && w_.kind.geometric) add_rotation_of_axes(p, now.force(), c.a < 0, K);
             add(c, K, p.B, c.damping + now.law_rate_slope + damping_[i] * springs, blocks);
         }
@@ -103,6 +108,11 @@ public:
             if (before.broken) continue;
             const ConnectorNow end = at_end(i);
             by_stiffness += 0.5 * (before.viscous + end.viscous).dot(end.deformation - before.deformation);
+            if (declared()[i].yield.any()) {
+                const Vec6& k = declared()[i].stiffness;
+                work += 0.5 * k.cwiseProduct(before.deformation - before.plastic + end.deformation - end.plastic)
+                                  .dot(end.plastic - before.plastic);
+            }
             work += 0.5 * (before.of_dashpots + before.of_laws + end.of_dashpots + end.of_laws)
                               .dot(end.deformation - before.deformation);
         }
@@ -116,12 +126,10 @@ public:
             if (list()[i].broken) continue;
             list()[i] = at_end(i);
             for (int k = 0; k < 6; ++k) keep_largest(list()[i].largest[k], list()[i].force[k]);
-            for (int k = 0; k < 6; ++k)
-                if (std::abs(list()[i].force[k]) >= declared()[i].capacity[k]) {
-                    release(i, step.end(), k);
-                    any = true;
-                    break;
-                }
+            int broke = declared()[i].ultimate.reached(list()[i].plastic);
+            for (int k = 5; k >= 0; --k)
+                if (std::abs(list()[i].force[k]) >= declared()[i].capacity[k]) broke = k;
+            if (broke >= 0) release(i, step.end(), broke), any = true;
         }
         if (any) changed(w_.trial);
     }
@@ -207,7 +215,7 @@ private:
 
     static bool is_linear(const Connector& c) {
         return std::none_of(std::begin(c.curve), std::end(c.curve), [](const Curve& k) { return !k.empty(); }) &&
-               !c.has_law();
+               !c.has_law() && !c.yield.any();
     }
 
     std::string name_of(std::size_t i) const {
@@ -269,16 +277,23 @@ private:
 
     Vec6 viscous_of(std::size_t i, const Vec6& deformation, const Vec6& rate) const {
         if (damping_[i] == 0) return Vec6::Zero();
-        return damping_[i] * slope_of(declared()[i], deformation).cwiseProduct(rate);
+        return damping_[i] * slope_of(i, deformation).cwiseProduct(rate);
     }
 
-    static Vec6 slope_of(const Connector& c, const Vec6& deformation) {
-        Vec6 slope = c.stiffness;
+    YieldingSpring spring_that_yields(std::size_t i, const Vec6& deformation) const {
+        const Connector& c = declared()[i];
+        return yielding_spring(c.stiffness, c.yield, deformation, list()[i].plastic);
+    }
+    Vec6 slope_of(std::size_t i, const Vec6& deformation) const {
+        const Connector& c = declared()[i];
+        Vec6 slope = c.yield.any() ? Vec6(spring_that_yields(i, deformation).slope.diagonal()) : c.stiffness;
         for (int k = 0; k < 6; ++k) slope[k] += on_curve(c.curve[k], deformation[k]).slope;
         return slope;
     }
-    static Vec6 spring_of(const Connector& c, const Vec6& deformation) {
-        Vec6 force = c.stiffness.cwiseProduct(deformation);
+    Vec6 spring_of(std::size_t i, const Vec6& deformation) const {
+        const Connector& c = declared()[i];
+        Vec6 force =
+            c.yield.any() ? spring_that_yields(i, deformation).force : Vec6(c.stiffness.cwiseProduct(deformation));
         for (int k = 0; k < 6; ++k) force[k] += on_curve(c.curve[k], deformation[k]).force;
         return force;
     }
@@ -300,7 +315,7 @@ private:
         Evaluated& now = now_[i];
         now.deformation = p.deformation;
         now.rate = rate_of(i, p);
-        now.spring = spring_of(c, p.deformation);
+        now.spring = spring_of(i, p.deformation);
         now.dashpot = c.damping.cwiseProduct(now.rate);
         now.viscous = viscous_of(i, now.deformation, now.rate);
         for (int k = 0; k < 6; ++k) {
@@ -338,7 +353,8 @@ private:
             end.of_laws += now.law_slope.cwiseProduct(p.deformation - now.deformation) +
                            now.law_rate_slope.cwiseProduct(rate - now.rate);
         }
-        end.force = spring_of(declared()[i], p.deformation) + end.of_dashpots + end.of_laws;
+        if (declared()[i].yield.any()) end.plastic = spring_that_yields(i, p.deformation).plastic;
+        end.force = spring_of(i, p.deformation) + end.of_dashpots + end.of_laws;
         for (int k = 0; k < 6; ++k) end.law[k] = now.state[k];
         return end;
     }
@@ -357,9 +373,10 @@ private:
         K += 0.5 * (G + G.transpose());
     }
 
-    double stored_in(std::size_t i, const Vec6& deformation) const {
+    double stored_in(std::size_t i, const Vec6& deformation, const Vec6& plastic) const {
         const Connector& c = declared()[i];
-        double energy = 0.5 * deformation.dot(c.stiffness.cwiseProduct(deformation));
+        const Vec6 elastic = deformation - plastic;
+        double energy = 0.5 * elastic.dot(c.stiffness.cwiseProduct(elastic));
         for (int k = 0; k < 6; ++k) energy += on_curve(c.curve[k], deformation[k]).energy;
         return energy;
     }
@@ -367,22 +384,18 @@ private:
         const auto* there = state.data.find<ConnectorsNow>(connectors_effect);
         double energy = 0;
         for (std::size_t i = 0; there && i < there->list.size(); ++i)
-            if (!there->list[i].broken) energy += stored_in(i, place(i, state, there->list[i]).deformation);
+            if (!there->list[i].broken)
+                energy += stored_in(i, place(i, state, there->list[i]).deformation, there->list[i].plastic);
         return energy;
     }
 
-    /// direction -1: its node is gone.
+    /// direction -1: its node is gone; 6: x and y together.
     void release(std::size_t i, double time, int direction) {
-        static const char* name[] = {"x", "y", "z", "rx", "ry", "rz"};
         ConnectorNow& c = list()[i];
-        w_.state.accumulated["connector_dissipated"] += stored_in(i, c.deformation);
+        w_.state.accumulated["connector_dissipated"] += stored_in(i, c.deformation, c.plastic);
         c.broken = true;
         c.broken_at = time;
-        char how[80] = " broke: its node has lost its last member";
-        if (direction >= 0)
-            std::snprintf(how, sizeof how, " broke: %.4g %s in %s", std::abs(c.force[direction]),
-                          direction < 3 ? "N" : "N m", name[direction]);
-        host_.note_activation(connectors_effect, false, name_of(i) + how);
+        host_.note_activation(connectors_effect, false, name_of(i) + how_it_broke(declared()[i], c, direction));
     }
     void changed(const Pose& at) {
         host_.accelerations_anew();

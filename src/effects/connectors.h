@@ -1,6 +1,8 @@
 // Connectors: their declaration, and their state in a run.
 #pragma once
 
+#include <cmath>
+#include <cstdio>
 #include <functional>
 #include <limits>
 #include <map>
@@ -9,6 +11,7 @@
 #include <vector>
 
 #include "core/types.h"
+#include "effects/connector_yield.h"
 
 namespace hinge {
 
@@ -30,13 +33,15 @@ struct Connector {
     Vec6 capacity = Vec6::Constant(std::numeric_limits<double>::infinity());  ///< N, N m
     std::vector<std::pair<double, double>> curve[6];                          ///< of deformation and force, rising
     ConnectorLaw law[6];
+    ConnectorLimits yield;     ///< of the springs of `stiffness`
+    ConnectorLimits ultimate;  ///< of their plastic deformation
 
     bool has_law() const {
         return std::any_of(std::begin(law), std::end(law), [](const ConnectorLaw& l) { return bool(l); });
     }
     template <class Self, class A>
     static void fields(Self& s, A& archive) {
-        archive(s.a, s.b, s.axes, s.stiffness, s.damping, s.capacity, s.curve);
+        archive(s.a, s.b, s.axes, s.stiffness, s.damping, s.capacity, s.curve, s.yield, s.ultimate);
         for (const auto& law : s.law) archive(bool(law));
     }
 };
@@ -46,6 +51,7 @@ struct ConnectorNow {
     bool broken = false;
     double broken_at = 0;             ///< s
     Vec6 deformation = Vec6::Zero();  ///< m, rad
+    Vec6 plastic = Vec6::Zero();      ///< the part of it that yielding springs keep
     Vec6 force = Vec6::Zero();        ///< of all together: N, N m; what broke it, where it is broken
     Vec6 of_dashpots = Vec6::Zero();  ///< the part of it that dissipates
     Vec6 of_laws = Vec6::Zero();      ///< and that of the script's laws
@@ -55,7 +61,8 @@ struct ConnectorNow {
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.broken, s.broken_at, s.deformation, s.force, s.of_dashpots, s.of_laws, s.viscous, s.largest, s.law);
+        a(s.broken, s.broken_at, s.deformation, s.plastic, s.force, s.of_dashpots, s.of_laws, s.viscous, s.largest,
+          s.law);
     }
 };
 
@@ -67,5 +74,21 @@ struct ConnectorsNow {
         a(s.list);
     }
 };
+
+/// " broke: ...", in a direction: -1 where its node is gone, 6 for x and y together.
+inline std::string how_it_broke(const Connector& is, const ConnectorNow& c, int direction) {
+    static const char* name[] = {"x", "y", "z", "rx", "ry", "rz", "x and y"};
+    if (direction < 0) return " broke: its node has lost its last member";
+    const bool turns = direction >= 3 && direction < 6;
+    char how[80];
+    if (direction < 6 && std::abs(c.force[direction]) >= is.capacity[direction])
+        std::snprintf(how, sizeof how, " broke: %.4g %s in %s", std::abs(c.force[direction]), turns ? "N m" : "N",
+                      name[direction]);
+    else
+        std::snprintf(how, sizeof how, " broke: plastic deformation of %.4g %s in %s",
+                      direction == 6 ? c.plastic.head<2>().norm() : std::abs(c.plastic[direction]), turns ? "rad" : "m",
+                      name[direction]);
+    return how;
+}
 
 }  // namespace hinge

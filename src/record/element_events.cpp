@@ -106,6 +106,17 @@ std::optional<ElementEvent> break_of(const Run& run, int connector) {
                                 c.force[k],
                                 is.capacity[k],
                                 connector};
+    if (const int k = is.ultimate.reached(c.plastic); k >= 0) {  // by its plastic deformation, at the force of yielding
+        const bool both = k == 6;
+        return ElementEvent{ElementEvent::What::connector_break,
+                            0,
+                            at.element,
+                            at.end,
+                            JointRating::force_x + (both ? 0 : k),
+                            both ? std::hypot(c.force[0], c.force[1]) : c.force[k],
+                            both ? is.yield.xy : is.yield.each[k],
+                            connector};
+    }
     return std::nullopt;
 }
 

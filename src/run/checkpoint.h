@@ -12,7 +12,7 @@
 namespace hinge {
 
 /// To be raised whenever a list of fields changes.
-inline constexpr std::uint32_t checkpoint_format = 38;
+inline constexpr std::uint32_t checkpoint_format = 39;
 
 /// What a checkpoint says before the run itself.
 struct Checkpoint {

@@ -1,6 +1,7 @@
 -- Slabs of floors: panels (model:panel) between the nodes of the members around a floor, inside of them too.
 local hinge = require "hinge.core"
 local check = require "hinge.library.check"
+local stud_rules = require "hinge.model.studs"
 
 local slab = {}
 
@@ -71,10 +72,13 @@ local function inner_node(model, rows, i, j, n, m)
   return model:node(p)
 end
 
--- The nodes of a panel with four sides as rows[i][j], i along the first side.
-local function grid_of(model, panel)
+-- The nodes of a panel with four sides as rows[i][j], i along the first side. own: the slab's node over one of a beam.
+local function grid_of(model, panel, own)
   local sides = {}
-  for i, side in ipairs(panel.sides) do sides[i] = nodes_along(side) end
+  for i, side in ipairs(panel.sides) do
+    sides[i] = nodes_along(side)
+    for k, node in ipairs(own and sides[i] or {}) do sides[i][k] = own(node) end
+  end
   local n, m = #sides[1] - 1, #sides[2] - 1
   local rows = {}
   for i = 0, n do rows[i] = {} end
@@ -108,8 +112,8 @@ local function refuse_wrong(part, options)
 end
 
 -- Lays the panels of one part of the floor, their corners counter-clockwise as seen from above.
-local function lay(model, panel, options, list)
-  local rows, n, m = grid_of(model, panel)
+local function lay(model, panel, options, list, own)
+  local rows, n, m = grid_of(model, panel, own)
   local a, b, d = point(rows[0][0]), point(rows[n][0]), point(rows[0][m])
   local up = (b[1] - a[1]) * (d[2] - a[2]) - (b[2] - a[2]) * (d[1] - a[1]) >= 0
   for i = 0, n - 1 do
@@ -157,11 +161,15 @@ function slab.lay(model, parts, o)
     check.fail("model:floor: field 'slab' is made of nothing; give 'thickness' (m) and 'material', 'concrete', "
       .. "'reinforcement' or 'deck'")
   end
+  local studs = options.studs and stud_rules.read(options.studs)
+  options.studs = nil
   options.mass = o.mass or options.mass
   for _, part in ipairs(parts) do refuse_misfit(part) end
   options.along = options.along or type(o.span) == "table" and o.span or level_axis(parts)
   if parts[1] then refuse_wrong(parts[1], options) end
-  for _, part in ipairs(parts) do lay(model, part, options, list) end
+  local own = studs and stud_rules.nodes(model, parts, studs)
+  for _, part in ipairs(parts) do lay(model, part, options, list, own) end
+  if studs then stud_rules.join(model, parts, studs, nodes_along) end
   load_nodes(model, list, o.loads, o.direction, o.history)
   return list
 end

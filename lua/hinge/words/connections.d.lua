@@ -51,6 +51,12 @@ function model:connector(options) end
 ---connector breaks. The energy that it stored is lost. run.state_changes and events.csv list the break, and run:hinges
 ---rates the largest force so far by it. Default: it never breaks
 ---@field capacity? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number }
+---N, N m: the force at which the spring of `stiffness` in a direction flows, perfectly plastic; xy: the size of the
+---forces along x and y, which then need the same stiffness. Its work is in connector_dissipated. Default: elastic
+---@field yield? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number, xy?: number }
+---m, rad: the plastic deformation, from the declared position, at which the connector breaks; xy: the size of the two.
+---Default: it never breaks by it
+---@field ultimate? { x?: number, y?: number, z?: number, rx?: number, ry?: number, rz?: number, xy?: number }
 
 ---A connector, made by model:connector. Its methods read the given run, or by default the latest run of its model.
 ---@class hinge.connector

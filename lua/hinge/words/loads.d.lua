@@ -156,10 +156,26 @@ function model:floor(options) end
 ---members, bonded to the nodes of their elements, and carry `load` and `mass` at their nodes. Each part must have four
 ---sides, with as many elements on a side as on the one across. The sheet's x axis is `span` where that is a direction,
 ---else the global x axis. `mass` is that of the whole floor; default: of the slab
----@field slab? hinge.panel_options
+---@field slab? hinge.floor_slab
 ---@field direction? vec3 of `load`, of any length; default { 0, 0, -1 }
 ---@field case? hinge.case|string of a `load` that is a number; without it the load acts in every run
 ---@field history? fun(time: number): number|number[][] of `load`, as in model:load
+
+---@class hinge.floor_slab : hinge.panel_options
+---without them the slab is bonded to the nodes of the beams' elements, at the beams' axes
+---@field studs? hinge.studs
+
+---Studs along all beams around the parts of a floor. The slab has nodes of its own, and at each node of the beams'
+---elements a connector stands for the studs on its part of the length. Beam and slab then carry as a composite section
+---with partial interaction; how wide a strip of the slab takes part follows from the slab.
+---@class hinge.studs
+---@field spacing number m, above 0, along the beams
+---@field stiffness number N/m of one stud, above 0, in the plane of the slab; the same holds it to the beam across it
+---N of one stud, in any direction of the plane: it flows at this force. Default: elastic
+---@field capacity? number
+---m, with `capacity`: the plastic slip at which the studs break. Default: never
+---@field slip? number
+---@field height? number m, of the slab's middle above the beams' axes, upward; default 0
 
 ---@class hinge.floor
 ---@field area number m^2, without openings

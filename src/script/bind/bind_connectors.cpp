@@ -66,6 +66,33 @@ std::vector<std::pair<double, double>> read_curve(Options& o, int k) {
     return curve;
 }
 
+/// `yield` needs stiffness, and `ultimate` needs yield, in the same direction.
+void read_limits(Options& o, const Connector& c, const char* field, const char* straight, const char* turning,
+                 ConnectorLimits& limits) {
+    const bool ultimate = &limits == &c.ultimate;
+    o.read_table(field, ultimate ? "{ xy = 6e-3 }" : "{ xy = 60e3 }", [&](Options& in) {
+        in.expect({"x", "y", "z", "rx", "ry", "rz", "xy"});
+        for (int k = 0; k < 6; ++k) {
+            const auto given = in.maybe_number(directions[k], k < 3 ? straight : turning, Range::positive);
+            if (!given) continue;
+            limits.each[k] = *given;
+            if (ultimate ? !std::isfinite(c.yield.each[k]) : !(c.stiffness[k] > 0))
+                in.complain(directions[k], show(*given),
+                            ultimate ? "does not yield in that direction: give it in 'yield' too"
+                                     : "has no stiffness in that direction, which could yield");
+        }
+        const auto both = in.maybe_number("xy", straight, Range::positive);
+        if (!both) return;
+        limits.xy = *both;
+        if (ultimate && !std::isfinite(c.yield.xy))
+            in.complain("xy", show(*both), "x and y do not yield together: give 'xy' in 'yield' too");
+        if (!ultimate && !(c.stiffness[0] > 0 && c.stiffness[0] == c.stiffness[1]))
+            in.complain("xy", show(*both), "needs the same stiffness along x and y, above 0");
+        if (!ultimate && (std::isfinite(c.yield.each[0]) || std::isfinite(c.yield.each[1])))
+            in.complain("xy", show(*both), "is given beside x or y; give one of them");
+    });
+}
+
 [[noreturn]] void refuse_result(const std::string& who, const std::string& what) {
     throw HookError(who + " returned " + what +
                     "; it must return a finite number (N, or N m) and, if it keeps a state, a table of finite numbers "
@@ -174,7 +201,7 @@ void make_connector_metatable(lua_State* L) {
 int add_connector(lua_State* L) {
     auto& m = self<ModelBox>(L, "model:connector").value;
     Options o(L, 2, "model:connector");
-    o.expect({"ground", "axes", "stiffness", "damping", "curve", "law", "capacity"}, 2);
+    o.expect({"ground", "axes", "stiffness", "damping", "curve", "law", "capacity", "yield", "ultimate"}, 2);
     Connector c;
     const bool ground = o.flag("ground", false);
     int nodes[2] = {-1, -1};
@@ -211,6 +238,8 @@ int add_connector(lua_State* L) {
     each_direction(o, "capacity", "forces (N, N m)", [&](int k, Options& in) {
         c.capacity[k] = in.number(directions[k], unit(k, "N", "N m"), Range::positive);
     });
+    read_limits(o, c, "yield", "N", "N m", c.yield);
+    read_limits(o, c, "ultimate", "m", "rad", c.ultimate);
     bool acts = laws || !c.stiffness.isZero(0) || !c.damping.isZero(0);
     for (const auto& curve : c.curve) acts = acts || !curve.empty();
     if (!acts)
