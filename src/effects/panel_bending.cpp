@@ -244,7 +244,10 @@ std::vector<PlanLine> bending_plan(const Structure& s, const RunKind&) {
     const auto& panels = s.model().declared<Panel>(panels_effect);
     const auto n = std::count_if(panels.begin(), panels.end(), bends);
     if (panels.empty()) return {};
-    return {{bending_effect, n > 0, n == 0 ? "no panel has it" : std::to_string(n) + " panels", ""}};
+    const auto layers =
+        std::count_if(panels.begin(), panels.end(), [](const Panel& p) { return p.sheet->bends_by_layers; });
+    const std::string none = layers == 0 ? "no panel has it" : std::to_string(layers) + " bend by their layers";
+    return {{bending_effect, n > 0, n == 0 ? none : std::to_string(n) + " panels", ""}};
 }
 
 /// Their membranes and masses stay.

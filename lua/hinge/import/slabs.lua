@@ -17,8 +17,8 @@ slabs.rules = {
   sheets = { name = text, thickness = optional "number", material = optional "string", hardening = optional "number",
     ultimate_strain = optional "number", concrete = optional "table", reinforcement = optional "table",
     deck = optional "table", along = optional("numbers", { count = 3 }), mass = optional "number",
-    bending = { "bending", optional = true, words = "a table, or false",
-      good = function(v) return v == false or type(v) == "table" end } },
+    bending = { "bending", optional = true, words = "a table, \"layers\" or false",
+      good = function(v) return v == false or v == "layers" or type(v) == "table" end } },
   slabs = { name = text, sheet = text, corners = { "table" }, members = { "table" }, load = optional "table",
     weight = optional("number", { unit = "N/m^2", at_least = 0 }) },
 }

@@ -247,6 +247,20 @@ case("a floor of SAP2000, of ETABS and of the scripts of both moves as the same 
   equal(counts.nodes, hand:counts().nodes, "nodes")
 end)
 
+case("slabs that bend by their layers, with meshes at heights of their own, are built and written", function()
+  local meshes = { { x = 393e-6, y = 393e-6, z = -0.05, yield_stress = 500e6 }, { x = 188e-6, z = 0.05 } }
+  local frame, notes = s2k(two_bays(), { bending = "layers", reinforcement = meshes, sections = asked.sections })
+  expect(tostring(notes):find("2 meshes of bars; bends by its layers", 1, true), "the notes say it:\n%s", notes)
+  local sag = {}
+  local script = import.write(frame, folder .. "/layers.lua")
+  for i, make in ipairs { function() return import.build(frame) end, function() return dofile(script) end } do
+    local model, nodes = make()
+    sag[i] = select(3, nodes["6"]:displacement(solve(model)))
+  end
+  expect(sag[1] < -1e-6, "it sags by %g m", -sag[1])
+  near(sag[2], sag[1], 1e-9, "the script")
+end)
+
 case("weights are those without the option, and the slabs add their own mass alone", function()
   local _, plain_notes = s2k(two_bays())
   for _, way in ipairs { "gravity", "loads" } do
@@ -437,7 +451,7 @@ case("wrong options are told", function()
     ["slabs: unknown field 'bars'"] = { bars = 3 },
     ["field 'panels' is 0; must be a whole number of at least 1"] = { panels = 0 },
     ["slabs.sections['S15']: unknown field 'panels'"] = { sections = { S15 = { panels = 3 } } },
-    ["field 'bending' is true; must be a table, or false"] = { bending = true },
+    ["field 'bending' is true; must be a table, \"layers\" or false"] = { bending = true },
   } do
     refused(words, function() s2k(two_bays(), options) end)
   end

@@ -18,8 +18,8 @@ local of_panel = { thickness = optional("number", { unit = "m", above = 0 }), ma
   hardening = optional "number", ultimate_strain = optional "number", concrete = optional "table",
   reinforcement = optional "table", deck = optional "table", along = optional("numbers", { count = 3 }),
   mass = optional("number", { unit = "kg/m^2", at_least = 0 }),
-  bending = { "bending", optional = true, words = "a table, or false",
-    good = function(v) return v == false or type(v) == "table" end } }
+  bending = { "bending", optional = true, words = "a table, \"layers\" or false",
+    good = function(v) return v == false or v == "layers" or type(v) == "table" end } }
 local of_all = { panels = { "number", whole = true, at_least = 1, at_most = 64, default = 4 },
   sections = { "table", default = {} } }
 for field, rule in pairs(of_panel) do of_all[field] = rule end
@@ -105,7 +105,7 @@ end
 
 -- One level of tables is merged, so that { bending = { sagging = 1e4 } } keeps the stiffness of the file.
 local function merged(base, given)
-  if base == nil or type(given) ~= "table" then
+  if base == nil or type(given) ~= "table" or given[1] then -- a list is taken as it is
     if given == nil then return base end
     return given
   end
@@ -155,7 +155,7 @@ local function plate_of(section, given, material, name)
     bending = given.bending }
   if sheet.bending == nil and (section.modifier ~= 1 or section.bend ~= section.thickness) then
     sheet.bending = bending_of(section, material, thickness)
-  elseif given.bending then
+  elseif type(given.bending) == "table" then
     sheet.bending = merged(bending_of(section, material, thickness), given.bending)
   end
   return sheet, thickness * (material.density or 0)
@@ -176,12 +176,15 @@ local function words(self, sheet, name, concrete, guessed)
     if guessed then list[#list + 1] = "the file does not say of what kind its material is" end
   end
   local r, b = sheet.reinforcement, sheet.bending
-  if r then
+  if r and r[1] then
+    list[#list + 1] = ("%d meshes of bars"):format(#r)
+  elseif r then
     list[#list + 1] = ("bars of %.4g and %.4g m^2/m along x and y, %s"):format(r.x or 0, r.y or 0, r.yield_stress
       and ("yield stress %.4g MPa"):format(r.yield_stress / 1e6) or "elastic: they never yield")
   end
   if b == false then list[#list + 1] = "no bending" end
-  if b and not (b.sagging and b.hogging) then list[#list + 1] = "elastic in bending, uncracked" end
+  if b == "layers" then list[#list + 1] = "bends by its layers" end
+  if type(b) == "table" and not (b.sagging and b.hogging) then list[#list + 1] = "elastic in bending, uncracked" end
   return table.concat(list, "; ")
 end
 
