@@ -266,7 +266,7 @@ for _, axis in ipairs { "x", "y", "z", "rx", "ry", "rz" } do
 end
 subject("connector", { of = { "connector_options" },
   options = { [1] = 2, [2] = 4, axes = { x = { 1.0, 0.1, 0.0 }, y = { 0.0, 1.0, 0.0 } }, stiffness = six,
-    damping = six, capacity = six },
+    damping = six, capacity = six, yield = six, ultimate = six },
   other = { ["[1]"] = 3, ["[2]"] = 3, ["axes.x.1"] = 2.0, ["axes.x.3"] = 0.1, ["axes.y.1"] = "keep",
     ["axes.y.2"] = "keep", ["axes.y.3"] = 0.1 },
   build = on_scene(function(model, o, n) model:connector(merged(o, { n[o[1]], n[o[2]] })) end) })
