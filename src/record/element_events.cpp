@@ -91,17 +91,19 @@ ElementEvent limit_of(const Run& run, int joint, ElementEvent::What what) {
     return {what, 0, at.element, at.end, j.over, value, limit, joint};
 }
 
-/// A connector that has broken by a force; nothing where its node has lost its last member.
+/// A connector that has broken by a force or by its plastic deformation; nothing where its node has lost its last
+/// member, or where panels alone join both of its nodes.
 std::optional<ElementEvent> break_of(const Run& run, int connector) {
     const ConnectorNow& c = run.state().data.find<ConnectorsNow>(connectors_effect)->list[std::size_t(connector)];
     const Connector& is = run.structure().model().declared<Connector>(connectors_effect)[std::size_t(connector)];
-    const JointPlace at = connector_place(run.structure(), connector);
+    const std::optional<JointPlace> at = connector_place(run.structure(), connector);
+    if (!at) return std::nullopt;
     for (int k = 0; k < 6; ++k)
         if (std::abs(c.force[k]) >= is.capacity[k])
             return ElementEvent{ElementEvent::What::connector_break,
                                 0,
-                                at.element,
-                                at.end,
+                                at->element,
+                                at->end,
                                 JointRating::force_x + k,
                                 c.force[k],
                                 is.capacity[k],
@@ -110,8 +112,8 @@ std::optional<ElementEvent> break_of(const Run& run, int connector) {
         const bool both = k == 6;
         return ElementEvent{ElementEvent::What::connector_break,
                             0,
-                            at.element,
-                            at.end,
+                            at->element,
+                            at->end,
                             JointRating::force_x + (both ? 0 : k),
                             both ? std::hypot(c.force[0], c.force[1]) : c.force[k],
                             both ? is.yield.xy : is.yield.each[k],

@@ -48,7 +48,9 @@ void add_connectors(const Run& run, std::vector<JointRating>& list) {
             if (!std::isfinite(declared[i].capacity[k])) continue;
             JointRating r;
             r.joint = int(i), r.connector = true, r.which = JointRating::Which(JointRating::force_x + k);
-            set_place(connector_place(s, int(i)), r);
+            const auto place = connector_place(s, int(i));
+            if (!place) continue;
+            set_place(*place, r);
             r.force = c.broken ? 0 : std::abs(c.force[k]), r.largest_force = c.largest[k];
             r.strength = declared[i].capacity[k];
             r.utilisation = r.force / r.strength;
@@ -81,8 +83,11 @@ JointPlace joint_place(const Structure& s, int joint) {
     return {j.end == 0 ? first : past - 1, j.end + 1, s.model().members()[std::size_t(j.member)].node[j.end]};
 }
 
-JointPlace connector_place(const Structure& s, int connector) {
-    return place_at(s, s.model().declared<Connector>(connectors_effect)[std::size_t(connector)].b);
+std::optional<JointPlace> connector_place(const Structure& s, int connector) {
+    const Connector& c = s.model().declared<Connector>(connectors_effect)[std::size_t(connector)];
+    for (const int node : {c.b, c.a})
+        if (node >= 0 && !s.elements_at(node).empty()) return place_at(s, node);
+    return std::nullopt;
 }
 
 std::vector<JointRating> joint_ratings(const Run& run) {

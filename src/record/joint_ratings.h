@@ -2,6 +2,7 @@
 // each connector that breaks at a force.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,7 +55,8 @@ struct JointPlace {
     int element, end, node;
 };
 JointPlace joint_place(const Structure& structure, int joint);
-JointPlace connector_place(const Structure& structure, int connector);
+/// At its second node, or at its first where panels alone join that one; nothing where they alone join both.
+std::optional<JointPlace> connector_place(const Structure& structure, int connector);
 
 /// All of them, by joint in the order of declaration, then x, y, z, tension, shear; then connectors, of which each
 /// direction with a capacity has one. Pins and rigid axes have none.
