@@ -7,6 +7,7 @@
 
 #include "advice/adviser.h"
 #include "contact/segments.h"
+#include "core/built.h"
 #include "core/text.h"
 #include "effects/contact.h"
 #include "effects/declared.h"

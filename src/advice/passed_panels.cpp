@@ -9,7 +9,7 @@
 namespace hinge {
 namespace {
 
-constexpr int steps_between = 16;    ///< steps between looks at the nodes
+constexpr int looks_between = 16;    ///< steps between looks at the nodes
 constexpr double part_of_panel = 8;  ///< of the smallest panel's width: a motion after which places are compared
 
 /// Finds points whose foot is within a panel at two looks, on its two sides. Not found are points of members and panels
@@ -18,7 +18,7 @@ class PassedPanels : public Adviser {
 public:
     explicit PassedPanels(const Workspace& w) : w_(w), points_(w.structure), last_(w.state.displacement) {}
     void after_commit(const Run&, const Step& step) override {
-        if (++since_ < steps_between && w_.kind.dynamic) return;
+        if (++since_ < looks_between && w_.kind.dynamic) return;
         since_ = 0;
         double moved = 0;
         for (std::size_t n = 0; n < last_.size(); ++n)

@@ -76,6 +76,11 @@ void leave_out(const std::string& effect, Model& model) {
         if (kind.leave_out && effect == kind.name) kind.leave_out(model);
 }
 
+void make_linear(Model& model) {
+    for (const EffectKind& kind : all_effects())
+        if (kind.linear) kind.linear(model);
+}
+
 void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan) {
     for (const EffectKind& kind : all_effects())
         if (std::find(kind.stages.begin(), kind.stages.end(), stage) != kind.stages.end())

@@ -30,6 +30,8 @@ std::vector<PlanLine> plan_of(const Structure& structure, const RunKind& kind);
 /// change nothing.
 std::vector<std::string> optional_effects();
 void leave_out(const std::string& effect, Model& model);
+/// Makes what the effects of a model declare linear (EffectKind::linear).
+void make_linear(Model& model);
 
 /// Counts the time of a stage, s, for the effect that names it (EffectKind::stages), where that is active.
 void add_stage_time(const std::string& stage, double seconds, std::vector<PlanLine>& plan);

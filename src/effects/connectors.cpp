@@ -78,7 +78,7 @@ public:
     bool blocks_follow() const override {
         if (w_.structure.large()) return has_blocks();
         for (std::size_t i = 0; i < now_.size(); ++i)
-            if (!list()[i].broken && !is_linear(declared()[i])) return true;
+            if (!list()[i].broken && !declared()[i].is_linear()) return true;
         return false;
     }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
@@ -154,7 +154,7 @@ public:
 
     bool allows_long_step() const override {
         for (std::size_t i = 0; i < now_.size(); ++i)
-            if (!list()[i].broken && (!is_linear(declared()[i]) || (declared()[i].capacity.array() < infinite).any()))
+            if (!list()[i].broken && (!declared()[i].is_linear() || (declared()[i].capacity.array() < infinite).any()))
                 return false;
         return true;
     }
@@ -212,11 +212,6 @@ private:
     const std::vector<Connector>& declared() const { return declared_; }
     const std::vector<Connector>& declared_ = w_.structure.model().declared<Connector>(connectors_effect);
     std::vector<ConnectorNow>& list() const { return w_.state.data.find<ConnectorsNow>(connectors_effect)->list; }
-
-    static bool is_linear(const Connector& c) {
-        return std::none_of(std::begin(c.curve), std::end(c.curve), [](const Curve& k) { return !k.empty(); }) &&
-               !c.has_law() && !c.yield.any();
-    }
 
     std::string name_of(std::size_t i) const {
         const Connector& c = declared()[i];
@@ -406,6 +401,11 @@ private:
     std::vector<double> damping_;  ///< s: beta of model:damping
 };
 
+void linear_connectors(Model& model) {
+    if (model.declared<Connector>(connectors_effect).empty()) return;
+    for (Connector& c : model.change_declared<Connector>(connectors_effect)) c.yield = c.ultimate = {};
+}
+
 std::vector<PlanLine> connectors_plan(const Structure& s, const RunKind&) {
     const std::size_t n = s.model().declared<Connector>(connectors_effect).size();
     return {{connectors_effect, n > 0, n == 0 ? "not declared" : std::to_string(n) + " by model:connector",
@@ -429,6 +429,7 @@ EffectKind connectors_kind() {
                 return std::make_unique<Connectors>(w, host);
             },
             .leave_out = leave_out_declared<connectors_effect>,
+            .linear = linear_connectors,
             .declarer = {.links =
                              [](const Model& model) {
                                  std::vector<NodeLink> list;

@@ -39,6 +39,10 @@ struct Connector {
     bool has_law() const {
         return std::any_of(std::begin(law), std::end(law), [](const ConnectorLaw& l) { return bool(l); });
     }
+    bool is_linear() const {
+        return std::none_of(std::begin(curve), std::end(curve), [](const auto& points) { return !points.empty(); }) &&
+               !has_law() && !yield.any();
+    }
     template <class Self, class A>
     static void fields(Self& s, A& archive) {
         archive(s.a, s.b, s.axes, s.stiffness, s.damping, s.capacity, s.curve, s.yield, s.ultimate);

@@ -28,6 +28,8 @@ struct EffectKind {
     bool acts_in(const RunKind& run) const { return run.takes(dynamic_only); }
     /// Takes it out of a model, so that a run can do without it (leave_out in all_effects.h); null where none can.
     void (*leave_out)(Model& model) = nullptr;
+    /// Makes what a model declares of it linear, without yielding, cracks and tearing; null where it is.
+    void (*linear)(Model& model) = nullptr;
     /// Damping in proportion to each element's own matrices; empty for none. It goes into the elements' effective
     /// stiffness and shortens explicit steps. The forces are the effect's (Force::add_forces).
     std::vector<ElementDamping> (*damping)(const Structure& structure) = nullptr;

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "effects/kinds.h"
-#include "effects/panels.h"
+#include "effects/placed_bend.h"
 #include "effects/translation_blocks.h"
 
 namespace hinge {
@@ -14,7 +14,6 @@ namespace {
 using panel::Bend;
 using panel::BendingLaw;
 using panel::BendingResponse;
-using panel::Bent;
 
 constexpr const char* bending_effect = "bending of panels";
 
@@ -50,12 +49,10 @@ public:
         ends_.resize(bends_.size());
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (has_ended(i)) continue;
-            const At at = place(i, w_.trial);
+            const PlacedBend& at = place(i, w_.trial);
             ends_[i] = respond(i, at);
             const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * ends_[i].moment);
-            const panel::Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
-            for (std::size_t j = 0; j < bends_[i].nodes.size(); ++j)
-                resisting[bends_[i].nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * m;
+            at.add_forces(bends_[i], w_.structure, m, resisting);
         }
     }
     bool has_blocks() const override {
@@ -68,10 +65,10 @@ public:
     }
     bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        add_stiffness(at, blocks, [&](std::size_t i, const At& placed) { return respond(i, placed).tangent; });
+        add_stiffness(at, blocks, [&](std::size_t i, const PlacedBend& placed) { return respond(i, placed).tangent; });
     }
     void add_stiffest(Blocks& most) const override {
-        add_stiffness(w_.state, most, [&](std::size_t i, const At&) {
+        add_stiffness(w_.state, most, [&](std::size_t i, const PlacedBend&) {
             double before[panel::bending_history] = {}, after[panel::bending_history];
             return panel::bend(laws_[i], Vec3::Zero(), before, after).tangent;
         });
@@ -148,30 +145,16 @@ public:
     }
 
 private:
-    struct At {
-        std::vector<Vec3> places, moved;  ///< of the bend's nodes, from the first one's place at the start
-        Bent bent;
-    };
-
     const std::vector<Panel>& declared() const { return declared_; }
     const std::vector<Panel>& declared_ = w_.structure.model().declared<Panel>(panels_effect);
     BendingNow& now() const { return *w_.state.data.find<BendingNow>(bending_effect); }
 
     /// Each has the mean of its panels' properties.
     void make_bends() {
-        std::vector<panel::Corners> corners;
-        std::vector<int> which;
-        for (std::size_t i = 0; i < declared().size(); ++i) {
-            const Panel& p = declared()[i];
-            if (!bends(p)) continue;
-            corners.push_back({p.nodes, shape_of_panel(w_.structure.model(), p).area, p.sheet->bending.poisson});
-            which.push_back(int(i));
-        }
-        bends_ = panel::bends_of(corners, w_.structure.position());
-        for (Bend& b : bends_) {
+        bends_ = bends_of(w_.structure, declared(), bends, [](const Panel& p) { return p.sheet->bending.poisson; });
+        for (const Bend& b : bends_) {
             BendingLaw mean{0, 0, 0, 0};
-            for (int& p : b.panels) {
-                p = which[std::size_t(p)];
+            for (const int p : b.panels) {
                 const BendingLaw& own = declared()[std::size_t(p)].sheet->bending;
                 const double part = 1 / double(b.panels.size());
                 mean.stiffness += part * own.stiffness, mean.poisson += part * own.poisson;
@@ -190,21 +173,12 @@ private:
                                              [&](int p) { return panels.on_trial[std::size_t(p)] != 0; });
     }
 
-    At place(std::size_t i, const Pose& pose) const {
-        const Bend& b = bends_[i];
-        At at;
-        const bool large = w_.structure.large();
-        const Vec3 origin = w_.structure.position()[b.nodes[0]], by = pose.displacement[b.nodes[0]];
-        for (const int n : b.nodes) {
-            const Vec3 start = w_.structure.position()[n] - origin, moved = pose.displacement[n] - by;
-            at.places.push_back(large ? Vec3(start + moved) : start);
-            at.moved.push_back(large ? at.places.back() : moved);
-        }
-        at.bent = panel::bent(b, at.places, at.moved, large);
-        return at;
+    const PlacedBend& place(std::size_t i, const Pose& pose) const {
+        placed_.find(bends_[i], w_.structure, pose);
+        return placed_;
     }
     /// Writes what the bend keeps into next_.
-    BendingResponse respond(std::size_t i, const At& at) const {
+    BendingResponse respond(std::size_t i, const PlacedBend& at) const {
         const std::size_t history = panel::bending_history * i;
         return panel::bend(laws_[i], bends_[i].to_frame * at.bent.derivative, &now().history[history], &next_[history]);
     }
@@ -215,9 +189,9 @@ private:
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (has_ended(i)) continue;
             const Bend& b = bends_[i];
-            const At at = place(i, pose);
+            const PlacedBend& at = place(i, pose);
             const Mat3 D = b.area * (b.to_frame.transpose() * of(i, at) * b.to_frame);
-            const panel::Gradient G = panel::gradient(b, at.bent, at.places, w_.structure.large());
+            const panel::Gradient G = at.gradient(b, w_.structure);
             const panel::Gradient DG = D * G;
             const int n = int(b.nodes.size());
             for (int j = 0; j < n; ++j)
@@ -235,6 +209,7 @@ private:
     std::vector<Bend> bends_;
     std::vector<BendingLaw> laws_;         ///< of each
     std::vector<std::vector<int>> place_;  ///< of each: those of its nodes in the blocks
+    mutable PlacedBend placed_;            ///< the one that was asked for last
     mutable TranslationBlocks blocks_;     ///< a sum that is listed at once
     mutable std::vector<double> next_;     ///< BendingNow::history where moments were found last
     mutable std::vector<BendingResponse> ends_;

@@ -10,28 +10,18 @@ using panel::Gradient;
 PanelCurvature::PanelCurvature(Workspace& w, const std::vector<Panel>& declared,
                                const std::vector<panel::Shape>& shapes)
     : w_(w), declared_(declared) {
-    std::vector<panel::Corners> corners;
-    std::vector<int> which;
+    bends_ = bends_of(
+        w.structure, declared, [](const Panel& p) { return p.sheet->bends_by_layers; },
+        [](const Panel& p) { return p.sheet->poisson(); });
+    if (std::none_of(declared.begin(), declared.end(), [](const Panel& p) { return p.sheet->bends_by_layers; })) return;
+    of_.resize(declared.size());
     for (std::size_t i = 0; i < declared.size(); ++i) {
         if (!declared[i].sheet->bends_by_layers) continue;
-        corners.push_back({declared[i].nodes, shapes[i].area, declared[i].sheet->poisson()});
-        which.push_back(int(i));
-    }
-    if (corners.empty()) {
-        w.state.data.erase(name);
-        return;
-    }
-    bends_ = panel::bends_of(corners, w.structure.position());
-    of_.resize(declared.size());
-    for (const int p : which) {
-        OfPanel& of = of_[std::size_t(p)];
-        of.nodes = declared[std::size_t(p)].nodes, of.own = panel::own_strains_of(shapes[std::size_t(p)]);
+        of_[i].nodes = declared[i].nodes;
+        of_[i].own = panel::own_strains_of(*declared[i].sheet, shapes[i]);
     }
     for (std::size_t b = 0; b < bends_.size(); ++b)
-        for (int& p : bends_[b].panels) {
-            p = which[std::size_t(p)];
-            add_corner(int(b), p, shapes[std::size_t(p)].axes);
-        }
+        for (const int p : bends_[b].panels) add_corner(int(b), p, shapes[std::size_t(p)].axes);
     placed_.resize(bends_.size());
 }
 
@@ -56,6 +46,7 @@ void PanelCurvature::add_corner(int bend, int panel, const Mat3& sheet) {
 }
 
 void PanelCurvature::begin() {
+    if (bends_.empty()) w_.state.data.erase(name);
     if (bends_.empty() || (w_.state.data.find<CurvatureNow>(name) && fits(w_.state))) return;
     w_.state.data.set(name, CurvatureNow{});
     now().ended.resize(bends_.size(), 0), now().kept.resize(bends_.size(), Vec3::Zero());
@@ -72,21 +63,11 @@ void PanelCurvature::find_places(const TranslationBlocks& blocks) {
 }
 
 void PanelCurvature::place(const Pose& pose) {
-    const bool large = w_.structure.large();
     for (std::size_t i = 0; i < bends_.size(); ++i) {
-        const Bend& b = bends_[i];
         Placed& at = placed_[i];
-        const Vec3 origin = w_.structure.position()[b.nodes[0]], by = pose.displacement[b.nodes[0]];
-        at.places.resize(b.nodes.size()), at.moved.resize(b.nodes.size());
-        for (std::size_t k = 0; k < b.nodes.size(); ++k) {
-            const Vec3 start = w_.structure.position()[b.nodes[k]] - origin;
-            const Vec3 moved = pose.displacement[b.nodes[k]] - by;
-            at.places[k] = large ? Vec3(start + moved) : start;
-            at.moved[k] = large ? at.places[k] : moved;
-        }
+        at.find(bends_[i], w_.structure, pose);
         at.moment.setZero();
         at.acts = !now().ended[i];
-        at.bent = panel::bent(b, at.places, at.moved, large);
         at.derivative = at.acts ? at.bent.derivative : now().kept[i];
     }
 }
@@ -108,10 +89,7 @@ void PanelCurvature::add_moments(std::size_t panel, const std::array<Vec3, 4>& m
 void PanelCurvature::add_forces(std::vector<Vec6>& resisting) {
     for (std::size_t i = 0; i < bends_.size(); ++i) {
         const Placed& at = placed_[i];
-        if (!at.acts) continue;
-        const Gradient G = panel::gradient(bends_[i], at.bent, at.places, w_.structure.large());
-        for (std::size_t j = 0; j < bends_[i].nodes.size(); ++j)
-            resisting[bends_[i].nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * at.moment;
+        if (at.acts) at.add_forces(bends_[i], w_.structure, at.moment, resisting);
     }
 }
 
@@ -126,8 +104,7 @@ void PanelCurvature::add_stiffness(std::size_t panel, const panel::Shape& shape,
         const Corner& corner = of.corner[c];
         if (corner.bend < 0 || !placed_[std::size_t(corner.bend)].acts) continue;
         const Placed& bent = placed_[std::size_t(corner.bend)];
-        const Gradient G = corner.to_sheet * panel::gradient(bends_[std::size_t(corner.bend)], bent.bent, bent.places,
-                                                             w_.structure.large());
+        const Gradient G = corner.to_sheet * bent.gradient(bends_[std::size_t(corner.bend)], w_.structure);
         for (std::size_t j = 0; j < corner.node.size(); ++j)
             W.block<3, 3>(5 + 3 * c, 3 * corner.node[j]) += G.block<3, 3>(0, 3 * int(j));
     }

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "effects/panels.h"
+#include "effects/placed_bend.h"
 #include "effects/translation_blocks.h"
 #include "panel/response.h"
 
@@ -49,9 +49,7 @@ public:
     bool fits(const State& state) const;
 
 private:
-    struct Placed {
-        std::vector<Vec3> places, moved;  ///< of the bend's nodes, from the first one's place at the start
-        panel::Bent bent;
+    struct Placed : PlacedBend {
         Vec3 derivative = Vec3::Zero();  ///< that counts
         Vec3 moment = Vec3::Zero();      ///< work per change of the derivatives, N m^2
         bool acts = true;

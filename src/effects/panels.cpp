@@ -126,6 +126,7 @@ public:
             n.force[i] = e.resultants.mean / shape_[i].area;
             n.stored[i] = e.stored;
             n.used[i] = std::max(n.used[i], e.used);
+            if (e.left > n.left) n.left = e.left, n.left_in = int(i);
             if (e.tears) tear(i, e.tears, e, w_.kind.dynamic ? step.end() : w_.factor), any = true;
         }
         curvature_->keep();
@@ -313,6 +314,15 @@ private:
     mutable std::vector<Evaluated> ends_;  ///< where the step has ended
 };
 
+void linear_panels(Model& model) {
+    if (panels_of(model).empty()) return;
+    std::shared_ptr<const panel::Sheet> from, to;  // many panels have the same
+    for (Panel& p : model.change_declared<Panel>(panels_effect)) {
+        if (p.sheet != from) from = p.sheet, to = std::make_shared<panel::Sheet>(from->linear());
+        p.sheet = to;
+    }
+}
+
 std::vector<PlanLine> panels_plan(const Structure& s, const RunKind&) {
     const std::size_t n = panels_of(s.model()).size();
     return {{panels_effect, n > 0, n == 0 ? "not declared" : std::to_string(n) + " by model:panel",
@@ -325,15 +335,6 @@ panel::Shape shape_of_panel(const Model& model, const Panel& p) {
     std::array<Vec3, 4> places;
     for (std::size_t k = 0; k < p.nodes.size(); ++k) places[k] = model.nodes()[p.nodes[k]].position;
     return panel::shape_of({places.data(), p.nodes.size()}, p.along, p.sheet->poisson());
-}
-
-void make_panels_linear(Model& model) {
-    if (panels_of(model).empty()) return;
-    std::shared_ptr<const panel::Sheet> from, to;  // many panels have the same
-    for (Panel& p : model.change_declared<Panel>(panels_effect)) {
-        if (p.sheet != from) from = p.sheet, to = std::make_shared<panel::Sheet>(from->linear());
-        p.sheet = to;
-    }
 }
 
 double alpha_of_panels(const Structure& structure) {
@@ -362,6 +363,7 @@ EffectKind panels_kind() {
             return std::make_unique<Panels>(w, host);
         },
         .leave_out = leave_out_declared<panels_effect>,
+        .linear = linear_panels,
         .declarer = {
             .masses =
                 [](const Model& model) {

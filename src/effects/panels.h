@@ -20,9 +20,11 @@ struct PanelsNow {
     std::vector<double> used;        ///< largest part of its ultimate strain that a layer has reached
     std::vector<double> stored;      ///< J
     std::vector<char> on_trial;      ///< statics: 1 where all layers tear at the place that is tried
+    double left = 0;                 ///< largest PanelResponse::left of a step that was kept
+    int left_in = 0;                 ///< the panel that had it
     template <class Self, class A>
     static void fields(Self& s, A& a) {
-        a(s.history, s.torn, s.torn_at, s.force, s.used, s.stored, s.on_trial);
+        a(s.history, s.torn, s.torn_at, s.force, s.used, s.stored, s.on_trial, s.left, s.left_in);
     }
 };
 
@@ -34,9 +36,6 @@ const PanelsNow* panels_now(const State& state);
 inline bool is_torn(const PanelsNow& now, const Panel& panel, std::size_t i) {
     return now.torn[i] == (1u << panel.sheet->layers.size()) - 1;
 }
-
-/// Panels that neither yield nor crack nor tear.
-void make_panels_linear(Model& model);
 
 /// alpha of model:damping of the masses on nodes that panels alone join, 1/s: that of the last declaration for the
 /// whole model.

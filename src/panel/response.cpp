@@ -14,7 +14,7 @@ using Mat7 = Eigen::Matrix<double, own_strains, own_strains>;
 using Mat3x17 = Eigen::Matrix<double, 3, 17>;
 
 constexpr int most_rounds = 40, most_cuts = 10;
-constexpr double settled = 1e-6;    ///< of the membrane forces: what its own strains may leave. Its work is not booked
+constexpr double settled = 1e-6;    ///< of the membrane forces: what its own strains may leave
 constexpr double supported = 1e-4;  ///< of the elastic stiffness, which a cracked section is given in the search
 constexpr double seen = 1e-3;       ///< the same, in the stiffness that others see
 
@@ -92,8 +92,7 @@ public:
           bending_(bending),
           before_(before),
           after_(after),
-          size_(sheet.history_size()),
-          elastic_(sheet.elastic().membrane) {}
+          size_(sheet.history_size()) {}
 
     PanelResponse find() {
         own_ = Eigen::Map<const Vec7>(before_ + 4 * size_);
@@ -122,18 +121,19 @@ public:
             if (!has_tangent) evaluate(true);
             condense();
         }
+        e_.left = left_.norm() / size_of_forces_;
         return e_;
     }
 
 private:
     void evaluate(bool with_tangent) {
         e_ = {};
-        left_.setZero(), size_of_forces_ = 1e-5 * elastic_.trace() * shape_.area;
+        left_.setZero(), size_of_forces_ = 1e-5 * bending_.own->elastic.trace() * shape_.area;
         for (int k = 0; k < 4; ++k) {
             const Point& point = shape_.point[k];
-            const Mat37& A = (*bending_.own)[std::size_t(k)];
+            const Mat37& A = bending_.own->at[std::size_t(k)];
             const Vec3 strain = at_.strain + point.P * at_.p + A * own_;
-            points_[k] = add_layers(sheet_, point.area, strain, &(*bending_.at)[std::size_t(k)], at_.large, gone_,
+            points_[k] = add_layers(sheet_, point.area, strain, &(*bending_.curved)[std::size_t(k)], at_.large, gone_,
                                     with_tangent, before_ + k * size_, after_ + k * size_, e_);
             const Vec3 of = point.area * points_[k].stress;
             left_ += A.transpose() * of;
@@ -145,8 +145,9 @@ private:
     Mat7 stiffness(double part) const {
         Mat7 sum = Mat7::Zero();
         for (int k = 0; k < 4; ++k) {
-            const Mat37& A = (*bending_.own)[std::size_t(k)];
-            sum += shape_.point[k].area * (A.transpose() * (points_[k].tangent.membrane + part * elastic_) * A);
+            const Mat37& A = bending_.own->at[std::size_t(k)];
+            sum += shape_.point[k].area *
+                   (A.transpose() * (points_[k].tangent.membrane + part * bending_.own->elastic) * A);
         }
         return sum;
     }
@@ -159,7 +160,7 @@ private:
             add_section(shape_.point[k], k, t, H);
             Mat3x17 of = t.membrane * strain_at(shape_.point[k]);
             of.middleCols<3>(5 + 3 * k) += t.coupling;
-            across += shape_.point[k].area * ((*bending_.own)[std::size_t(k)].transpose() * of);
+            across += shape_.point[k].area * (bending_.own->at[std::size_t(k)].transpose() * of);
         }
         H -= across.transpose() * stiffness(seen).ldlt().solve(across);
     }
@@ -172,7 +173,6 @@ private:
     const double* before_;
     double* after_;
     int size_;
-    Mat3 elastic_;
     PanelResponse e_;
     AtPoint points_[4];
     Vec7 own_, left_;
@@ -181,7 +181,7 @@ private:
 
 }  // namespace
 
-OwnStrains own_strains_of(const Shape& s) {
+OwnStrains own_strains_of(const Sheet& sheet, const Shape& s) {
     Eigen::Matrix<double, 12, 5> forms;
     for (int k = 0; k < 4; ++k) {
         const double root = std::sqrt(s.point[k].area);
@@ -189,9 +189,9 @@ OwnStrains own_strains_of(const Shape& s) {
         forms.block<3, 2>(3 * k, 3) = root / s.area * s.point[k].S;
     }
     const Eigen::Matrix<double, 12, 12> Q = forms.householderQr().householderQ();
-    OwnStrains own;
+    OwnStrains own{{}, sheet.elastic().membrane};
     for (int k = 0; k < 4; ++k)
-        own[std::size_t(k)] = std::sqrt(s.area / s.point[k].area) * Q.block<3, own_strains>(3 * k, 5);
+        own.at[std::size_t(k)] = std::sqrt(s.area / s.point[k].area) * Q.block<3, own_strains>(3 * k, 5);
     return own;
 }
 
@@ -215,7 +215,7 @@ int history_size(const Sheet& sheet, const Shape& shape) {
 
 PanelResponse respond(const Sheet& sheet, const Shape& shape, const Placed& at, std::uint8_t gone, bool with_tangent,
                       const Bending& bending, const double* before, double* after) {
-    if (bending.at) return Bent4(sheet, shape, at, gone, bending, before, after).find();
+    if (bending.curved) return Bent4(sheet, shape, at, gone, bending, before, after).find();
     PanelResponse e;
     const int size = sheet.history_size();
     for (int k = 0; k < shape.points; ++k) {

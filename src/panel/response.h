@@ -5,6 +5,7 @@
 // panel cannot follow, so that a panel which bends by its layers has strains of its own at its points, A_k times seven
 // numbers, which do no work on membrane forces of the five forms that a panel has (Simo and Rifai 1990, enhanced
 // assumed strain). They are found so that its membrane forces are of these forms.
+// Where the search ends without them, PanelResponse::left says so; the energy balance lacks the work of what is left.
 #pragma once
 
 #include <array>
@@ -15,7 +16,6 @@
 
 namespace hinge::panel {
 
-inline constexpr std::size_t most_layers = 8;
 inline constexpr std::uint8_t all_layers = 255;  ///< a bit for each
 
 /// How the middle plane is curved at each point, in the sheet's axes: [k11, k22, 2 k12], 1/m. Positive where the side
@@ -24,8 +24,11 @@ using Curvatures = std::array<Vec3, 4>;
 
 inline constexpr int own_strains = 7;
 using Mat37 = Eigen::Matrix<double, 3, own_strains>;
-using OwnStrains = std::array<Mat37, 4>;  ///< A_k, of each point
-OwnStrains own_strains_of(const Shape& quadrilateral);
+struct OwnStrains {
+    std::array<Mat37, 4> at;      ///< A_k, of each point
+    Mat3 elastic = Mat3::Zero();  ///< the sheet's membrane stiffness, N/m
+};
+OwnStrains own_strains_of(const Sheet& sheet, const Shape& quadrilateral);
 
 /// Stiffness of a panel: of its mean strain and p (5) and of the curvature at each of its points (3 each).
 using Mat17 = Eigen::Matrix<double, 17, 17>;
@@ -37,11 +40,12 @@ struct PanelResponse {
     double stored = 0, dissipated = 0, used = 0;  ///< J, J, part of the ultimate strain
     std::array<double, most_layers> stored_in{};  ///< each layer, J
     std::uint8_t tears = 0;                       ///< layers that reach their ultimate strain
+    double left = 0;                              ///< part of the membrane forces that is not of the five forms
 };
 
-/// A panel that bends by its layers: null, null for one that does not.
+/// Of a panel that bends by its layers; nothing of one that does not.
 struct Bending {
-    const Curvatures* at = nullptr;
+    const Curvatures* curved = nullptr;
     const OwnStrains* own = nullptr;
     Mat17* tangent = nullptr;  ///< null: not asked for
 };

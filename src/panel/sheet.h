@@ -67,6 +67,8 @@ struct SectionTangent {
     }
 };
 
+inline constexpr std::size_t most_layers = 8;  ///< of a sheet
+
 struct Sheet {
     std::vector<Layer> layers;
     double mass = 0;  ///< kg/m^2

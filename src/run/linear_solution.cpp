@@ -6,7 +6,6 @@
 #include "algebra/modes.h"
 #include "core/errors.h"
 #include "effects/all_effects.h"
-#include "effects/panels.h"
 #include "state/bodies.h"
 
 namespace hinge {
@@ -15,7 +14,7 @@ LinearSolution solve_linearly(const Model& model, std::vector<std::uint8_t> held
     auto linear = std::make_shared<Model>(model);
     linear->lock(false);
     for (const char* effect : {"large displacement", "plasticity", "fracture", "contact"}) leave_out(effect, *linear);
-    make_panels_linear(*linear);
+    make_linear(*linear);
     const auto structure = std::make_shared<const Structure>(linear);
     const State start = initial_state(*structure);
     StaticSettings settings;

@@ -2,6 +2,7 @@
 #include "effects/panels.h"
 
 #include <numbers>
+#include <utility>
 
 #include "section/material_law.h"
 #include "script/bind/model_methods.h"
@@ -111,7 +112,8 @@ void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
     constexpr const char* example = "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }";
     lua_State* L = o.L();
     const int type = o.push_field("reinforcement");
-    const lua_Integer meshes = type == LUA_TTABLE ? lua_Integer(lua_rawlen(L, -1)) : 0;
+    const bool list = type == LUA_TTABLE && lua_rawlen(L, -1) > 0;
+    const lua_Integer meshes = list ? list_length(L, lua_gettop(L), o.function() + ": field 'reinforcement'") : 0;
     if (meshes == 0) o.read_table("reinforcement", example, [&](Options& in) { read_mesh(in, sheet); });
     for (lua_Integer i = 1; i <= meshes; ++i) {
         const std::string which = "reinforcement[" + std::to_string(i) + "]";
@@ -133,8 +135,8 @@ void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
     });
 }
 
-/// Levels of a layer through its thickness, at the points of Gauss: their number bends as the layer does, exactly while
-/// it is elastic.
+/// Divides a layer into levels through its thickness, at the points of Gauss: while elastic they bend exactly as it
+/// does.
 void divide(Layer& layer, int count) {
     const double middle = layer.levels[0].z;
     layer.levels.clear();
@@ -218,6 +220,10 @@ std::shared_ptr<const Sheet> read_sheet(Options& o) {
         throw InputError(o.function() +
                          ": it is made of nothing; give 'thickness' (m) and 'material', 'concrete', 'reinforcement' or "
                          "'deck'");
+    if (sheet->layers.size() > panel::most_layers)
+        throw InputError(o.function() + ": it is made of " + std::to_string(sheet->layers.size()) +
+                         " layers; a panel has " + std::to_string(panel::most_layers) +
+                         " at most, with x and y of a mesh as one each");
     read_bending(o, *sheet);
     sheet->mass = o.number("mass", "kg/m^2", Range::not_negative, mass);
     return sheet;
@@ -344,7 +350,7 @@ int add_panel(lua_State* L) {
         throw InputError(
             "model:panel: its nodes enclose no area, or one of its corners points inward; give them in their order "
             "around it, each corner pointing outward");
-    if (corners == 3 && o.has("bending") && p.sheet->bending.stiffness > 0)
+    if (corners == 3 && (p.sheet->bends_by_layers || (o.has("bending") && p.sheet->bending.stiffness > 0)))
         o.complain("bending", "given to a triangle", "triangles do not bend; leave it out, or give four nodes");
     if (const double off = off_plane(*m, p, shape); off > flat * std::sqrt(shape.area))
         throw InputError("model:panel: its nodes stand " + show(off) +

@@ -189,6 +189,12 @@ case("wrong layers are refused, and lay nothing", function()
   refused("another word", "bending", { reinforcement = { x = area }, bending = "layer" })
   refused("a mesh that is no table", "reinforcement[2]", { reinforcement = { { x = area }, 3 }, bending = "layers" })
   refused("bars outside of the concrete", "z", concrete(0.2))
+  local many = {}
+  for i = 1, 4 do many[i] = { x = area, y = area, z = 0.01 * i } end
+  refused("more layers than a panel has", "9 layers", concrete(0, { reinforcement = many }))
+  refused("a list with other fields", "reinforcement", concrete(0, { reinforcement = { { x = area }, y = area } }))
+  n[4] = nil
+  refused("a triangle", "triangles do not bend", concrete(-0.03))
 end)
 
 checks.done()
