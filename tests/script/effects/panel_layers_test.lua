@@ -102,6 +102,7 @@ case("a strip carries its plastic moment, sagging and hogging, in as many panels
   near("hogging", 1.2 * limit { q = -1.2 * q, sheet = concrete(0.03) }, 1, 0.015)
   near("upside down", 1.2 * limit { q = 1.2 * q, sheet = concrete(0.03), upside_down = true }, 1, 0.015)
   near("turned by 40 degrees", 1.2 * limit { q = 1.2 * q, sheet = concrete(-0.03), turn = 0.7 }, 1, 0.015)
+  near("bars at 45 degrees", 1.2 * limit { q = 1.2 * q, sheet = concrete(-0.03, { along = { 1, 1, 0 } }) }, 1, 0.015)
   local two = { { x = area, z = -0.03, yield_stress = yield }, { y = 4 * area, z = -0.03, yield_stress = yield } }
   near("bars across it do not count", 1.2 * limit { q = 1.2 * q, sheet = concrete(0, { reinforcement = two }) }, 1,
     0.015)
