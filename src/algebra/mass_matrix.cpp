@@ -215,9 +215,10 @@ void Mass::renew_lumped(const std::vector<int>& elements, const State& state, co
     heavy_.clear();
     for (std::size_t i = 0; i < stale.size(); ++i) {
         if (!stale[i] && !has_offset_mass(state, int(i))) continue;
-        const LumpedMass lumped = lumped_mass_at(structure_, state, int(i));
+        LumpedMass lumped = lumped_mass_at(structure_, state, int(i));
+        if (has_offset_mass(state, int(i)) && state.offset_mass[i].is_point()) lumped.mass += state.offset_mass[i].mass;
         lumped_inverse_[i] = lumped.inverse(state.held[i]);
-        if (!has_offset_mass(state, int(i))) continue;
+        if (!has_offset_mass(state, int(i)) || state.offset_mass[i].is_point()) continue;
         Heavy h{int(i), Mat6::Zero(), {}, {}};
         h.elements.diagonal() << Vec3::Constant(lumped.mass), Vec3::Constant(lumped.rotary);
         heavy_.push_back(h);
@@ -300,6 +301,8 @@ Mat6 Mass::lumped_at(int node, const State& state) const {
     const LumpedMass own = lumped_mass_at(structure_, state, node);
     Mat6 M = Mat6::Zero();
     M.diagonal() << Vec3::Constant(own.mass), Vec3::Constant(own.rotary);
+    if (has_offset_mass(state, node) && state.offset_mass[node].is_point())
+        M.diagonal().head<3>().array() += state.offset_mass[node].mass;
     for (const Heavy& h : heavy_)
         if (h.node == node) M += h.offsets;
     return M;

@@ -155,8 +155,7 @@ private:
         points_.clear(), carriers_.clear();
         for (std::size_t i = 0; i < w_.state.offset_mass.size(); ++i) {
             const OffsetMass& h = w_.state.offset_mass[i];
-            const bool in_node = h.moment.isZero(0) && h.inertia.isZero(0);
-            if (h.mass != 0) (in_node ? points_ : carriers_).push_back(int(i));
+            if (h.mass != 0) (h.is_point() ? points_ : carriers_).push_back(int(i));
         }
         for (std::vector<Vec3>* rates : {&rate_, &next_rate_, &tried_rate_})
             rates->resize(w_.state.offset_mass.size(), Vec3::Zero());

@@ -50,7 +50,7 @@ public:
         for (std::size_t i = 0; i < bends_.size(); ++i) {
             if (has_ended(i)) continue;
             const PlacedBend& at = place(i, w_.trial);
-            ends_[i] = respond(i, at);
+            ends_[i] = respond(i, at, false);
             const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * ends_[i].moment);
             at.add_forces(bends_[i], w_.structure, m, resisting);
         }
@@ -65,7 +65,8 @@ public:
     }
     bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        add_stiffness(at, blocks, [&](std::size_t i, const PlacedBend& placed) { return respond(i, placed).tangent; });
+        add_stiffness(at, blocks,
+                      [&](std::size_t i, const PlacedBend& placed) { return respond(i, placed, true).tangent; });
     }
     void add_stiffest(Blocks& most) const override {
         add_stiffness(w_.state, most, [&](std::size_t i, const PlacedBend&) {
@@ -93,7 +94,7 @@ public:
                 continue;
             }
             if (!w_.kind.explicit_steps)  // else nothing has moved since the forces were found
-                ends_[i] = respond(i, place(i, w_.trial));
+                ends_[i] = respond(i, place(i, w_.trial), false);
             dissipated += bends_[i].area * ends_[i].dissipated;
         }
         sums["panel_dissipated"] += dissipated;
@@ -178,9 +179,10 @@ private:
         return placed_;
     }
     /// Writes what the bend keeps into next_.
-    BendingResponse respond(std::size_t i, const PlacedBend& at) const {
+    BendingResponse respond(std::size_t i, const PlacedBend& at, bool with_tangent) const {
         const std::size_t history = panel::bending_history * i;
-        return panel::bend(laws_[i], bends_[i].to_frame * at.bent.derivative, &now().history[history], &next_[history]);
+        return panel::bend(laws_[i], bends_[i].to_frame * at.bent.derivative, &now().history[history], &next_[history],
+                           with_tangent);
     }
 
     template <class F>

@@ -221,11 +221,9 @@ private:
 
     Placed place(std::size_t i, const Pose& at) const {
         const Panel& p = declared()[i];
-        std::array<Vec3, 4> places, moved;
-        for (std::size_t k = 0; k < p.nodes.size(); ++k)
-            places[k] = w_.structure.position()[p.nodes[k]], moved[k] = at.displacement[p.nodes[k]];
-        return panel::place(shape_[i], {places.data(), p.nodes.size()}, {moved.data(), p.nodes.size()},
-                            w_.structure.large());
+        std::array<Vec3, 4> moved;
+        for (std::size_t k = 0; k < p.nodes.size(); ++k) moved[k] = at.displacement[p.nodes[k]];
+        return panel::place(shape_[i], {moved.data(), p.nodes.size()}, w_.structure.large());
     }
 
     /// d(resultants)/d(strain, p) of one stiffness at all points.

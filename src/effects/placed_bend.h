@@ -48,10 +48,13 @@ struct PlacedBend {
     /// `moment`: work per change of its three derivatives, N m^2.
     void add_forces(const panel::Bend& bend, const Structure& structure, const Vec3& moment,
                     std::vector<Vec6>& resisting) const {
-        const panel::Gradient G = gradient(bend, structure);
-        for (std::size_t j = 0; j < bend.nodes.size(); ++j)
-            resisting[bend.nodes[j]].head<3>() += G.block<3, 3>(0, 3 * int(j)).transpose() * moment;
+        forces.assign(bend.nodes.size(), Vec3::Zero());
+        panel::add_forces(bend, bent, places, structure.large(), moment, forces);
+        for (std::size_t j = 0; j < bend.nodes.size(); ++j) resisting[bend.nodes[j]].head<3>() += forces[j];
     }
+
+private:
+    mutable std::vector<Vec3> forces;
 };
 
 }  // namespace hinge

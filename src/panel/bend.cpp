@@ -168,6 +168,24 @@ private:
     Lines lines_;
 };
 
+/// Derivative of n . d by the places of the nodes, d constant: the normal rotates. f(j, derivative).
+template <class F>
+void for_each_turn(const Bend& bend, const Bent& at, std::span<const Vec3> places, const Vec3& d, F f) {
+    const Vec3 g = (d - at.normal.dot(d) * at.normal) / at.sum.norm();
+    for (const auto& k : bend.around) {
+        const bool quad = k[3] >= 0;
+        const Vec3 u = places[k[2]] - places[k[0]],
+                   v = quad ? Vec3(places[k[3]] - places[k[1]]) : Vec3(places[k[1]] - places[k[0]]);
+        if (quad) {  // u x v
+            const Vec3 of_u = v.cross(g), of_v = g.cross(u);
+            f(k[2], of_u), f(k[0], -of_u), f(k[3], of_v), f(k[1], -of_v);
+        } else {  // v x u
+            const Vec3 of_v = u.cross(g), of_u = g.cross(v);
+            f(k[1], of_v), f(k[2], of_u), f(k[0], -of_u - of_v);
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<Bend> bends_of(std::span<const Corners> panels, std::span<const Vec3> place) {
@@ -198,26 +216,25 @@ Gradient gradient(const Bend& bend, const Bent& at, std::span<const Vec3> places
         for (std::size_t j = 0; j < bend.nodes.size(); ++j)
             G.block<1, 3>(c, 3 * j) = bend.weight[j][c] * at.normal.transpose();
     if (!large) return G;
-    for (int c = 0; c < 3; ++c) {  // the normal rotates
-        const Vec3 g = (at.d[c] - at.normal.dot(at.d[c]) * at.normal) / at.sum.norm();
-        const auto add = [&](int j, const Vec3& v) { G.block<1, 3>(c, 3 * j) += v.transpose(); };
-        for (const auto& k : bend.around) {
-            const bool quad = k[3] >= 0;
-            const Vec3 u = places[k[2]] - places[k[0]],
-                       v = quad ? Vec3(places[k[3]] - places[k[1]]) : Vec3(places[k[1]] - places[k[0]]);
-            if (quad) {  // u x v
-                const Vec3 of_u = v.cross(g), of_v = g.cross(u);
-                add(k[2], of_u), add(k[0], -of_u), add(k[3], of_v), add(k[1], -of_v);
-            } else {  // v x u
-                const Vec3 of_v = u.cross(g), of_u = g.cross(v);
-                add(k[1], of_v), add(k[2], of_u), add(k[0], -of_u - of_v);
-            }
-        }
-    }
+    for (int c = 0; c < 3; ++c)
+        for_each_turn(bend, at, places, at.d[c],
+                      [&](int j, const Vec3& v) { G.block<1, 3>(c, 3 * j) += v.transpose(); });
     return G;
 }
 
-BendingResponse bend(const BendingLaw& l, const Vec3& curvature, const double* before, double* after) {
+void add_forces(const Bend& bend, const Bent& at, std::span<const Vec3> places, bool large, const Vec3& moment,
+                std::span<Vec3> forces) {
+    for (std::size_t j = 0; j < bend.nodes.size(); ++j) {
+        const auto& w = bend.weight[j];
+        forces[j] += (moment[0] * w[0] + moment[1] * w[1] + moment[2] * w[2]) * at.normal;
+    }
+    if (!large) return;
+    const Vec3 sum = moment[0] * at.d[0] + moment[1] * at.d[1] + moment[2] * at.d[2];
+    for_each_turn(bend, at, places, sum, [&](int j, const Vec3& v) { forces[std::size_t(j)] += v; });
+}
+
+BendingResponse bend(const BendingLaw& l, const Vec3& curvature, const double* before, double* after,
+                     bool with_tangent) {
     const Eigen::Map<const Vec3> plastic(before), moment_before(before + 3);
     const Vec3 k = curvature - plastic;
     const double nu = l.poisson, D = l.stiffness;
@@ -249,16 +266,18 @@ BendingResponse bend(const BendingLaw& l, const Vec3& curvature, const double* b
         r.moment += m[i] * of[i];
         flowed += flow[i] * Vec3(of[i][0], of[i][1], 2 * of[i][2]);
     }
-    Mat2 own = D * (Mat2() << 1, nu, nu, 1).finished();  // d(principal moment)/d(principal curvature)
-    if (flows[0] && flows[1]) own.setZero();
-    else
+    if (with_tangent) {
+        Mat2 own = D * (Mat2() << 1, nu, nu, 1).finished();  // d(principal moment)/d(principal curvature)
+        if (flows[0] && flows[1]) own.setZero();
+        else
+            for (int i : {0, 1})
+                if (flows[i]) own.setZero(), own(1 - i, 1 - i) = D * (1 - nu * nu);
         for (int i : {0, 1})
-            if (flows[i]) own.setZero(), own(1 - i, 1 - i) = D * (1 - nu * nu);
-    for (int i : {0, 1})
-        for (int j : {0, 1}) r.tangent += own(i, j) * of[i] * of[j].transpose();
-    const Vec3 across = axes.across();
-    const double shear = axes.half > 1e-12 ? (m[0] - m[1]) / (4 * axes.half) : 0.5 * D * (1 - nu);
-    r.tangent += shear * across * across.transpose();
+            for (int j : {0, 1}) r.tangent += own(i, j) * of[i] * of[j].transpose();
+        const Vec3 across = axes.across();
+        const double shear = axes.half > 1e-12 ? (m[0] - m[1]) / (4 * axes.half) : 0.5 * D * (1 - nu);
+        r.tangent += shear * across * across.transpose();
+    }
     Eigen::Map<Vec3>(after, 3) = plastic + flowed;
     Eigen::Map<Vec3>(after + 3, 3) = r.moment;
     r.stored = 0.5 * r.moment.dot(k - flowed);

@@ -38,7 +38,8 @@ struct BendingResponse {
     double stored = 0, dissipated = 0;  ///< J/m^2
 };
 inline constexpr int bending_history = 6;
-BendingResponse bend(const BendingLaw& law, const Vec3& curvature, const double* before, double* after);
+BendingResponse bend(const BendingLaw& law, const Vec3& curvature, const double* before, double* after,
+                     bool with_tangent = true);
 
 /// Panels around a node: indices of their corners in a list of places, which has the node itself in front.
 struct Bend {
@@ -75,5 +76,8 @@ Bent bent(const Bend& bend, std::span<const Vec3> places, std::span<const Vec3> 
 /// Derivatives of the three by the places of its nodes: 3 rows, three columns a node.
 using Gradient = Eigen::Matrix<double, 3, Eigen::Dynamic>;
 Gradient gradient(const Bend& bend, const Bent& at, std::span<const Vec3> places, bool large);
+/// The same times `moment`, work per change of the three, N m^2: forces of its nodes, N.
+void add_forces(const Bend& bend, const Bent& at, std::span<const Vec3> places, bool large, const Vec3& moment,
+                std::span<Vec3> forces);
 
 }  // namespace hinge::panel

@@ -98,18 +98,18 @@ Shape shape_of(std::span<const Vec3> x, const Vec3& along, double poisson) {
         s.point[0].area = s.area;
         for (double& share : std::span(s.share).first<3>()) share = s.area / 3;
     }
+    for (int i = 0; i < s.nodes; ++i) s.F += x[i] * s.b[i].transpose(), s.q += s.g[i] * x[i];
     return s;
 }
 
-Placed place(const Shape& s, std::span<const Vec3> x, std::span<const Vec3> moved, bool large) {
+Placed place(const Shape& s, std::span<const Vec3> moved, bool large) {
     Placed at;
     at.large = large;
-    Mat32 F0 = Mat32::Zero(), dF = Mat32::Zero();
-    Vec3 q0 = Vec3::Zero(), dq = Vec3::Zero();
-    for (int i = 0; i < s.nodes; ++i) {
-        F0 += x[i] * s.b[i].transpose(), q0 += s.g[i] * x[i];
-        dF += moved[i] * s.b[i].transpose(), dq += s.g[i] * moved[i];
-    }
+    const Mat32& F0 = s.F;
+    const Vec3& q0 = s.q;
+    Mat32 dF = Mat32::Zero();
+    Vec3 dq = Vec3::Zero();
+    for (int i = 0; i < s.nodes; ++i) dF += moved[i] * s.b[i].transpose(), dq += s.g[i] * moved[i];
     at.F = large ? Mat32(F0 + dF) : F0;
     at.q = large ? Vec3(q0 + dq) : q0;
     // the change alone: of places far from the origin little would be left of a difference

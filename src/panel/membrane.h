@@ -36,8 +36,10 @@ struct Shape {
     Mat3 axes = Mat3::Identity();  ///< columns: the sheet's x and y, the normal
     Vec2 b[4];                     ///< 1/m
     double g[4] = {};
-    Mat2 H = Mat2::Zero();  ///< 1/m^2
-    double share[4] = {};   ///< of the area that is a node's, m^2
+    Mat32 F = Mat32::Zero();  ///< F and q at the start
+    Vec3 q = Vec3::Zero();    ///< m
+    Mat2 H = Mat2::Zero();    ///< 1/m^2
+    double share[4] = {};     ///< of the area that is a node's, m^2
     int points = 1;
     Point point[4];
 };
@@ -57,7 +59,7 @@ struct Placed {
 };
 
 /// From the displacements of its nodes, m. Small displacement: strains are linear in them.
-Placed place(const Shape& shape, std::span<const Vec3> places, std::span<const Vec3> moved, bool large);
+Placed place(const Shape& shape, std::span<const Vec3> moved, bool large);
 
 /// Work of the panel's stresses per change of its mean strain and of p: N m, and N.
 struct Resultants {

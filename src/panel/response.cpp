@@ -223,7 +223,7 @@ PanelResponse respond(const Sheet& sheet, const Shape& shape, const Placed& at, 
         const AtPoint p = add_layers(sheet, point.area, at.strain + point.P * at.p, nullptr, at.large, gone,
                                      with_tangent, before + k * size, after + k * size, e);
         e.resultants.mean += point.area * p.stress;
-        e.resultants.varying += point.area * (point.P.transpose() * p.stress);
+        for (int a : {0, 1}) e.resultants.varying[a] += point.area * point.P.col(a).dot(p.stress);
         if (with_tangent) add_point(point, p.tangent.membrane, e.tangent);
     }
     return e;

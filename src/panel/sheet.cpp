@@ -8,21 +8,11 @@
 namespace hinge::panel {
 namespace {
 
-using Mat2 = Eigen::Matrix2d;
-
-Mat2 tensor_of_strain(const Vec3& e) { return (Mat2() << e[0], e[2] / 2, e[2] / 2, e[1]).finished(); }
-Mat2 tensor_of_stress(const Vec3& s) { return (Mat2() << s[0], s[2], s[2], s[1]).finished(); }
-Vec3 strain_of(const Mat2& t) { return {t(0, 0), t(1, 1), t(0, 1) + t(1, 0)}; }
-Vec3 stress_of(const Mat2& t) { return {t(0, 0), t(1, 1), 0.5 * (t(0, 1) + t(1, 0))}; }
-
-/// X of U X + X U = A; U and A are symmetric.
-Mat2 half_of(const Mat2& U, const Mat2& A) {
-    const double trace = U.trace(), det = U.determinant();
-    const Mat2 other = trace * Mat2::Identity() - U;
-    return (det * A + other * A * other) / (2 * trace * det);
+/// Elastic, per thickness, Pa; concrete: that under compression.
+Mat3 stiffness_of(const Layer& l) {
+    const double nu = l.kind == LayerKind::solid ? l.poisson : 0, k = l.E / (1 - nu * nu);
+    return (Mat3() << k, nu * k, 0, nu * k, k, 0, 0, 0, 0.5 * (1 - nu) * k).finished();
 }
-
-Vec3 unit(int i) { return Vec3::Unit(i); }
 
 /// What a layer's own law gives, in its own measure of strain.
 struct Law {
@@ -33,10 +23,9 @@ struct Law {
 
 /// Plane stress, von Mises, isotropic linear hardening: the strain returns to the yield surface along its normal at the
 /// end (Simo and Hughes, Computational Inelasticity, 1998, section 3.4). Kept: plastic strain, its equivalent, stress.
-Law solid(const Layer& l, const Vec3& strain, const double* before, double* after) {
-    const Mat3 D = l.elastic() / l.thickness;
+void solid(const Layer& l, const Vec3& strain, const double* before, double* after, bool with_tangent, Law& law) {
+    const Mat3 D = stiffness_of(l);
     const Eigen::Map<const Vec3> plastic(before), stress_before(before + 4);
-    Law law;
     Vec3 stress = D * (strain - plastic), flow = Vec3::Zero();
     double alpha = before[3];
     const double E1 = l.E / (3 * (1 - l.poisson)), G2 = l.E / (1 + l.poisson);  // of the sum, of difference and shear
@@ -69,10 +58,12 @@ Law solid(const Layer& l, const Vec3& strain, const double* before, double* afte
         flow = by * (P * stress);
         const double f2 = stress.dot(P * stress);
         alpha += std::sqrt(2.0 / 3) * by * std::sqrt(f2);
-        const Mat3 X = (D.inverse() + by * P).inverse();
-        const Vec3 n = X * (P * stress);
-        const double theta = 1 - 2.0 / 3 * l.hardening * by, beta = 2.0 / 3 / theta * l.hardening * f2;
-        tangent = X - n * n.transpose() / (stress.dot(P * n) + beta);
+        if (with_tangent) {
+            const Mat3 X = (D.inverse() + by * P).inverse();
+            const Vec3 n = X * (P * stress);
+            const double theta = 1 - 2.0 / 3 * l.hardening * by, beta = 2.0 / 3 / theta * l.hardening * f2;
+            tangent = X - n * n.transpose() / (stress.dot(P * n) + beta);
+        }
     }
     Eigen::Map<Vec3>(after, 3) = plastic + flow;
     after[3] = alpha;
@@ -82,16 +73,14 @@ Law solid(const Layer& l, const Vec3& strain, const double* before, double* afte
     law.stress = stress, law.tangent = tangent;
     law.stored = 0.5 * stress.dot(elastic);
     law.used = alpha / l.ultimate;
-    return law;
 }
 
 /// No tension, and a constant crushing strength, in each principal direction of the strain less what was crushed. Kept:
 /// the crushed strain, stress.
-Law concrete(const Layer& l, const Vec3& strain, const double* before, double* after) {
+void concrete(const Layer& l, const Vec3& strain, const double* before, double* after, bool with_tangent, Law& law) {
     const Eigen::Map<const Vec3> crushed(before), stress_before(before + 3);
     const Vec3 e = strain - crushed;
     const Principal axes(e);
-    Law law;
     Vec3 flow = Vec3::Zero(), of[2];
     double s[2], principal[2] = {axes.middle + axes.half, axes.middle - axes.half}, stiffness[2];
     for (int i : {0, 1}) {
@@ -103,17 +92,17 @@ Law concrete(const Layer& l, const Vec3& strain, const double* before, double* a
             flow += by * Vec3(of[i][0], of[i][1], 2 * of[i][2]);
         }
         law.stress += s[i] * of[i];
-        law.tangent += stiffness[i] * of[i] * of[i].transpose();
+        if (with_tangent) law.tangent += stiffness[i] * of[i] * of[i].transpose();
         law.stored += 0.5 * s[i] * s[i] / l.E;
     }
-    // the axes rotate with the strain
-    const Vec3 across = axes.across();
-    const double shear = axes.half > 1e-12 ? (s[0] - s[1]) / (4 * axes.half) : 0.25 * (stiffness[0] + stiffness[1]);
-    law.tangent += shear * across * across.transpose();
+    if (with_tangent) {  // the axes rotate with the strain
+        const Vec3 across = axes.across();
+        const double shear = axes.half > 1e-12 ? (s[0] - s[1]) / (4 * axes.half) : 0.25 * (stiffness[0] + stiffness[1]);
+        law.tangent += shear * across * across.transpose();
+    }
     Eigen::Map<Vec3>(after, 3) = crushed + flow;
     Eigen::Map<Vec3>(after + 3, 3) = law.stress;
     law.dissipated = 0.5 * (stress_before + law.stress).dot(flow);
-    return law;
 }
 
 /// Along their direction. Kept: plastic strain, its sum, force.
@@ -138,11 +127,8 @@ Law bars(const Layer& l, double strain, const double* before, double* after, dou
 }  // namespace
 
 Mat3 Layer::elastic() const {
-    Mat3 D = Mat3::Zero();
-    if (kind == LayerKind::bars) { return E * thickness * direction * direction.transpose(); }
-    const double nu = kind == LayerKind::solid ? poisson : 0, k = E * thickness / (1 - nu * nu);
-    D << k, nu * k, 0, nu * k, k, 0, 0, 0, 0.5 * (1 - nu) * k;
-    return D;
+    if (kind == LayerKind::bars) return E * thickness * direction * direction.transpose();
+    return thickness * stiffness_of(*this);
 }
 
 int Layer::history_size() const {
@@ -198,15 +184,11 @@ bool Sheet::has_bars_alone() const {
 }
 
 Strained::Strained(const Vec3& strain, bool is_large, bool stretches)
-    : green(strain), large(is_large), stretch(strain) {
-    if (!stretches) return;
-    by_green.setIdentity(), U.setIdentity();
-    if (!large) return;
-    const Mat2 E = tensor_of_strain(strain), C = Mat2::Identity() + 2 * E;
-    const double root = std::sqrt(C.determinant());
-    U = (C + root * Mat2::Identity()) / std::sqrt(C.trace() + 2 * root);
-    stretch = strain_of(half_of(U + Mat2::Identity(), 4 * E));
-    for (int i = 0; i < 3; ++i) by_green.col(i) = strain_of(half_of(U, 2 * tensor_of_strain(unit(i))));
+    : green(strain), large(is_large), half(Symmetric{}), stretch(strain) {
+    if (!stretches || !large) return;
+    const Symmetric E = Symmetric::of_strain(strain), U = stretch_of(E);
+    half = HalfOf(U);
+    stretch = HalfOf({U.a + 1, U.b + 1, U.c})(E * 4).strain();
 }
 
 Response respond(const Layer& l, const Strained& at, const double* before, double* after, bool with_tangent) {
@@ -221,20 +203,21 @@ Response respond(const Layer& l, const Strained& at, const double* before, doubl
         r.tangent = l.thickness * (slope / (ratio * ratio) - (at.large ? force / (ratio * ratio * ratio) : 0)) * n *
                     n.transpose();
     } else {
-        law = l.kind == LayerKind::solid ? solid(l, at.stretch, before, after) : concrete(l, at.stretch, before, after);
+        if (l.kind == LayerKind::solid) solid(l, at.stretch, before, after, with_tangent, law);
+        else concrete(l, at.stretch, before, after, with_tangent, law);
         if (!at.large) {
             r.stress = l.thickness * law.stress, r.tangent = l.thickness * law.tangent;
             r.stored = l.thickness * law.stored, r.dissipated = l.thickness * law.dissipated, r.used = law.used;
             return r;
         }
-        r.stress = l.thickness * (at.by_green.transpose() * law.stress);
+        const Symmetric X = at.half(Symmetric::of_stress(law.stress) * l.thickness);
+        r.stress = (X * 2).stress();
         if (with_tangent) {
-            r.tangent = l.thickness * (at.by_green.transpose() * law.tangent * at.by_green);
-            const Mat2 X = half_of(at.U, l.thickness * tensor_of_stress(law.stress));
-            for (int i = 0; i < 3; ++i) {  // d(by_green)
-                const Mat2 dU = tensor_of_strain(at.by_green.col(i));
-                r.tangent.col(i) -= 2 * stress_of(half_of(at.U, dU * X + X * dU));
-            }
+            Mat3 by_green;  // d(stretch)/d(Green's strain)
+            for (int i = 0; i < 3; ++i) by_green.col(i) = at.half(Symmetric::of_strain(2 * Vec3::Unit(i))).strain();
+            r.tangent = l.thickness * (by_green.transpose() * law.tangent * by_green);
+            for (int i = 0; i < 3; ++i)  // d(by_green)
+                r.tangent.col(i) -= 2 * at.half(both_ways(X, Symmetric::of_strain(by_green.col(i)))).stress();
         }
     }
     r.stored = l.thickness * law.stored, r.dissipated = l.thickness * law.dissipated, r.used = law.used;

@@ -13,6 +13,7 @@
 
 #include "core/types.h"
 #include "panel/bend.h"
+#include "panel/stretch.h"
 
 namespace hinge::panel {
 
@@ -105,8 +106,7 @@ struct Strained {
     Strained(const Vec3& strain, bool large, bool stretches = true);
     Vec3 green;
     bool large;
-    Mat3 by_green;  ///< d(stretch)/d(Green's strain)
-    Eigen::Matrix2d U;
+    HalfOf half;   ///< of U, where it is large
     Vec3 stretch;  ///< U - I
 };
 
