@@ -39,6 +39,11 @@ inline void store_six(double* p, const Wide& v) { std::memcpy(p, &v, 6 * sizeof(
 inline void store(double* p, const Wide& v) { *reinterpret_cast<Wide*>(p) = v; }
 inline double sum(const Wide& v) { return ((v[0] + v[4]) + (v[2] + v[6])) + ((v[1] + v[5]) + (v[3] + v[7])); }
 
+/// Four numbers: a column of a 3x3 block, and a zero.
+using Narrow __attribute__((vector_size(4 * sizeof(double)), aligned(8), may_alias)) = double;
+inline Narrow load_narrow(const double* p) { return *reinterpret_cast<const Narrow*>(p); }
+inline Wide widened(const Narrow& v) { return __builtin_shufflevector(v, Narrow{}, 0, 1, 2, 3, 4, 5, 6, 7); }
+
 /// Product of a row of blocks and a vector, as two independent sums: neither waits for the other.
 struct Row {
     Wide even = {}, odd = {};

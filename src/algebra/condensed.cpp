@@ -174,9 +174,10 @@ void Condensed<Number>::lay_out() {
 /// The rows of couplings and bridges.
 template <class Number>
 void Condensed<Number>::lay_out_couplings() {
-    std::vector<std::pair<int, int>> pairs;
-    for (const Coupling& c : couplings_) pairs.push_back({place_[c.a], place_[c.b]});
-    for (const Bridge& b : bridges_) pairs.push_back({place_[b.a], place_[b.b]});
+    std::vector<CoupledRows::Pair> pairs;
+    for (std::size_t i = 0; i < couplings_.size(); ++i)
+        pairs.push_back({place_[couplings_[i].a], place_[couplings_[i].b], light_[i] != 0});
+    for (const Bridge& b : bridges_) pairs.push_back({place_[b.a], place_[b.b], false});
     coupled_rows_.lay_out(int(order_.size()), pairs);
     take_couplings();
 }
@@ -202,7 +203,11 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
                                        [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
     couplings_ = couplings;
-    if (same_nodes) return take_couplings();
+    std::vector<char> light;
+    light.reserve(couplings.size());
+    for (const Coupling& c : couplings) light.push_back(c.is_light());
+    light.swap(light_);
+    if (same_nodes && light == light_) return take_couplings();
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());

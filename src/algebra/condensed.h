@@ -93,6 +93,7 @@ private:
     std::vector<int> which_;      ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;  ///< of each joint's place, while it is not coupled
     std::vector<Coupling> couplings_;
+    std::vector<char> light_;      ///< of each, whether it joins translations alone
     std::vector<int> coupled_;     ///< nodes, rising
     std::vector<Bridge> bridges_;  ///< of pairs whose middle node is coupled: such a node is not taken out
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`

@@ -36,8 +36,9 @@ public:
     /// Inverse lumped mass of each node's elements and of a mass at the node itself, for each degree of freedom, 1/kg
     /// and 1/(kg m^2); zero where it is held or no mass is left.
     const std::vector<Vec6>& lumped_inverse() const { return lumped_inverse_; }
-    /// Lumped mass of a node with offset masses that are not at the node itself: mass of its elements, its offset mass, and the inverse of the sum; 6x6
-    /// in space. The inverse is of the free degrees of freedom; one for those that are held.
+    /// Lumped mass of a node with offset masses that are not at the node itself: mass of its elements, its offset mass,
+    /// and the inverse of the sum; 6x6 in space. The inverse is of the free degrees of freedom; one for those that are
+    /// held.
     struct Heavy {
         int node;
         Mat6 elements, offsets, inverse;

@@ -18,6 +18,11 @@ struct ElementDamping {
 struct Coupling {
     int a, b;
     Mat12 K;
+    /// It joins the translations of the two nodes alone.
+    bool is_light() const {
+        return K.block<3, 3>(0, 9).isZero(0) && K.block<3, 6>(3, 6).isZero(0) && K.block<3, 3>(6, 3).isZero(0) &&
+               K.block<3, 6>(9, 0).isZero(0);
+    }
     template <class Self, class A>
     static void fields(Self& s, A& archive) {
         archive(s.a, s.b, s.K);

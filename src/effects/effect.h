@@ -21,6 +21,8 @@ struct EffectTraits {
     bool calls_script = false;      ///< a step may fail in a function of the script, and is rolled back then
     bool forces_vanish = false;     ///< a force may end at once: the acceleration is recomputed with M alone
     bool strains_at_start = false;  ///< it strains elements at once where the run begins
+    bool cracks = false;            ///< it holds no tension: without load it is in equilibrium in more than one place
+    bool stiffens = false;          ///< it may become far stiffer by the displacements that its tangent asks for
 };
 
 /// Adds x times what an impulse does to the velocities of the trial; the supports' work is counted.

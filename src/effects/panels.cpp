@@ -40,9 +40,13 @@ public:
             add(p);
             history_at_.push_back(size);
             size += std::size_t(panel::history_size(*p.sheet, shape_.back()));
-            for (const Layer& l : p.sheet->layers) traits_.forces_vanish |= std::isfinite(l.ultimate);
+            for (const Layer& l : p.sheet->layers) {
+                traits_.forces_vanish |= std::isfinite(l.ultimate);
+                traits_.cracks |= l.kind == panel::LayerKind::concrete;
+            }
         }
         history_at_.push_back(size);
+        traits_.stiffens = w.structure.large();
         curvature_.emplace(w, declared(), shape_);
         curvature_->join(blocks_);
         blocks_.joined();

@@ -46,6 +46,7 @@ public:
         else across_[std::size_t(place)] += K.transpose();
     }
     void list(Blocks& to) const {
+        to.pairs.reserve(to.pairs.size() + pairs_.size()), to.nodes.reserve(to.nodes.size() + nodes_.size());
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
             Mat6 K = Mat6::Zero();
             K.topLeftCorner<3, 3>() = own_[i];

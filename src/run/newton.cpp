@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/rotation.h"
 #include "run/constraints.h"
@@ -19,6 +20,9 @@ constexpr int most_halvings = 12;
 /// Newton's method no longer gets anywhere where so many iterations in a row had to be halved so often: what is out of
 /// balance falls by less than a thousandth in each.
 constexpr int most_idle = 5, halvings_of_idle = 8;
+
+/// Part of the work of the out-of-balance forces along a step that may be left at its end.
+constexpr double little_work = 0.3;
 
 /// With a tangent in which hinges keep much of the elastic stiffness.
 constexpr int many_iterations = 400;
@@ -39,7 +43,11 @@ struct Newton::Iteration {
 };
 
 Newton::Newton(const StaticProblem& problem, StaticForces& forces, StaticTangent& tangent)
-    : problem_(problem), w_(problem.w), forces_(forces), tangent_(tangent) {
+    : problem_(problem),
+      w_(problem.w),
+      forces_(forces),
+      tangent_(tangent),
+      stiffens_(problem.effects.any(&EffectTraits::stiffens)) {
     const std::size_t nodes = w_.structure.position().size();
     for (auto* v : {&right_, &correction_, &total_, &step_, &result_.displacements, &result_.response})
         v->assign(nodes, Vec6::Zero());
@@ -67,6 +75,7 @@ void Newton::recover() { forces_.recover(); }
 bool Newton::iterate(PathControl& control, double increment, double hinge_stiffness, bool yielding_goes_on,
                      const std::vector<Vec6>& start) {
     heat_counts_ = control.kind() != Control::load;
+    result_.asked = 0;
     for (Vec3& m : w_.rotation_step) m.setZero();
     for (Vec6& v : total_) v.setZero();
     if (!start.empty()) {
@@ -86,7 +95,9 @@ bool Newton::iterate(PathControl& control, double increment, double hinge_stiffn
         if (!find_correction()) return false;
         const auto change = control.factor_change({at.number, increment, total_, correction_, result_.response});
         if (!change || !find_step(*change, at)) return false;
-        if (!search_line(*change, hinge_stiffness > 0, at)) return false;
+        const bool by_work = stiffens_ && control.kind() == Control::load && !(hinge_stiffness > 0) &&
+                             forces_.support_rates().empty() && !forces_.are_heated();
+        if (!(by_work ? search_work(*change, at) : search_line(*change, hinge_stiffness > 0, at))) return false;
         if (has_converged(at)) {
             if (w_.assembly.failure()) return false;
             result_.iterations = at.number;
@@ -195,6 +206,50 @@ bool Newton::search_line(double factor_change, bool whole_steps, Iteration& at) 
             (!lost && norm <= (1 - 1e-3 * share) * at.last_norm))
             break;
     }
+    return end_search(at);
+}
+
+/// A flat panel has next to no stiffness against a load across it until it sags, so that the tangent there asks for
+/// many times the sag, and the forces at its end are far larger than the load. The step ends where the out-of-balance
+/// forces do little work along it: where the energy is least. Load control.
+bool Newton::search_work(double factor_change, Iteration& at) {
+    const Configuration before = w_.trial;
+    const std::vector<Vec3> turned_before = w_.rotation_step;
+    const double factor_before = w_.factor;
+    const std::vector<Vec6> whole = step_;
+    double at_start = 0;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        at_start += whole[i].dot(right_[i] + problem_.without_supported(i, factor_change * forces_.load_rate(i)));
+    if (!(at_start > 0)) return search_line(factor_change, false, at);
+    if (at.number == 1) result_.asked = size_of(whole);
+    double low = 0, at_low = at_start, high = 0, at_high = 0, share = 1;
+    for (at.halvings = 0;; ++at.halvings) {
+        if (at.halvings > 0) {
+            w_.trial = before;
+            w_.rotation_step = turned_before;
+            for (std::size_t i = 0; i < whole.size(); ++i) step_[i] = share * whole[i];
+        }
+        move_by_step(factor_before + factor_change);
+        if (w_.constraints) place_dependent_nodes(before);
+        forces_.recover();
+        at.residual = forces_.residual();
+        double now = 0;
+        for (std::size_t i = 0; i < whole.size(); ++i) now += whole[i].dot(forces_.out_of_balance(i));
+        const bool lost = w_.assembly.unreturned() >= 0 || !std::isfinite(now);
+        if (lost && at.halvings == most_halvings) return false;
+        if (!lost && (now >= -little_work * at_start || at.halvings == most_halvings)) {
+            if (now <= little_work * at_start || high == 0 || at.halvings == most_halvings) break;
+            low = share, at_low = now;
+        } else {
+            high = share, at_high = lost ? -std::numeric_limits<double>::infinity() : now;
+        }
+        const double secant = low + (high - low) * at_low / (at_low - at_high);
+        share = at.halvings % 2 == 0 ? std::clamp(secant, low + 0.1 * (high - low), high) : 0.5 * (low + high);
+    }
+    return end_search(at);
+}
+
+bool Newton::end_search(Iteration& at) {
     at.idle = at.halvings >= halvings_of_idle ? at.idle + 1 : 0;
     at.last_norm = at.residual.norm;
     at.off_balance = at.residual.relative();

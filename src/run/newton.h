@@ -12,6 +12,7 @@ struct NewtonResult {
     int iterations = 0;
     std::vector<Vec6> displacements;  ///< of the step
     std::vector<Vec6> response;       ///< those that the loads at factor 1 ask for, by the last tangent
+    double asked = 0;  ///< size of what the tangent at the start asked for, where it is known to ask for too much; m
 };
 
 class Newton {
@@ -61,6 +62,8 @@ private:
     void move_by_step(double factor);
     void place_dependent_nodes(const Pose& from);
     bool search_line(double factor_change, bool whole_steps, Iteration& at);
+    bool search_work(double factor_change, Iteration& at);
+    bool end_search(Iteration& at);
     bool has_converged(const Iteration& at) const;
     bool is_hopeless(const Iteration& at) const;
 
@@ -74,6 +77,7 @@ private:
     std::vector<Vec6> total_, step_;        ///< displacements so far, and of the iteration
     NewtonResult result_;
     bool passed_unstable_ = false;
+    const bool stiffens_;       ///< EffectTraits::stiffens of an effect
     bool heat_counts_ = false;  ///< the control finds the load factor, of which the temperatures are a part
     double first_softness_ = 0;
 };

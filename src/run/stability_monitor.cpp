@@ -71,9 +71,11 @@ int StabilityMonitor::count_free_modes(const PathControl& control) {
 }
 
 /// True if an elastic structure comes back to where it was when the load of the step that was tried is taken off again.
-/// If not, the step has snapped. Tried where Newton's method took long, as it does over a snap.
+/// If not, the step has snapped. Tried where Newton's method took long, as it does over a snap. Cracks need not close
+/// when the load is taken off.
 bool StabilityMonitor::unloading_returns(PathControl& control, double increment) {
     if (!w_.structure.large() || newton_.result().iterations <= quick || newton_.yields()) return true;
+    if (problem_.effects.any(&EffectTraits::cracks)) return true;
     const NewtonResult result = newton_.result();
     const Configuration arrived = w_.trial;
     const std::vector<Vec3> rotation_step = w_.rotation_step;
@@ -114,9 +116,15 @@ bool StabilityMonitor::follows_tangent(double increment) const {
     return !is_leap(newton_.result().displacements, increment, leaps_by);
 }
 
+/// Not where a panel that was flat has sagged by less than the tangent at the start asked for: there the tangent at the
+/// end gives a third of the way, by any step.
 bool StabilityMonitor::may_have_leapt(double increment) const {
     constexpr double far_off = 0.5;
-    return w_.structure.large() && w_.yielding.empty() && is_leap(newton_.result().displacements, increment, far_off);
+    const NewtonResult& step = newton_.result();
+    if (!w_.structure.large() || !w_.yielding.empty()) return false;
+    if (step.asked > 0 && dot_translations(step.displacements, step.displacements) <= step.asked * step.asked)
+        return false;
+    return is_leap(step.displacements, increment, far_off);
 }
 
 // ---- where the structure becomes unstable ---------------------------------------------------------------------------

@@ -47,6 +47,19 @@ return function(s, tools)
       ultimate_strain = d.chance(0.5) and d.log(0.02, 0.2) or nil }
     or { concrete = { thickness = t, E = 3e10, strength = d.number(20e6, 50e6) }, reinforcement = bars, bending = bends,
       deck = kind == "deck" and { area = d.log(5e-4, 2e-3), yield_stress = 320e6 } or nil }
+  -- Chosen by later digits of what is drawn already, so that what follows is drawn as without them.
+  local function digits(x) return x * 1e5 % 1 end
+  local layers, on_studs = digits(t) < 0.2, digits(1e3 * mesh) < 0.3
+  if layers then
+    slab.bending = "layers"
+    if slab.reinforcement then slab.reinforcement.z = (0.5 - digits(moment)) * 0.7 * t end
+    if slab.deck then slab.deck.z = -t / 2 end
+  end
+  if on_studs then
+    local slip = digits(span_x)
+    slab.studs = { spacing = 0.1 + 0.3 * digits(span_y), stiffness = 50e6, capacity = slip > 0.3 and 60e3 or nil,
+      slip = slip > 0.6 and 5e-3 or nil, height = digits(height) < 0.5 and 0.3 or 0 }
+  end
   local mass = d.number(150, 700)
   for k = 1, storeys do
     local beams = {}
@@ -61,8 +74,8 @@ return function(s, tools)
     end
     model:floor { members = beams, mass = mass, slab = slab }
   end
-  note(s, "building of %d x %d bays of %.1f x %.1f m, %d storeys of %.1f m, slab of %s, %.0f kg/m2", nx, ny, span_x,
-    span_y, storeys, height, kind, mass)
+  note(s, "building of %d x %d bays of %.1f x %.1f m, %d storeys of %.1f m, slab of %s%s%s, %.0f kg/m2", nx, ny, span_x,
+    span_y, storeys, height, kind, layers and " that bends by its layers" or "", on_studs and " on studs" or "", mass)
   tools.damping(s)
   tools.at_rest(s, 1)
   local event = d.weighted { { 4, "lost column" }, { 3, "falling floor" }, { 3, "struck" } }

@@ -42,6 +42,7 @@ end
 
 --- A function that gives the slab's node over a node of the beams.
 function studs.nodes(model, parts, o)
+  if not parts[1] then return nil end
   o.axes, o.up = axes_of(parts[1])
   return function(node)
     local own = o.over[node.index]

@@ -357,7 +357,7 @@ function panel_contact:pressing(run) end
 ---@field deck? hinge.panel_deck
 ---bending across the plate. Default: that of the solid plate; without one, none. false: none. "layers": the layers at
 ---their heights z give it, six levels of concrete and of a plate among them, so that cracks, moments beside membrane
----forces and plastic moments of either direction and sign follow from what the panel is made of. That takes about ten
+---forces and plastic moments of either direction and sign follow from what the panel is made of. That takes several
 ---times the time of a moment given by hand. See the guide's page on slabs
 ---@field bending? hinge.panel_bending|"layers"|false
 ---@field along? vec3 the sheet's x axis, projected into the panel; default: from the first node to the second one
