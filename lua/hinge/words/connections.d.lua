@@ -392,7 +392,7 @@ function panel_contact:pressing(run) end
 ---@class hinge.panel_deck
 ---@field area number m^2/m, per width
 ---@field along? "x"|"y" default "x"
----@field z? number m, as of bars
+---@field z? number m, as of bars; the ribs of a deck may hang below the concrete
 ---@field E? number Pa, default 200e9
 ---@field yield_stress? number Pa, default: elastic
 ---@field hardening? number Pa, default 0

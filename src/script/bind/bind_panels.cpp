@@ -108,7 +108,8 @@ void read_mesh(Options& in, Sheet& sheet) {
     }
 }
 
-void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
+/// Bars, then the ribs of a deck; returns whether there is a deck, whose layer is then the last one.
+bool read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
     constexpr const char* example = "{ x = 393e-6, y = 393e-6, yield_stress = 500e6 }";
     lua_State* L = o.L();
     const int type = o.push_field("reinforcement");
@@ -124,7 +125,7 @@ void read_steel_in_it(Options& o, Sheet& sheet, double& mass) {
         lua_pop(L, 1);
     }
     lua_pop(L, 1);
-    o.read_table("deck", "{ area = 1.2e-3, yield_stress = 320e6 }", [&](Options& in) {
+    return o.read_table("deck", "{ area = 1.2e-3, yield_stress = 320e6 }", [&](Options& in) {
         in.expect({"area", "along", "z", "E", "yield_stress", "hardening", "ultimate_strain"});
         Layer ribs = read_bars(in);
         ribs.thickness = in.number("area", "m^2/m", Range::positive);
@@ -155,7 +156,8 @@ void divide(Layer& layer, int count) {
 
 constexpr int levels = 6;  ///< of concrete and of plates that bend by their layers
 
-void bend_by_layers(Options& o, Sheet& sheet) {
+/// The ribs of a deck may hang below the concrete; bars lie in it.
+void bend_by_layers(Options& o, Sheet& sheet, bool deck) {
     bool off = false;
     sheet.bends_by_layers = true;
     double low = std::numeric_limits<double>::infinity(), high = -low;  // of concrete and plates, m
@@ -170,20 +172,21 @@ void bend_by_layers(Options& o, Sheet& sheet) {
     }
     if (!(low < high) && !off)
         o.complain("bending", "\"layers\"", "needs a plate, concrete, or bars at heights 'z' (m) that differ from 0");
-    for (const Layer& l : sheet.layers)
-        if (const double z = l.levels[0].z; l.kind == LayerKind::bars && low < high && (z < low || z > high))
+    for (std::size_t i = 0; i + deck < sheet.layers.size(); ++i)
+        if (const double z = sheet.layers[i].levels[0].z;
+            sheet.layers[i].kind == LayerKind::bars && low < high && (z < low || z > high))
             o.complain("z", show(z),
                        "m: bars lie outside of the concrete or plate, from " + show(low) + " to " + show(high) + " m");
 }
 
 /// Of a solid plate it follows from the plate, unless it is given or false.
-void read_bending(Options& o, Sheet& sheet) {
+void read_bending(Options& o, Sheet& sheet, bool deck) {
     lua_State* L = o.L();
     const int type = o.push_field("bending");
     const bool none = type == LUA_TBOOLEAN && !lua_toboolean(L, -1);
     const bool layers = type == LUA_TSTRING && std::string(lua_tostring(L, -1)) == "layers";
     lua_pop(L, 1);
-    if (layers) return bend_by_layers(o, sheet);
+    if (layers) return bend_by_layers(o, sheet, deck);
     if (type == LUA_TSTRING)
         o.complain("bending", "another word", "must be \"layers\", false, or a table with 'stiffness' (N m)");
     for (const Layer& l : sheet.layers)
@@ -215,7 +218,7 @@ std::shared_ptr<const Sheet> read_sheet(Options& o) {
     double mass = 0;
     read_solid(o, *sheet, mass);
     read_concrete(o, *sheet, mass);
-    read_steel_in_it(o, *sheet, mass);
+    const bool deck = read_steel_in_it(o, *sheet, mass);
     if (sheet->layers.empty())
         throw InputError(o.function() +
                          ": it is made of nothing; give 'thickness' (m) and 'material', 'concrete', 'reinforcement' or "
@@ -224,7 +227,7 @@ std::shared_ptr<const Sheet> read_sheet(Options& o) {
         throw InputError(o.function() + ": it is made of " + std::to_string(sheet->layers.size()) +
                          " layers; a panel has " + std::to_string(panel::most_layers) +
                          " at most, with x and y of a mesh as one each");
-    read_bending(o, *sheet);
+    read_bending(o, *sheet, deck);
     sheet->mass = o.number("mass", "kg/m^2", Range::not_negative, mass);
     return sheet;
 }

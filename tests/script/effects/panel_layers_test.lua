@@ -108,6 +108,13 @@ case("a strip carries its plastic moment, sagging and hogging, in as many panels
     0.015)
 end)
 
+case("the ribs of a deck hang below the concrete, and pull there", function()
+  local sheet = { concrete = { thickness = h, strength = strength, E = E }, bending = "layers",
+    deck = { area = area, z = -0.09, yield_stress = yield } }
+  local q = 8 * plastic_moment(0.09) / 4 ^ 2
+  near("moment", 1.2 * limit { q = 1.2 * q, sheet = sheet }, 1, 0.015)
+end)
+
 case("a force along the strip takes from its plastic moment or adds to it", function()
   for _, pull in ipairs { 120e3, -150e3 } do
     local q = 8 * plastic_moment(0.03, pull) / 4 ^ 2
@@ -190,6 +197,7 @@ case("wrong layers are refused, and lay nothing", function()
   refused("another word", "bending", { reinforcement = { x = area }, bending = "layer" })
   refused("a mesh that is no table", "reinforcement[2]", { reinforcement = { { x = area }, 3 }, bending = "layers" })
   refused("bars outside of the concrete", "z", concrete(0.2))
+  refused("bars outside of the concrete over a deck", "z", concrete(0.2, { deck = { area = area, z = -0.09 } }))
   local many = {}
   for i = 1, 4 do many[i] = { x = area, y = area, z = 0.01 * i } end
   refused("more layers than a panel has", "9 layers", concrete(0, { reinforcement = many }))
