@@ -67,6 +67,8 @@ public:
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const { (void)bodies, (void)rests; }
     /// Marks the bodies that lie on it where the last step ended: they may come to rest there.
     virtual void hold_up(const Bodies& bodies, std::vector<char>& held_up) const { (void)bodies, (void)held_up; }
+    /// Lists bodies of which one lies on the other, or nearly: they rest together, and take part again together.
+    virtual void lie_together(const Bodies& bodies, BodyPairs& pairs) const { (void)bodies, (void)pairs; }
     /// Bodies have come to rest, or take part again (Workspace::rests).
     virtual void rest_changed() {}
 

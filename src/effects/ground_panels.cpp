@@ -57,7 +57,7 @@ public:
         ends_.resize(points().size());
         for (std::size_t i = 0; i < points().size(); ++i) {
             const GroundPanelPoint& p = points()[i];
-            const PressedEnd& e = ends_[i] = end_at(p);
+            const PressedEnd& e = ends_[i] = w_.rests(p.end.node) ? PressedEnd() : end_at(p);
             if (!e.touches()) continue;
             pressed.add(i);
             resisting[p.end.node].head<3>() += -e.press.force * plane(p).normal + law(p).along() * e.slip;
@@ -73,7 +73,8 @@ public:
     }
     bool has_converged() const override {
         for (std::size_t i = 0; i < ends_.size(); ++i)
-            if (!ends_[i].agrees(law(points()[i]), end_at(points()[i]))) return false;
+            if (!w_.rests(points()[i].end.node) && !ends_[i].agrees(law(points()[i]), end_at(points()[i])))
+                return false;
         return true;
     }
     bool touches_within(const Step& step) const override {
@@ -87,6 +88,7 @@ public:
         bool any = false;
         for (std::size_t i = 0; i < ends_.size(); ++i) {
             const GroundPanelPoint& p = points()[i];
+            if (w_.rests(p.end.node)) continue;
             ends_[i] = end_at(p);
             const contact::PressedStep done = contact::end_of_step(law(p), p.press, ends_[i], step.dt);
             lost_ += done.lost;
@@ -107,6 +109,7 @@ public:
     void before_commit() override {
         for (std::size_t i = 0; i < ends_.size(); ++i) {
             GroundPanelPoint& p = points()[i];
+            if (w_.rests(p.end.node)) continue;
             contact::keep(ends_[i], p.press, p.end.level);
             const double inside = p.end.radius - place_at(p, w_.trial);
             if (p.end.left_out && !w_.state.gone[p.end.node] && inside < 0)  // it has left the ground
@@ -123,6 +126,15 @@ public:
             p.end.left_out = true, p.press = {.depth = -p.end.radius};
         }
         return lost;
+    }
+    void hold_up(const Bodies& bodies, std::vector<char>& held_up) const override {
+        for (const GroundPanelPoint& p : points())
+            if (const int body = bodies.of_node[p.end.node]; body >= 0 && !is_out(p) && p.press.depth > 0)
+                held_up[body] = 1;
+    }
+    void rest_changed() override {
+        for (GroundPanelPoint& p : points())
+            if (w_.rests(p.end.node)) p.press.rate = 0;
     }
     double stored(const State& state) const override {
         double sum = 0;

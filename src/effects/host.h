@@ -26,6 +26,7 @@ struct ImpulseResponse {
 struct Reached {
     int element;
     const char* how;
+    int node = -1;  ///< in the place of an element, which is -1 then
 };
 
 class Host {
@@ -54,6 +55,8 @@ public:
     virtual void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) = 0;
     /// Effect::hold_up of all.
     virtual void hold_up(const Bodies& bodies, std::vector<char>& held_up) = 0;
+    /// Effect::lie_together of all.
+    virtual void lie_together(const Bodies& bodies, BodyPairs& pairs) = 0;
     /// Workspace::resting is another one: the nodes of it that are not negative take no part in the solution, and all
     /// effects are told.
     virtual void rest_changed() = 0;

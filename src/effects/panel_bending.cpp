@@ -48,7 +48,7 @@ public:
     void add_forces(double, std::vector<Vec6>& resisting) override {
         ends_.resize(bends_.size());
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (has_ended(i)) continue;
+            if (rests(i) || has_ended(i)) continue;
             const PlacedBend& at = place(i, w_.trial);
             ends_[i] = respond(i, at, false);
             const Vec3 m = bends_[i].area * (bends_[i].to_frame.transpose() * ends_[i].moment);
@@ -65,14 +65,18 @@ public:
     }
     bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        add_stiffness(at, blocks,
-                      [&](std::size_t i, const PlacedBend& placed) { return respond(i, placed, true).tangent; });
+        add_stiffness(
+            at, blocks, [&](std::size_t i, const PlacedBend& placed) { return respond(i, placed, true).tangent; },
+            [this](int node) { return !w_.rests(node); });
     }
     void add_stiffest(Blocks& most) const override {
-        add_stiffness(w_.state, most, [&](std::size_t i, const PlacedBend&) {
-            double before[panel::bending_history] = {}, after[panel::bending_history];
-            return panel::bend(laws_[i], Vec3::Zero(), before, after).tangent;
-        });
+        add_stiffness(
+            w_.state, most,
+            [&](std::size_t i, const PlacedBend&) {
+                double before[panel::bending_history] = {}, after[panel::bending_history];
+                return panel::bend(laws_[i], Vec3::Zero(), before, after).tangent;
+            },
+            [](int) { return true; });
     }
     double scale_of_rounding(const Pose& at) const override {
         double sum = 0;
@@ -88,7 +92,7 @@ public:
     void accumulate_energy(const Step&, Accounts& sums) const override {
         double dissipated = 0;
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (now().ended[i]) continue;
+            if (rests(i) || now().ended[i]) continue;
             if (has_ended(i)) {  // statics
                 dissipated += now().stored[i];
                 continue;
@@ -102,7 +106,7 @@ public:
     void before_commit(const Step&) override {
         BendingNow& n = now();
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (n.ended[i]) continue;
+            if (rests(i) || n.ended[i]) continue;
             if (has_ended(i)) {
                 n.stored[i] = 0;
                 continue;
@@ -130,7 +134,11 @@ public:
         host_.accelerations_anew();
         host_.blocks_changed(w_.state);
     }
-    bool allows_long_step() const override { return !has_blocks(); }
+    bool allows_long_step() const override {
+        for (std::size_t i = 0; i < bends_.size(); ++i)
+            if (!rests(i) && !now().ended[i]) return false;
+        return true;
+    }
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
     void add_energy(const State& state, Accounts& sums) const override {
@@ -174,6 +182,7 @@ private:
                                              [&](int p) { return panels.on_trial[std::size_t(p)] != 0; });
     }
 
+    bool rests(std::size_t i) const { return w_.rests(bends_[i].nodes[0]); }
     const PlacedBend& place(std::size_t i, const Pose& pose) const {
         placed_.find(bends_[i], w_.structure, pose);
         return placed_;
@@ -185,11 +194,11 @@ private:
                            with_tangent);
     }
 
-    template <class F>
-    void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
+    template <class F, class Of>
+    void add_stiffness(const Pose& pose, Blocks& blocks, F of, Of counts) const {
         blocks_.begin();
         for (std::size_t i = 0; i < bends_.size(); ++i) {
-            if (has_ended(i)) continue;
+            if (!counts(bends_[i].nodes[0]) || has_ended(i)) continue;
             const Bend& b = bends_[i];
             const PlacedBend& at = place(i, pose);
             const Mat3 D = b.area * (b.to_frame.transpose() * of(i, at) * b.to_frame);
@@ -205,7 +214,7 @@ private:
                     else blocks_.add(place, K, true);
                 }
         }
-        blocks_.list(blocks);
+        blocks_.list(blocks, counts);
     }
 
     std::vector<Bend> bends_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "effects/kinds.h"
 #include "effects/panel_points.h"
@@ -28,7 +29,8 @@ using contact::PressedEnd;
 constexpr double held_beyond = 0.02;
 /// Of the gap over which a point cannot touch: panels that are warped may be nearer than the height over them says.
 constexpr double part_of_gap = 0.5;
-constexpr double steps_of_list = 50;  ///< the list of what is near holds for about so many
+constexpr double steps_of_list = 50;   ///< the list of what is near holds for about so many
+constexpr double lies_within = 0.002;  ///< of a point's reach: what is no further apart lies on each other
 
 /// A touch at the end of a step, as far as it has been solved.
 struct Touched : PressedEnd {
@@ -46,7 +48,7 @@ public:
     PanelContact(Workspace& w, Host& host)
         : Effect(panel_contact_effect, w, host, {.forces_vanish = true}), parts_(w.structure) {
         const auto* there = w.state.data.find<PanelContactNow>(panel_contact_effect);
-        if (there && fits(*there)) drop_what_is_gone();
+        if (there && parts_.fits(*there)) drop_what_is_gone();
         else w.state.data.set(panel_contact_effect, empty());
     }
 
@@ -61,25 +63,9 @@ public:
         const double way = 2 * std::sqrt(fastest) * step.dt;
         if (!n.listed || !(n.travelled + way < n.margin)) list(way);
         n.travelled += way;
-        bool near = false;
-        double lost = 0;
-        feet_.resize(n.touches.size()), awake_.assign(n.touches.size(), 0);
-        for (std::size_t from = 0, to = 0; from < n.touches.size(); from = to) {
-            double test_at = n.touches[from].test_at;
-            for (; to < n.touches.size() && n.touches[to].point == n.touches[from].point; ++to)
-                test_at = std::min(test_at, n.touches[to].test_at);
-            if (n.travelled < test_at) continue;
-            lost += choose(from, to);
-            for (std::size_t i = from; i < to; ++i) {
-                PanelTouch& t = n.touches[i];
-                awake_[i] = 1, near |= t.over && t.press.depth + way > 0;
-                // over a panel: from the side on which it is, however deep
-                const double above = t.over ? t.side * feet_[i].height : std::abs(feet_[i].height);
-                const double apart = above - parts_.reach(t.point, t.panel);
-                t.test_at = n.travelled + part_of_gap * std::max(0.0, apart) - way;
-            }
-        }
-        w_.state.accumulated["panel_contact_lost"] += lost;
+        bool near = look(way);
+        for (auto reached = reached_at_rest(step); !reached.empty(); reached = reached_at_rest(step))
+            host_.reached(reached), near |= look(way);
         return !(step.longer && near);
     }
 
@@ -88,7 +74,7 @@ public:
         const PanelContactNow& n = now();
         touched_.resize(n.touches.size());
         pressed_before_ = presses_, presses_ = 0;
-        for (std::size_t i = 0; i < n.touches.size(); ++i) {
+        for (std::size_t i = 0; !all_rest_ && i < n.touches.size(); ++i) {
             const PanelTouch& t = n.touches[i];
             if (!acts(i)) continue;
             const Touched& at = touched_[i] = touch(i);
@@ -96,9 +82,10 @@ public:
             ++presses_;
             const Vec3 push = -at.press.force * t.side * at.foot.normal, drag = law(t).along() * at.slip;
             const PanelPoint& p = parts_.points()[std::size_t(t.point)];
-            for (std::size_t k = 0; k < p.node.size(); ++k) resisting[p.node[k]].head<3>() += p.part[k] * (push + drag);
+            for (std::size_t k = 0; k < p.node.size() && !w_.rests(p.node[k]); ++k)
+                resisting[p.node[k]].head<3>() += p.part[k] * (push + drag);
             const auto& nodes = parts_.panels()[std::size_t(t.panel)].nodes;
-            for (std::size_t k = 0; k < nodes.size(); ++k)
+            for (std::size_t k = 0; k < nodes.size() && !w_.rests(nodes[k]); ++k)
                 resisting[nodes[k]].head<3>() -= at.foot.share[k] * push + at.before.share[k] * drag +
                                                  at.arm * contact::slope_of_normal(at.before, drag, k);
         }
@@ -161,24 +148,30 @@ public:
     }
     void after_commit(const Step&) override {
         feet_.clear();
-        int torn = 0;
-        for (int p = 0; p < int(parts_.panels().size()); ++p) torn += parts_.torn(w_.state, p);
-        if (torn != torn_) torn_ = torn, surface_.clear();
-        all_broke();
+        if (const int torn = parts_.torn_panels(w_.state); torn != torn_) torn_ = torn, surface_.clear(), all_broke();
     }
     void all_broke() override {
         if (drop_what_is_gone()) host_.accelerations_anew(), host_.blocks_changed(w_.state);
     }
 
-    void save_step() override { saved_ = now(); }
+    void save_step() override {
+        if (!all_rest_ || !is_saved_) saved_ = now(), is_saved_ = all_rest_;
+    }
     void roll_back() override { now() = saved_, lost_ = 0; }
 
-    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (const PanelTouch& t : now().touches) {
-            if (!t.over || t.press.depth < -parts_.smallest()) continue;
-            for (const int n : parts_.points()[std::size_t(t.point)].node)
-                if (bodies.of_node[std::size_t(n)] >= 0) rests[std::size_t(bodies.of_node[std::size_t(n)])] = 0;
-        }
+    void lie_together(const Bodies& bodies, BodyPairs& pairs) const override {
+        for (const PanelTouch& t : now().touches)
+            if (t.over && t.press.depth > -apart_on(t))
+                pairs.emplace_back(bodies.of_node[of_point(t)], bodies.of_node[of_panel(t)]);
+    }
+    /// What presses on what as both rest is kept, but for the rate. Those that take part again are to be looked at.
+    void rest_changed() override {
+        for (PanelTouch& t : now().touches)
+            if (point_rests(t) && panel_rests(t)) t.press.rate = 0;
+        feet_.clear(), awake_.clear();
+        const auto rests = [this](const PanelPoint& p) { return w_.rests(p.node[0]); };
+        all_rest_ = std::all_of(parts_.points().begin(), parts_.points().end(), rests);
+        is_saved_ = false;
     }
     bool busy() const override { return presses_ > 0; }
     bool allows_long_step() const override { return !busy(); }
@@ -198,23 +191,24 @@ public:
     bool restored(std::span<const State* const> states) override {
         return std::all_of(states.begin(), states.end(), [this](const State* s) {
             const auto* there = s->data.find<PanelContactNow>(panel_contact_effect);
-            return there && fits(*there);
+            return there && parts_.fits(*there);
         });
     }
 
 private:
     PanelContactNow& now() const { return *w_.state.data.find<PanelContactNow>(panel_contact_effect); }
     /// Whether a touch may press in this step.
-    bool acts(std::size_t i) const { return now().touches[i].over && (awake_.empty() || awake_[i] != 0); }
+    bool acts(std::size_t i) const {
+        const PanelTouch& t = now().touches[i];
+        return t.over && (awake_.empty() ? !(point_rests(t) && panel_rests(t)) : awake_[i] != 0);
+    }
+    int of_point(const PanelTouch& t) const { return parts_.points()[std::size_t(t.point)].node[0]; }
+    int of_panel(const PanelTouch& t) const { return parts_.panels()[std::size_t(t.panel)].nodes[0]; }
+    bool point_rests(const PanelTouch& t) const { return w_.rests(of_point(t)); }
+    bool panel_rests(const PanelTouch& t) const { return w_.rests(of_panel(t)); }
+    double apart_on(const PanelTouch& t) const { return lies_within * parts_.reach(t.point, t.panel); }
     contact::PressLaw law(const PanelTouch& t) const { return parts_.law(t.point, t.panel); }
     PanelContactNow empty() const { return {int(parts_.points().size()), int(parts_.panels().size()), {}}; }
-    /// Whether it is of this structure: a run may go on from one that had other panels.
-    bool fits(const PanelContactNow& n) const {
-        return n.points == int(parts_.points().size()) && n.panels == int(parts_.panels().size()) &&
-               std::all_of(n.touches.begin(), n.touches.end(), [&](const PanelTouch& t) {
-                   return t.point >= 0 && t.point < n.points && t.panel >= 0 && t.panel < n.panels;
-               });
-    }
     double stored_by(const PanelTouch& t, const Foot& foot) const {
         return t.press.stored(law(t), parts_.depth(t, foot));
     }
@@ -238,13 +232,14 @@ private:
         return at;
     }
 
-    /// Calls f(node, factor) for the nodes that a touch joins: a unit force on the point, and its counterpart.
+    /// Calls f(node, factor) for the nodes that a touch joins, but for those at rest: a unit force on the point, and
+    /// its counterpart.
     template <class F>
     void each_node(const PanelTouch& t, const Foot& foot, F f) const {
         const PanelPoint& p = parts_.points()[std::size_t(t.point)];
-        for (std::size_t k = 0; k < p.node.size(); ++k) f(p.node[k], p.part[k]);
+        for (std::size_t k = 0; k < p.node.size() && !w_.rests(p.node[k]); ++k) f(p.node[k], p.part[k]);
         const auto& nodes = parts_.panels()[std::size_t(t.panel)].nodes;
-        for (std::size_t k = 0; k < nodes.size(); ++k) f(nodes[k], -foot.share[k]);
+        for (std::size_t k = 0; k < nodes.size() && !w_.rests(nodes[k]); ++k) f(nodes[k], -foot.share[k]);
     }
     void add_impulse(const PanelTouch& t, const Touched& at, double size) {
         each_node(t, at.foot, [&](int node, double part) {
@@ -266,6 +261,50 @@ private:
     }
 
     // ---- what is near ---------------------------------------------------------------------------------------------
+    /// Finds the panels that points stand over, but for those at rest on each other. Whether one may touch within the
+    /// way, m.
+    bool look(double way) {
+        if (all_rest_) return false;
+        PanelContactNow& n = now();
+        bool near = false;
+        double lost = 0;
+        feet_.resize(n.touches.size()), awake_.assign(n.touches.size(), 0);
+        for (std::size_t from = 0, to = 0; from < n.touches.size(); from = to) {
+            double test_at = std::numeric_limits<double>::infinity();
+            bool awake = !point_rests(n.touches[from]);
+            for (; to < n.touches.size() && n.touches[to].point == n.touches[from].point; ++to)
+                test_at = std::min(test_at, n.touches[to].test_at), awake = awake || !panel_rests(n.touches[to]);
+            if (!awake || n.travelled < test_at) continue;
+            lost += choose(from, to);
+            for (std::size_t i = from; i < to; ++i) {
+                PanelTouch& t = n.touches[i];
+                awake_[i] = !(point_rests(t) && panel_rests(t));
+                near |= t.over && awake_[i] && t.press.depth + way > 0;
+                // over a panel: from the side on which it is, however deep
+                const double above = t.over ? t.side * feet_[i].height : std::abs(feet_[i].height);
+                const double apart = above - parts_.reach(t.point, t.panel);
+                t.test_at = n.travelled + part_of_gap * std::max(0.0, apart) - way;
+            }
+        }
+        w_.state.accumulated["panel_contact_lost"] += lost;
+        return near;
+    }
+    /// Nodes of bodies at rest that something comes to touch in the step.
+    std::vector<Reached> reached_at_rest(const Step& step) const {
+        std::vector<Reached> reached;
+        for (std::size_t i = 0; !all_rest_ && !w_.resting.empty() && i < now().touches.size(); ++i) {
+            const PanelTouch& t = now().touches[i];
+            if (!acts(i) || point_rests(t) == panel_rests(t)) continue;
+            double deeper = 0;
+            each_node(t, feet_[i], [&](int node, double part) {
+                const Vec6 v = w_.state.velocity[node] + (0.5 * step.dt) * w_.state.acceleration[node];
+                deeper -= part * step.dt * t.side * feet_[i].normal.dot(v.head<3>());
+            });
+            if (t.press.depth + deeper > -apart_on(t))
+                reached.push_back({-1, "reached", point_rests(t) ? of_point(t) : of_panel(t)});
+        }
+        return reached;
+    }
     void list(double way) {
         PanelContactNow& n = now();
         const State& s = w_.state;
@@ -290,7 +329,7 @@ private:
         list.insert(list.end(), deep.begin(), deep.end()), std::sort(list.begin(), list.end());
         n.touches = std::move(list);
         for (PanelTouch& t : n.touches) t.test_at = 0;
-        n.travelled = 0, n.listed = true;
+        n.travelled = 0, n.listed = true, is_saved_ = false;
         surface_ = parts_.surfaces(s);
     }
     /// Of a point's panels, those that it stands over: one of a surface. Returns what is lost where it changes, J.
@@ -353,7 +392,7 @@ private:
             if (!parts_.torn(w_.state, t.panel) && parts_.is_there(w_.state, parts_.points()[std::size_t(t.point)]))
                 return false;
             if (t.over && t.press.depth > 0) lost += stored_by(t, parts_.foot(w_.state, t)), any = true;
-            touched_.clear(), awake_.clear();
+            touched_.clear(), awake_.clear(), is_saved_ = false;
             return true;
         });
         w_.state.accumulated["panel_contact_lost"] += lost;
@@ -366,11 +405,13 @@ private:
     std::vector<char> awake_;               ///< of each touch: may touch in the step; empty: all may
     std::vector<Touched> touched_;          ///< of each touch, where forces were found last
     int torn_ = 0;                          ///< panels
+    bool all_rest_ = false;                 ///< all points
     int presses_ = 0, pressed_before_ = 0;  ///< points there, and where forces were found before
     double dt_ = 0;                         ///< s, of the step
     double lost_ = 0;                       ///< J, in the step that ends
     std::vector<Vec6> impulse_;
     PanelContactNow saved_;
+    bool is_saved_ = false;  ///< all rest, and nothing has changed since
 };
 
 bool is_asked(const Structure& s) {

@@ -64,6 +64,7 @@ void PanelCurvature::find_places(const TranslationBlocks& blocks) {
 
 void PanelCurvature::place(const Pose& pose) {
     for (std::size_t i = 0; i < bends_.size(); ++i) {
+        if (rests(i)) continue;
         Placed& at = placed_[i];
         at.find(bends_[i], w_.structure, pose);
         at.moment.setZero();
@@ -89,7 +90,7 @@ void PanelCurvature::add_moments(std::size_t panel, const std::array<Vec3, 4>& m
 void PanelCurvature::add_forces(std::vector<Vec6>& resisting) {
     for (std::size_t i = 0; i < bends_.size(); ++i) {
         const Placed& at = placed_[i];
-        if (at.acts) at.add_forces(bends_[i], w_.structure, at.moment, resisting);
+        if (at.acts && !rests(i)) at.add_forces(bends_[i], w_.structure, at.moment, resisting);
     }
 }
 
@@ -121,7 +122,7 @@ void PanelCurvature::add_stiffness(std::size_t panel, const panel::Shape& shape,
 
 void PanelCurvature::keep() {
     for (std::size_t i = 0; i < bends_.size(); ++i)
-        if (placed_[i].acts) now().kept[i] = placed_[i].derivative;
+        if (placed_[i].acts && !rests(i)) now().kept[i] = placed_[i].derivative;
 }
 void PanelCurvature::end_of_torn() {
     const PanelsNow* panels = bends_.empty() ? nullptr : panels_now(w_.state);

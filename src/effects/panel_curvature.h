@@ -31,7 +31,8 @@ public:
     void join(TranslationBlocks& blocks) const;
     void find_places(const TranslationBlocks& blocks);
 
-    /// Finds the bends at a pose, before at(panel) is asked. A bend that has ended keeps the curvature that it had.
+    /// Finds the bends at a pose, before at(panel) is asked, but for those of bodies at rest. A bend that has ended
+    /// keeps the curvature that it had.
     void place(const Pose& at);
     panel::Curvatures at(std::size_t panel) const;
     const panel::OwnStrains& own_strains(std::size_t panel) const { return of_[panel].own; }
@@ -67,6 +68,7 @@ private:
         Corner corner[4];
     };
     void add_corner(int bend, int panel, const Mat3& sheet);
+    bool rests(std::size_t bend) const { return w_.rests(bends_[bend].nodes[0]); }
     CurvatureNow& now() const { return *w_.state.data.find<CurvatureNow>(name); }
     static constexpr const char* name = "curvature of panels";
 

@@ -1,6 +1,7 @@
 // Points that may press on panels: where they are, how thick, how stiff; and where they stand over a panel.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <vector>
@@ -54,6 +55,19 @@ public:
     }
     bool torn(const State& s, int panel) const {
         return is_torn(*panels_now(s), panels_[std::size_t(panel)], std::size_t(panel));
+    }
+    /// Whether it is of this structure: a run may go on from one that had other panels.
+    bool fits(const PanelContactNow& n) const {
+        return n.points == int(points_.size()) && n.panels == int(panels_.size()) &&
+               std::all_of(n.touches.begin(), n.touches.end(), [&](const PanelTouch& t) {
+                   return t.point >= 0 && t.point < n.points && t.panel >= 0 && t.panel < n.panels;
+               });
+    }
+    int torn_panels(const State& s) const {
+        const PanelsNow& now = *panels_now(s);
+        int torn = 0;
+        for (std::size_t p = 0; p < panels_.size(); ++p) torn += is_torn(now, panels_[p], p);
+        return torn;
     }
     template <class At>
     Vec3 place(const At& pose, int node) const {

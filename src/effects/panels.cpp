@@ -63,7 +63,7 @@ public:
         ends_.resize(shape_.size());
         curvature_->place(w_.trial);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
-            if (is_torn(n, declared()[i], i)) continue;
+            if (!takes_part(i)) continue;
             const Placed at = place(i, w_.trial);
             const Evaluated& e = ends_[i] = evaluate(i, at, n, false);
             if (curvature_->has(i)) curvature_->add_moments(i, e.moment);
@@ -76,17 +76,20 @@ public:
     }
     bool has_blocks() const override { return any_whole(); }
     bool blocks_follow() const override {
-        return any_whole() &&
+        return any_awake() &&
                (w_.structure.large() || !std::all_of(declared().begin(), declared().end(),
                                                      [](const Panel& p) { return p.sheet->is_elastic(); }));
     }
     bool blocks_may_lag() const override { return true; }
     void add_blocks(const Pose& at, Blocks& blocks) const override {
-        add_stiffness(at, blocks, [&](std::size_t i, const Placed& placed, Resultants& r, panel::Mat17* bending) {
-            const Evaluated e = evaluate(i, placed, now(), true, bending);
-            if (w_.kind.geometric) r = e.resultants;
-            return e.tangent;
-        });
+        add_stiffness(
+            at, blocks,
+            [&](std::size_t i, const Placed& placed, Resultants& r, panel::Mat17* bending) {
+                const Evaluated e = evaluate(i, placed, now(), true, bending);
+                if (w_.kind.geometric) r = e.resultants;
+                return e.tangent;
+            },
+            [this](int node) { return !w_.rests(node); });
     }
     double scale_of_rounding(const Pose& at) const override {
         double sum = 0;
@@ -98,12 +101,15 @@ public:
         return sum;
     }
     void add_stiffest(Blocks& most) const override {
-        add_stiffness(w_.state, most, [&](std::size_t i, const Placed&, Resultants&, panel::Mat17* bending) -> Mat5 {
-            const panel::SectionTangent elastic = declared()[i].sheet->elastic();
-            if (!bending) return generalised(shape_[i], elastic.membrane);
-            *bending = panel::stiffest(shape_[i], elastic);
-            return Mat5::Zero();
-        });
+        add_stiffness(
+            w_.state, most,
+            [&](std::size_t i, const Placed&, Resultants&, panel::Mat17* bending) -> Mat5 {
+                const panel::SectionTangent elastic = declared()[i].sheet->elastic();
+                if (!bending) return generalised(shape_[i], elastic.membrane);
+                *bending = panel::stiffest(shape_[i], elastic);
+                return Mat5::Zero();
+            },
+            [](int) { return true; });
     }
 
     // ---- a step ---------------------------------------------------------------------------------------------------
@@ -112,7 +118,7 @@ public:
         ends_.resize(shape_.size());
         curvature_->place(w_.trial);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
-            if (is_torn(now(), declared()[i], i)) continue;
+            if (!takes_part(i)) continue;
             if (!w_.kind.explicit_steps)  // else nothing has moved since the forces were found
                 ends_[i] = evaluate(i, place(i, w_.trial), now(), false);
             dissipated += ends_[i].dissipated;
@@ -123,7 +129,7 @@ public:
         PanelsNow& n = now();
         bool any = false;
         for (std::size_t i = 0; i < shape_.size(); ++i) {
-            if (is_torn(n, declared()[i], i)) continue;
+            if (!takes_part(i)) continue;
             const Evaluated& e = ends_[i];
             std::copy(&next_[history_at_[i]], &next_[history_at_[i]] + (history_at_[i + 1] - history_at_[i]),
                       &n.history[history_at_[i]]);
@@ -162,12 +168,7 @@ public:
         }
         if (any) curvature_->end_of_torn(), changed(w_.state);
     }
-    bool allows_long_step() const override { return !any_whole(); }
-    void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) const override {
-        for (std::size_t i = 0; i < shape_.size(); ++i)
-            for (const int node : declared()[i].nodes)
-                if (bodies.of_node[node] >= 0) rests[bodies.of_node[node]] = 0;
-    }
+    bool allows_long_step() const override { return !any_awake(); }
 
     // ---- energy and checkpoint ------------------------------------------------------------------------------------
     void add_energy(const State& state, Accounts& sums) const override {
@@ -223,6 +224,16 @@ private:
         return false;
     }
 
+    /// Whether it is whole and not at rest.
+    bool takes_part(std::size_t i) const {
+        return !w_.rests(declared()[i].nodes[0]) && !is_torn(now(), declared()[i], i);
+    }
+    bool any_awake() const {
+        for (std::size_t i = 0; i < shape_.size(); ++i)
+            if (takes_part(i)) return true;
+        return false;
+    }
+
     Placed place(std::size_t i, const Pose& at) const {
         const Panel& p = declared()[i];
         std::array<Vec3, 4> moved;
@@ -266,13 +277,14 @@ private:
         return e;
     }
 
-    /// Sums the stiffness of all panels in blocks of one node and of two. of(i, placed, resultants): its tangent.
-    template <class F>
-    void add_stiffness(const Pose& pose, Blocks& blocks, F of) const {
+    /// Sums the stiffness of all panels in blocks of one node and of two. of(i, placed, resultants): its
+    /// tangent; counts(node): whether those of the node count.
+    template <class F, class Of>
+    void add_stiffness(const Pose& pose, Blocks& blocks, F of, Of counts) const {
         blocks_.begin();
         curvature_->place(pose);
         for (std::size_t i = 0; i < shape_.size(); ++i) {
-            if (is_torn(now(), declared()[i], i)) continue;
+            if (!counts(declared()[i].nodes[0]) || is_torn(now(), declared()[i], i)) continue;
             const Placed at = place(i, pose);
             Resultants r;
             panel::Mat17 bending;
@@ -286,7 +298,7 @@ private:
                 else blocks_.add(place, K, nodes[a] < nodes[b]);
             });
         }
-        blocks_.list(blocks);
+        blocks_.list(blocks, counts);
     }
 
     void tear(std::size_t i, std::uint8_t layers, const Evaluated& at, double when) {

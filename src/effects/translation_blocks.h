@@ -45,14 +45,18 @@ public:
         if (in_order) across_[std::size_t(place)] += K;
         else across_[std::size_t(place)] += K.transpose();
     }
-    void list(Blocks& to) const {
+    /// Those of nodes for which takes_part(node) is true; all that are joined do, or none.
+    template <class TakesPart>
+    void list(Blocks& to, TakesPart takes_part) const {
         to.pairs.reserve(to.pairs.size() + pairs_.size()), to.nodes.reserve(to.nodes.size() + nodes_.size());
         for (std::size_t i = 0; i < nodes_.size(); ++i) {
+            if (!takes_part(nodes_[i])) continue;
             Mat6 K = Mat6::Zero();
             K.topLeftCorner<3, 3>() = own_[i];
             to.stiffness(nodes_[i], K);
         }
         for (std::size_t i = 0; i < pairs_.size(); ++i) {
+            if (!takes_part(pairs_[i].first)) continue;
             Mat12 K = Mat12::Zero();
             K.block<3, 3>(0, 6) = across_[i], K.block<3, 3>(6, 0) = across_[i].transpose();
             to.stiffness(pairs_[i].first, pairs_[i].second, K);

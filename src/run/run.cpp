@@ -122,6 +122,10 @@ void Run::hold_up(const Bodies& bodies, std::vector<char>& held_up) {
     for (const auto& e : effects_->all) e->hold_up(bodies, held_up);
 }
 
+void Run::lie_together(const Bodies& bodies, BodyPairs& pairs) {
+    for (const auto& e : effects_->all) e->lie_together(bodies, pairs);
+}
+
 void Run::rest_changed() {
     for (const auto& e : effects_->all) e->rest_changed();
 }

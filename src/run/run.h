@@ -140,6 +140,7 @@ protected:
     void note_activation(const std::string& effect, bool awake, const std::string& why) override;
     void keep_from_rest(const Bodies& bodies, std::vector<char>& rests) override;
     void hold_up(const Bodies& bodies, std::vector<char>& held_up) override;
+    void lie_together(const Bodies& bodies, BodyPairs& pairs) override;
     void rest_changed() override;
     std::vector<beam::BowPoint> points_on_pair(int first, int plane, const Pose& at, double factor) override;
     void count_break() override { ++breaks_; }
