@@ -150,10 +150,12 @@ function model:dynamic(options) end
 ---every step
 ---@field step_control? number
 ---true (default): a body is not computed until something reaches it if it is in equilibrium where the run begins, or
----if it has come to rest on a ground without `restitution` and `stiffness`. That is, for ten times as long as it
----would take to fall by the half depth r of its members, no node moves by more than r / 500 or rotates by more than
----0.002 rad, and the kinetic energy is below a thousandth of m g r. It then goes to energy.ground_dissipated.
----run.state_changes lists when. Not with energy-momentum
+---if it has come to rest on a ground: members on one without `restitution` and `stiffness`, panels on any, and with
+---`model:panel_contact` on panels all of whose nodes are held. That is, for ten times as long as it would take to fall
+---by the half depth r of its members and panels, no node moves by more than r / 500, of panels r / 100, or rotates by
+---more than 0.002 rad, and the kinetic energy is below a thousandth of m g r. It then goes to energy.ground_dissipated,
+---without a ground to panel_contact_lost. What lies on each other by `model:panel_contact` comes to rest together, and
+---takes part again together. run.state_changes lists when. Not with energy-momentum
 ---@field rest? boolean
 ---threads that share the work of a step. "auto", the default: one for each 1,000 elements, so that a model of less than
 ---2,000 has one; no more than 16, than the process has cores, or than its share of them where cases of a study run side

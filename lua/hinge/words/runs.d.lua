@@ -172,7 +172,9 @@ local run = {}
 ---@field panel_dissipated number dissipated where panels yield and crush, and lost when they tear
 ---@field panel_contact number panel_contact_stored + panel_contact_lost; these three only with model:panel_contact
 ---@field panel_contact_stored number stored where points press on panels now
----@field panel_contact_lost number lost there by restitution and friction, and where points leave what they press on
+---lost there by restitution and friction, where points leave what they press on, and as bodies come to rest without a
+---ground
+---@field panel_contact_lost number
 ---@field joints number joint_stored + joint_dissipated; these three only if members' ends have joints
 ---@field joint_stored number stored in the springs of joints now
 ---@field joint_dissipated number plastic work of joints, and what was lost when they broke
