@@ -430,12 +430,11 @@ std::vector<PlanLine> panel_contact_plan(const Structure& s, const RunKind&) {
 
 EffectKind panel_contact_kind() {
     return {.name = panel_contact_effect,
-            .accounts =
-                {{"panel_contact", 63, "stored where points press on panels now, and lost there"},
-                 {"panel_contact_stored", 64, "stored now where points press on panels", "panel_contact"},
-                 {"panel_contact_lost", 65,
-                  "by restitution and friction on panels, where points leave them, and as bodies rest without a ground",
-                  "panel_contact"}},
+            .accounts = {{"panel_contact", 63, "stored where points press on panels now, and lost there"},
+                         {"panel_contact_stored", 64, "stored now where points press on panels", "panel_contact"},
+                         {"panel_contact_lost", 65,
+                          "by restitution and friction on panels, and where points leave them or come to rest",
+                          "panel_contact"}},
             .plan = panel_contact_plan,
             .make = [](Workspace& w, Host& host) -> std::unique_ptr<Effect> {
                 if (!is_asked(w.structure)) {

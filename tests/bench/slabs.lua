@@ -2,7 +2,7 @@
 --
 -- Run     hinge run -q tests/bench/slabs.lua [storeys=10 steps=50]
 -- Shows   time of a step on the processor and the energy error, by both methods: the frame with its floors as masses in
---         trapezoids, with an elastic slab of steel, with one of concrete and bars, and with one that bends by its layers
+--         trapezoids, with an elastic slab of steel, with one of concrete and bars, and one that bends by its layers
 local hinge = require "hinge"
 
 local slabs = {
