@@ -6,8 +6,8 @@
 -- Shows   the frame under the weight of frame and floors, then the impact: hinges, fracture, contact, no damping
 -- Expect  a table of damage by storey and group, the energy balance and the wall time by stage, how far the aircraft
 --         gets; frame.png: all members in six colours of f_y, fractured ones black; upper_storeys.png: the upper
---         five storeys without fractured members; frames.pvd for ParaView. With floors 31 to 41 columns are cut,
---         without 23 to 24, and 58 to 62 % of the aircraft's momentum are left, without 60 to 73 % (explicit steps,
+--         five storeys without fractured members; frames.pvd for ParaView. With floors 32 to 37 columns are cut,
+--         without 23 to 24, and 60 to 63 % of the aircraft's momentum are left, without 60 to 73 % (explicit steps,
 --         three runs each: lua/guide/falling_floors.md)
 --
 -- The paper's figure 16 is lost. The frame, the aircraft's members and the place of the impact are reconstructed: the

@@ -22,6 +22,7 @@ public:
     void note_activation(const std::string&, bool, const std::string&) override {}
     void keep_from_rest(const Bodies&, std::vector<char>&) override {}
     void hold_up(const Bodies&, std::vector<char>&) override {}
+    void lie_together(const Bodies&, BodyPairs&) override {}
     void rest_changed() override {}
     std::vector<beam::BowPoint> points_on_pair(int, int, const Pose&, double) override { return {}; }
     void count_break() override {}
