@@ -72,7 +72,8 @@ return hinge.scenario {
       local fastest = 0
       for _, node in ipairs(nodes) do
         local x, y, z = run:velocity(node)
-        fastest = math.max(fastest, math.abs(x), math.abs(y), math.abs(z))
+        local speed = math.sqrt(x * x + y * y + z * z)
+        if not (speed <= fastest) then fastest = speed end
       end
       local seconds = 0
       for _, effect in ipairs(run.effects) do
