@@ -20,7 +20,8 @@ struct OffsetMass {
     double mass = 0;              ///< kg
     Vec3 moment = Vec3::Zero();   ///< first moment about the node, kg m
     Mat3 inertia = Mat3::Zero();  ///< about the node, kg m^2
-    bool is_point() const { return moment.isZero(0) && inertia.isZero(0); }  ///< at the node itself
+    /// Whether it is at the node itself.
+    bool is_point() const { return moment.isZero(0) && inertia.isZero(0); }
 
     template <class Self, class A>
     static void fields(Self& s, A& a) {
