@@ -151,7 +151,8 @@ void Condensed<Number>::lay_out() {
                 place_[next] >= 0 ? -1 : 2 * which_[next] + (between_[which_[next]].side[0] == node ? 0 : 1);
         }
     }
-    lay_out_couplings();
+    coupled_rows_.lay_out(places, coupled_pairs());
+    take_couplings();
     red_.clear();
     black_.clear();
     staying_.clear();
@@ -171,15 +172,14 @@ void Condensed<Number>::lay_out() {
     }
 }
 
-/// The rows of couplings and bridges.
+/// Places that couplings and bridges join.
 template <class Number>
-void Condensed<Number>::lay_out_couplings() {
+std::vector<CoupledRows::Pair> Condensed<Number>::coupled_pairs() const {
     std::vector<CoupledRows::Pair> pairs;
-    for (std::size_t i = 0; i < couplings_.size(); ++i)
-        pairs.push_back({place_[couplings_[i].a], place_[couplings_[i].b], light_[i] != 0});
+    pairs.reserve(couplings_.size() + bridges_.size());
+    for (const Coupling& c : couplings_) pairs.push_back({place_[c.a], place_[c.b], c.is_light()});
     for (const Bridge& b : bridges_) pairs.push_back({place_[b.a], place_[b.b], false});
-    coupled_rows_.lay_out(int(order_.size()), pairs);
-    take_couplings();
+    return pairs;
 }
 
 template <class Number>
@@ -203,11 +203,7 @@ void Condensed<Number>::couple(const std::vector<Coupling>& couplings, std::vect
     const bool same_nodes = std::equal(couplings.begin(), couplings.end(), couplings_.begin(), couplings_.end(),
                                        [](const Coupling& c, const Coupling& d) { return c.a == d.a && c.b == d.b; });
     couplings_ = couplings;
-    std::vector<char> light;
-    light.reserve(couplings.size());
-    for (const Coupling& c : couplings) light.push_back(c.is_light());
-    light.swap(light_);
-    if (same_nodes && light == light_) return take_couplings();
+    if (same_nodes && coupled_rows_.is_laid_out_for(coupled_pairs())) return take_couplings();
     std::vector<int> nodes;
     for (const Coupling& c : couplings) nodes.push_back(c.a), nodes.push_back(c.b);
     std::sort(nodes.begin(), nodes.end());

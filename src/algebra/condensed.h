@@ -68,7 +68,7 @@ private:
 
     void paint();
     void lay_out();
-    void lay_out_couplings();
+    std::vector<CoupledRows::Pair> coupled_pairs() const;
     void take_couplings();
     void renew_between(CondensedNode& m, const ElementMatrices& parts) const;
     void renew_row(int place, const ElementMatrices& parts);
@@ -93,7 +93,6 @@ private:
     std::vector<int> which_;      ///< of each node: its place in between_, -1
     std::vector<Colour> colour_;  ///< of each joint's place, while it is not coupled
     std::vector<Coupling> couplings_;
-    std::vector<char> light_;      ///< of each, whether it joins translations alone
     std::vector<int> coupled_;     ///< nodes, rising
     std::vector<Bridge> bridges_;  ///< of pairs whose middle node is coupled: such a node is not taken out
     // rows of S: the joints', in order, and behind them those of coupled nodes that would be `between`

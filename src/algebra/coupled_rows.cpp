@@ -22,6 +22,7 @@ void compress(std::vector<Entry>& entries, int places, std::vector<int>& begin, 
 }  // namespace
 
 void CoupledRows::lay_out(int places, const std::vector<Pair>& pairs) {
+    pairs_ = pairs;
     std::vector<Entry> entries, light;
     for (const auto& [p, q, is_light] : pairs) {
         entries.insert(entries.end(), {{p, 0, p}, {q, 0, q}});

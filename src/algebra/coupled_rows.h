@@ -17,9 +17,11 @@ public:
     struct Pair {
         int a, b;
         bool light;
+        friend bool operator==(const Pair& p, const Pair& q) { return p.a == q.a && p.b == q.b && p.light == q.light; }
     };
     /// Rows and columns are places, `places` of them. Each pair joins two of them; all blocks are zero.
     void lay_out(int places, const std::vector<Pair>& pairs);
+    bool is_laid_out_for(const std::vector<Pair>& pairs) const { return pairs == pairs_; }
     void set_zero() { value_.assign(value_.size(), 0), light_value_.assign(light_value_.size(), 0); }
     /// Adds to the block of that row and column, of a pair or of one place.
     void add(int row, int column, const Mat6& block);
@@ -55,6 +57,7 @@ public:
 private:
     int count(int row) const { return begin_.empty() ? 0 : begin_[row + 1] - begin_[row]; }
 
+    std::vector<Pair> pairs_;
     std::vector<int> begin_;     ///< of each row: its first entry, which is its own block; empty without pairs
     std::vector<int> column_;    ///< of each entry
     LargeVector<double> value_;  ///< of each entry, 36
