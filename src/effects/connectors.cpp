@@ -39,7 +39,7 @@ public:
     Connectors(Workspace& w, Host& host)
         : Effect(connectors_effect, w, host, {.mean_forces = true}), now_(declared().size()) {
         for (const Connector& c : declared()) {
-            traits_.forces_vanish = traits_.forces_vanish || (c.capacity.array() < infinite).any();
+            traits_.forces_vanish = traits_.forces_vanish || (c.capacity.array() < infinite).any() || c.ultimate.any();
             traits_.calls_script = traits_.calls_script || std::any_of(std::begin(c.law), std::end(c.law),
                                                                        [](const ConnectorLaw& l) { return bool(l); });
         }

@@ -64,6 +64,7 @@ Dynamics::Dynamics(std::shared_ptr<const Structure> structure, State start, Dyna
 
 /// The stages of a step, and the integrator with its own.
 void Dynamics::add_stages() {
+    at_ = {};
     at_.loads = stages_.add("loads");
     if (has_contacts_) at_.contact = stages_.add("contact");
     if (forces_may_vanish_) at_.restart = stages_.add("restart");

@@ -150,8 +150,7 @@ function model:floor(options) end
 ---"two way"
 ---@field span? "two way"|"one way"|vec3
 ---polygons of points or nodes in the floor, with `corners` alone. They carry nothing, and must not overlap. What is
----around them goes to the members to which it would go without them
----they do not go with `slab`
+---around them goes to the members to which it would go without them. They do not go with `slab`
 ---@field openings? (vec3|hinge.node)[][]
 ---what the floor is made of, as in model:panel, without nodes: then plates with stiffness and strength lie between the
 ---members, bonded to the nodes of their elements, and carry `load` and `mass` at their nodes. Each part must have four
